@@ -22,6 +22,7 @@ from sandbox.physics import run
 PAGE = Path(__file__).parents[1] / "docs" / "how-to" / "use-python.md"
 
 
+@pytest.mark.sweep
 def test_every_example_of_the_page_gives_what_it_says() -> None:
     found = doctest.testfile(str(PAGE), module_relative=False, optionflags=doctest.ELLIPSIS)
 
@@ -43,6 +44,7 @@ def test_the_package_alone_imports_no_engine() -> None:
     assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
 
 
+@pytest.mark.sweep
 def test_a_run_has_the_bits_of_the_command_lines() -> None:
     level = sandbox.load("lagrange/double-pendulum")
 

@@ -30,6 +30,7 @@ def test_every_document_is_in_the_navigation(site: ModuleType) -> None:
     assert sorted(NAV) == sorted({*pages, *site.FROM_ROOT, "gallery.md"})
 
 
+@pytest.mark.sweep
 def test_the_gallery_shows_every_level_once(site: ModuleType) -> None:
     pictures = re.findall(r"\]\(gallery/(.+)\.png\)", site.gallery())
 

@@ -115,6 +115,7 @@ def test_an_effect_that_changes_nothing_is_named(run: Run, write: Write) -> None
     assert outcome.out.splitlines()[-1] == "'contact' is declared but changes nothing here"
 
 
+@pytest.mark.sweep
 def test_an_effect_that_a_level_cannot_run_without_is_told_so(run: Run) -> None:
     outcome = run("effects", "newton/table-and-pulley-with-friction")
 

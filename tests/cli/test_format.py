@@ -35,6 +35,7 @@ def test_check_says_what_would_change_and_writes_nothing(run: Run, write: Write)
     assert run("format", "--check", done).status == 0
 
 
+@pytest.mark.sweep
 def test_no_level_that_ships_would_change(run: Run) -> None:
     names = catalog.names()
 

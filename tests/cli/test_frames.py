@@ -9,6 +9,7 @@ from sandbox.app.frame_timing import Frames
 from tests.cli.helpers import Run
 
 
+@pytest.mark.sweep
 def test_the_json_has_what_was_measured(tmp_path: Path, run: Run) -> None:
     file = tmp_path / "frames.json"
     asked = ("newton/atwood", "--size", "900x600", "--seconds", 0.5)

@@ -26,6 +26,7 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return place
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("template", TEMPLATES)
 def test_a_new_level_is_well_formed_and_passes_its_checks(run: Run, template: str) -> None:
     outcome = run("new", "mine", "--from", template)

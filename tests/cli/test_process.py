@@ -42,11 +42,13 @@ def test_help_imports_neither_model_nor_engine_nor_window() -> None:
     assert not loaded & (WINDOW | PLOTS | {"pymunk", "numpy", "pydantic"})
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("arguments", [["list"], ["check", "newton/atwood"]])
 def test_what_only_reads_levels_imports_neither_engine_nor_window(arguments: list[str]) -> None:
     assert not imported(command(*arguments)) & (WINDOW | PLOTS | {"pymunk"})
 
 
+@pytest.mark.sweep
 def test_simulate_imports_no_window(write: Write, tmp_path: Path) -> None:
     loaded = imported(command("simulate", write(), "--output", tmp_path / "out.csv"))
 
@@ -54,6 +56,7 @@ def test_simulate_imports_no_window(write: Write, tmp_path: Path) -> None:
     assert not loaded & (WINDOW | PLOTS)
 
 
+@pytest.mark.sweep
 def test_a_picture_is_drawn_without_a_word_from_libraries(write: Write, tmp_path: Path) -> None:
     path, output = write(), tmp_path / "out.png"
 
@@ -62,6 +65,7 @@ def test_a_picture_is_drawn_without_a_word_from_libraries(write: Write, tmp_path
     assert (done.returncode, done.stdout, done.stderr) == (0, f"{output}: {path}\n", "")
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(
     ("arguments", "status"),
     [(["check", "nothing"], 1), (["simulate", "newton/atwood", "--output", "no/where.csv"], 2)],

@@ -25,6 +25,7 @@ def shell(line: str, folder: Path = ROOT) -> subprocess.CompletedProcess[str]:
     )  # fmt: skip
 
 
+@pytest.mark.sweep
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="no such device there")
 @pytest.mark.parametrize("command", ["SANDBOX list", "SANDBOX --help", "VALIDATION --help"])
 def test_a_full_disk_under_what_is_said_is_told_in_a_sentence(command: str) -> None:
@@ -34,6 +35,7 @@ def test_a_full_disk_under_what_is_said_is_told_in_a_sentence(command: str) -> N
     assert done.stderr == "cannot write to the standard output: No space left on device\n"
 
 
+@pytest.mark.sweep
 def test_whoever_stops_reading_ends_the_program_without_a_word(
     write: Write, tmp_path: Path
 ) -> None:
@@ -47,12 +49,14 @@ def test_whoever_stops_reading_ends_the_program_without_a_word(
     assert (tmp_path / "out.csv").stat().st_size > 0
 
 
+@pytest.mark.sweep
 def test_a_closed_output_is_no_failure() -> None:
     done = shell("SANDBOX check newton/atwood >&-")
 
     assert (done.returncode, done.stderr) == (0, "")
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(
     ("command", "told"),
     [

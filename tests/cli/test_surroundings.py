@@ -11,6 +11,7 @@ from tests.cli.test_streams import shell
 pytestmark = pytest.mark.skipif(os.name == "nt", reason="a shell as on Unix")
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(
     "line",
     [
@@ -28,6 +29,7 @@ def test_the_surroundings_do_not_matter(line: str) -> None:
     assert (done.returncode, done.stderr) == (0, "")
 
 
+@pytest.mark.sweep
 def test_what_cannot_be_kept_for_want_of_a_home_is_found_all_the_same(
     write: Write, tmp_path: Path
 ) -> None:
@@ -41,6 +43,7 @@ def test_what_cannot_be_kept_for_want_of_a_home_is_found_all_the_same(
     assert (tmp_path / "out.csv").stat().st_size > 0
 
 
+@pytest.mark.sweep
 def test_an_end_that_is_asked_for_leaves_no_file(write: Write, tmp_path: Path) -> None:
     path = write(duration=1e5, checks=[])
     out = tmp_path / "out.csv"
@@ -53,6 +56,7 @@ def test_an_end_that_is_asked_for_leaves_no_file(write: Write, tmp_path: Path) -
     assert not list(tmp_path.glob(".*.part"))
 
 
+@pytest.mark.sweep
 def test_a_crowd_is_told_before_it_is_played(write: Write) -> None:
     disc = {"shape": {"type": "disc", "radius": 0.1}, "mass": 1}
     crowd = {f"d{i}": disc for i in range(400)}

@@ -76,6 +76,7 @@ def test_what_is_not_there_is_not_watched(run: Run, tmp_path: Path) -> None:
     assert "there is no such file" in outcome.err
 
 
+@pytest.mark.sweep
 @pytest.mark.skipif(sys.platform == "win32", reason="Ctrl-C cannot be sent to one process alone")
 def test_ctrl_c_ends_it_without_a_traceback(write: Write) -> None:
     path = write()

@@ -50,6 +50,7 @@ def test_mistakes_are_told_with_their_place_and_leave_no_level() -> None:
     assert str(draft.mistakes[0]).startswith("<new level>:")
 
 
+@pytest.mark.sweep
 @given(st.lists(st.text(max_size=8), max_size=12), st.integers(0, 20))
 def test_undo_of_all_is_the_first_text_and_redo_of_all_the_last(
     titles: list[str], back: int

@@ -127,6 +127,7 @@ WRITES = """
 """
 
 
+@pytest.mark.sweep
 @pytest.mark.skipif(sys.platform == "win32", reason="has no signal that ends a process at once")
 def test_a_process_killed_at_any_moment_leaves_files_whole(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch

@@ -180,6 +180,7 @@ def loads_or_says_why(draft: Draft) -> bool:
     return draft.level is not None or all(m.path and m.line for m in draft.mistakes)
 
 
+@pytest.mark.sweep
 @settings(max_examples=60, suppress_health_check=list(HealthCheck))
 @given(st.data())
 def test_a_level_that_was_edited_loads_or_says_why_and_all_is_undone(data: st.DataObject) -> None:

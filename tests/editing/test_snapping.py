@@ -53,6 +53,7 @@ def test_a_body_that_comes_near_the_ground_touches_it_exactly(
 PAIRS = [("disc1", "box1"), ("disc1", "polygon1"), ("box1", "disc1"), ("box1", "polygon1")]
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(("name", "other"), PAIRS)
 @settings(max_examples=25)
 @given(st.floats(0, 6.28), st.floats(-0.09, 0.09))

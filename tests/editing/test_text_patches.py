@@ -118,6 +118,7 @@ def test_what_is_put_and_taken_away_again_leaves_a_level_as_it_was(path: Path) -
     assert TOKEN.findall(without) == TOKEN.findall(text)  # bodies on one line may have got several
 
 
+@pytest.mark.sweep
 @given(st.data())
 def test_a_patch_does_what_it_would_do_to_the_data(data: st.DataObject) -> None:
     text = read(data.draw(st.sampled_from(SMALL)))
@@ -132,6 +133,7 @@ def test_a_patch_does_what_it_would_do_to_the_data(data: st.DataObject) -> None:
     assert json.loads(put(text, path, value)) == meant
 
 
+@pytest.mark.sweep
 @given(st.data())
 def test_what_stood_before_and_behind_a_patch_stays_to_the_character(data: st.DataObject) -> None:
     text = read(data.draw(st.sampled_from(SMALL)))

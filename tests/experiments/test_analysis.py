@@ -13,6 +13,7 @@ from tests.experiments.making import plan, table
 A, B = 7.0, 0.1
 
 
+@pytest.mark.sweep
 def test_sobol_s_indices_of_ishigami_s_function_are_those_known_by_hand() -> None:
     """T. Ishigami and T. Homma (1990): f = sin x + a sin² y + b z⁴ sin x, each from −π to π."""
     count = 2048
@@ -28,6 +29,7 @@ def test_sobol_s_indices_of_ishigami_s_function_are_those_known_by_hand() -> Non
     assert (np.abs(found.total - total / whole) < 4 * found.total_error).all()
 
 
+@pytest.mark.sweep
 def test_a_falling_stone_s_time_depends_on_height_and_gravity_as_their_spreads(
     tmp_path: Path,
 ) -> None:

@@ -33,6 +33,7 @@ def address() -> Iterator[str]:
     made.end()
 
 
+@pytest.mark.sweep
 @pytest.mark.filterwarnings("ignore")  # whatever Dask says of itself
 def test_a_cluster_and_this_process_make_the_same_file(tmp_path: Path, address: str) -> None:
     found = plan(THROW, {"angle": "6:85:200", "g": "9.81±0.01"}, RANGE, draws=2)
@@ -58,6 +59,7 @@ def drag(count: int = 60) -> Plan:
     return plan("newton/projectile-with-drag", {"angle": f"20:80:{count}"}, END, duration=0.3)
 
 
+@pytest.mark.sweep
 @pytest.mark.filterwarnings("ignore")
 def test_what_a_lost_worker_was_at_is_done_by_another(tmp_path: Path, address: str) -> None:
     found, killed = drag(), list[int]()
@@ -76,6 +78,7 @@ def test_what_a_lost_worker_was_at_is_done_by_another(tmp_path: Path, address: s
     assert store.results.read_bytes() == (tmp_path / "here" / RESULTS).read_bytes()
 
 
+@pytest.mark.sweep
 @pytest.mark.filterwarnings("ignore")
 def test_a_scheduler_that_goes_away_is_a_sentence_and_what_was_done_is_kept(
     tmp_path: Path, machines: Machines

@@ -29,11 +29,13 @@ def test_what_a_label_says_is_not_rounded() -> None:
     assert not re.search(r'="[^"]*\.\d{3,}', svg)
 
 
+@pytest.mark.sweep
 def test_a_map_has_the_closed_form_s_lines(tmp_path: Path) -> None:
     html = page(tmp_path, {"angle": "20:70:9", "speed": "5:15:10"})
     assert "lines: the closed form, at the marks of the scale" in html
 
 
+@pytest.mark.sweep
 def test_a_histogram_has_the_closed_form_s_outline(tmp_path: Path) -> None:
     html = page(tmp_path, {"speed": "10±0.5"}, draws=40)
     assert ">closed form<" in html

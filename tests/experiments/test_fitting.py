@@ -25,6 +25,7 @@ def known(seed: int) -> Data:
     return Data(T, {height: fallen(seed)}, {height: np.full(T.size, NOISE)})
 
 
+@pytest.mark.sweep
 def test_g_lies_within_its_own_uncertainty_in_95_of_100_draws() -> None:
     """Of a normal distribution 95.4 % lie within two standard uncertainties, 68 % within one."""
     off = []

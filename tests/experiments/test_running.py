@@ -112,6 +112,7 @@ def test_what_was_killed_at_any_moment_goes_on_to_the_same_table(tmp_path: Path,
     assert not (killed / PARTS).exists()
 
 
+@pytest.mark.sweep
 def test_a_dead_worker_ends_it_in_a_sentence_and_what_was_done_is_kept(tmp_path: Path) -> None:
     with started(tmp_path, 2) as process:
         assert until(lambda: parts(tmp_path) > 0)

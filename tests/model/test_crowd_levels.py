@@ -38,6 +38,7 @@ def test_a_pile_is_as_deep_however_many_there_are() -> None:
     assert heights[0] == heights[1]
 
 
+@pytest.mark.sweep
 def test_the_largest_gas_can_be_loaded() -> None:
     said = text(crowd("gas", MAX_BODIES - 1))
 

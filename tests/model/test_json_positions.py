@@ -46,6 +46,7 @@ def test_every_value_is_found_at_its_path(
         assert found[path].text == (text[start:end] if scalar else text[start])
 
 
+@pytest.mark.sweep
 @given(json_values)
 def test_no_key_is_repeated_in_what_python_writes(data: object) -> None:
     assert not any(value.repeated for value in values(json.dumps(data)))

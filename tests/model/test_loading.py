@@ -338,6 +338,7 @@ def test_one_mistake_is_not_told_twice() -> None:
     assert len(found) == len(set(found)) == 1
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(
     "text",
     [

@@ -36,6 +36,7 @@ def test_only_those_that_attract_each_other_are_counted(monkeypatch: pytest.Monk
     assert told({**BASE, "bodies": crowd(8), "effects": effects}) == []
 
 
+@pytest.mark.sweep
 def test_more_centres_than_a_step_can_go_through_are_refused() -> None:
     effects = {"attraction": [{"mu": 1}] * 1000}
 

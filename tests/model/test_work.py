@@ -49,6 +49,7 @@ def test_where_few_are_tried_all_of_a_side_come_first() -> None:
     assert [set(values.values()) for values in tried] == [{1.0}, {0.5}, {2.0}]
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("data", [crowd(800), wires(20)], ids=["bodies", "wires"])
 def test_of_many_parts_fewer_combinations_are_tried(
     data: Data, monkeypatch: pytest.MonkeyPatch

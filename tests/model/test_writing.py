@@ -54,6 +54,7 @@ def test_the_levels_that_ship_have_the_layout_already(path: Path) -> None:
     assert formatted(typed(path)) == typed(path)
 
 
+@pytest.mark.sweep
 @given(scattered())
 def test_only_spaces_and_line_breaks_change(pair: tuple[str, str]) -> None:
     before, other = pair
@@ -64,6 +65,7 @@ def test_only_spaces_and_line_breaks_change(pair: tuple[str, str]) -> None:
     assert parse(after) == parse(before)
 
 
+@pytest.mark.sweep
 @given(scattered())
 def test_what_is_laid_out_stays_as_it_is(pair: tuple[str, str]) -> None:
     after = formatted(pair[1])

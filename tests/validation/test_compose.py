@@ -282,6 +282,7 @@ def test_a_run_that_is_doctored_fails_where_it_was(name: str) -> None:
     assert not named(judge(doctor(sound), [one]), name).passed
 
 
+@pytest.mark.sweep
 def test_stock_pymunk_is_of_first_order() -> None:
     found = of("four_bar")
     document = {**found.document, "stepping": {"rate": 240, "scheme": "symplectic-euler"}}
@@ -357,6 +358,7 @@ def test_an_overlap_may_last_as_long_as_pymunk_takes_where_it_is_left_to_it(
     assert named(judge(doctored, [invariants.overlap]), "overlap").passed is passed
 
 
+@pytest.mark.sweep
 def test_an_overlap_of_an_impact_found_late_is_let_pass_and_no_other() -> None:
     """A ball falls on a floor and is found 5 mm deep; then it is held there."""
     document = beam(1.0)
@@ -427,6 +429,7 @@ def test_a_scene_that_failed_once_holds(seed: int) -> None:
     assert found.passed, (MENDED[seed], found.reason, found.failed)
 
 
+@pytest.mark.sweep
 def test_a_run_that_stops_is_judged_at_the_rate_that_is_advised() -> None:
     found = scene(565919744)
     level = found.level()
@@ -510,6 +513,7 @@ def test_of_many_scenes_that_fail_only_the_first_are_named() -> None:
     assert told[-1] == "and 10 more"
 
 
+@pytest.mark.sweep
 def test_a_scene_is_judged_by_its_seed_alone() -> None:
     seed = next(s for s in seeds(0, 200) if scene(s).family == "machine")
     first, second = judged(seed), judged(seed)

@@ -88,6 +88,7 @@ def test_the_next_digit_costs_what_a_tenth_of_the_error_does() -> None:
     assert next_digit(sweep([point(240.0, 3e-15, 1e-3)])) is None, "it is rounding"
 
 
+@pytest.mark.sweep
 def test_the_place_that_is_known_least_and_what_is_checked_can_be_trusted_so_far() -> None:
     """Held against a run with an eighth of the step."""
     level = load(catalog.find("lagrange/simple-pendulum"))
@@ -138,6 +139,7 @@ def test_that_pymunk_never_comes_through_is_no_failure_of_ours() -> None:
     assert failed([Sweep("b", "nothing: the level has no check", (), 240, ())]) == []
 
 
+@pytest.mark.sweep
 def test_a_formula_that_is_an_approximation_gives_way_to_a_finer_run() -> None:
     """The swing that a formula for small ones gives is off by as much, whatever the step."""
     level = small_swings()
@@ -156,6 +158,7 @@ def test_a_formula_that_is_an_approximation_gives_way_to_a_finer_run() -> None:
     assert fine < 0.4 * coarse  # it converges, which it cannot to an approximation
 
 
+@pytest.mark.sweep
 def test_under_a_clock_that_ticks_too_seldom_it_is_the_finest_run(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:

@@ -52,6 +52,7 @@ def test_plain_euler_in_the_sandbox_is_the_chapters_bit_for_bit() -> None:
     assert columns[ENERGY][-1] - columns[ENERGY][0] == pytest.approx(22.3705, abs=5e-5)
 
 
+@pytest.mark.sweep
 def test_symplectic_euler_in_the_sandbox_is_the_chapters_begun_with_a_drift() -> None:
     """The chapter kicks, then drifts; pymunk drifts, then kicks: one chain, begun elsewhere."""
     columns = record("lagrange/symplectic-pendulum", THETA, OMEGA).columns

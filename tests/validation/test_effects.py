@@ -32,6 +32,7 @@ def test_a_level_is_measured_with_its_hooks_and_without() -> None:
     assert with_drag.ratio == with_drag.step_seconds / with_drag.bare_step_seconds
 
 
+@pytest.mark.sweep
 def test_what_calls_python_stands_beside_the_effects_of_a_level() -> None:
     """Each level that calls Python has a law, a joint, or an effect that says why."""
     laws = {effect.name for effect in effects.EFFECTS.values() if effect.is_law}
@@ -81,6 +82,7 @@ def test_the_exponent_is_that_of_a_power() -> None:
     assert exponent([1, 10, 100], [1, 1, 1]) is None
 
 
+@pytest.mark.sweep
 def test_the_figures_are_written(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(catalog, "names", lambda: ["kinematics/free-fall"])
     monkeypatch.setattr(costs, "QUICK", (1, 2))

@@ -93,6 +93,7 @@ def test_keplers_ellipse_has_the_sun_in_a_focus_and_ends_where_it_began(
     assert (x[24], y[24]) == pytest.approx((near, 0), abs=1e-9 * a)
 
 
+@pytest.mark.sweep
 @given(eccentricities)
 def test_the_line_to_the_sun_sweeps_equal_areas_in_equal_times(e: float) -> None:
     t = np.linspace(0, energy.kepler_period(1, 1), 2001)
@@ -149,6 +150,7 @@ def test_the_perihelia_of_an_orbit_that_turns_advance_alike() -> None:
     assert angle[::10] == pytest.approx(2 * np.pi / kappa * np.arange(4))
 
 
+@pytest.mark.sweep
 def test_the_figure_eight_closes_and_its_stars_follow_each_other() -> None:
     """After a third of the period 6.32591398 √(a³ / (G m)) each is where another was."""
     period = 6.32591398292621 * np.sqrt(8 / 8)

@@ -79,6 +79,7 @@ def test_what_is_raised_but_by_us_is_no_answer(monkeypatch: pytest.MonkeyPatch, 
     assert "complex division by zero" in outcome.what
 
 
+@pytest.mark.sweep
 def test_a_process_that_ends_is_told_and_another_begins() -> None:
     tried = Trial()
     assert tried.run(json.dumps(bare())).kind == RUNS
@@ -90,6 +91,7 @@ def test_a_process_that_ends_is_told_and_another_begins() -> None:
     tried.close()
 
 
+@pytest.mark.sweep
 @pytest.mark.skipif(os.name == "nt", reason="computing is not limited there, only time")
 def test_what_takes_too_long_is_told() -> None:
     """Half a second of computing is many ticks of any system's clock."""
@@ -141,6 +143,7 @@ def test_what_goes_wrong_is_kept(tmp_path: Path) -> None:
     assert found.failures == [{"number": 0, "what": "ended: with -6", "sample": str(sample)}]
 
 
+@pytest.mark.sweep
 def test_the_figures_are_written(tmp_path: Path) -> None:
     file = tmp_path / "out.json"
 

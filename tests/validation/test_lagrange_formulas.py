@@ -112,6 +112,7 @@ def test_a_pendulum_on_a_cart_of_infinite_mass_is_a_pendulum() -> None:
     assert x == pytest.approx([0, 0], abs=1e-9)
 
 
+@pytest.mark.sweep
 @given(st.floats(0.2, 5), st.floats(0.2, 5))
 def test_a_pendulum_on_a_cart_keeps_its_energy_and_swings_as_it_should(
     cart: float, bob: float

@@ -13,6 +13,7 @@ from validation.cost.sweep import Budget, Point, Sweep, errors, timed
 BUDGET = Budget(run=0.05, rates=(30.0, 120.0, 480.0), targets=(1e-3, 1e-5))
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("name", ["newton/projectile-with-drag", "newton/incline"])
 def test_what_is_asked_for_is_delivered(name: str) -> None:
     sweep = timed(errors(name, BUDGET))
@@ -51,6 +52,7 @@ def test_stock_pymunk_counts_where_impacts_come_in_sequence_too() -> None:
     assert not found.honoured
 
 
+@pytest.mark.sweep
 def test_the_sum_counts_what_was_met() -> None:
     sweep = errors("newton/incline", Budget(run=0.01, rates=(60.0,), targets=(1e-3,)))
 

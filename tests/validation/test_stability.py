@@ -346,6 +346,7 @@ def test_a_case_that_fails_is_exit_status_1(monkeypatch: pytest.MonkeyPatch) -> 
     assert f"failed: {CRADLE}" in result.stderr
 
 
+@pytest.mark.sweep
 def test_frontiers_are_written_down_only_when_asked(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(command, "outcomes", few)
     written: list[object] = []

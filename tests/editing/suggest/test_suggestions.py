@@ -120,6 +120,7 @@ def test_a_set_up_is_recognised_and_its_checks_pass_on_a_run(setup: str, text: s
         assert result.verdict == "passed", (result.check, result)
 
 
+@pytest.mark.sweep
 def test_a_check_fails_where_the_scene_is_another_one() -> None:
     """What is suggested of masses 2 and 3.7 does not hold of 2 and 3.8."""
     text = atwood(2, 3.7)
@@ -128,6 +129,7 @@ def test_a_check_fails_where_the_scene_is_another_one() -> None:
     assert {result.verdict for result in grade(simulate(parse(other)))} == {"failed"}
 
 
+@pytest.mark.sweep
 def test_a_suggestion_follows_the_parameters() -> None:
     text = make_parameter(atwood(2, 3), ("bodies", "disc1", "mass"), "m1")
     text = make_parameter(text, ("effects", "gravity", "acceleration", 1), "g")

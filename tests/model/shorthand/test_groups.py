@@ -48,6 +48,7 @@ def told(data: Data) -> str:
     return str(caught.value)
 
 
+@pytest.mark.sweep
 @given(x=st.floats(-5, 5), y=st.floats(-5, 5), angle=st.floats(-6, 6), as_text=st.booleans())
 def test_a_group_is_turned_and_moved_as_one(
     x: float, y: float, angle: float, as_text: bool
@@ -154,6 +155,7 @@ def test_a_stop_of_a_group_that_is_turned_lets_turn_as_far_from_where_it_stands(
     assert angles == {"k_stop": [1.5, 2.25], "k_inner": [-0.5, 0.25]}
 
 
+@pytest.mark.sweep
 def test_many_copies_of_a_large_group_exhaust_no_machine() -> None:
     group: Any = {"bodies": {"a{i}": DISC | {"repeat": {"i": 200}}}}
     data = level(groups={"pair": group}, bodies={"x{i}": {"repeat": {"i": 20_000}, "copy": "pair"}})

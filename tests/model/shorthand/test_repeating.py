@@ -212,6 +212,7 @@ def test_a_name_without_its_index_is_told() -> None:
     assert "'ball' comes out twice; put an index into its name, such as ball{i}" in found
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(
     "repeat",
     [
@@ -230,6 +231,7 @@ def test_a_small_file_exhausts_no_machine(repeat: Any) -> None:  # noqa: ANN401
     assert time.process_time() - begun < 10
 
 
+@pytest.mark.sweep
 def test_copies_of_many_numbers_exhaust_no_machine() -> None:
     """Numbers are counted as texts are: 20,000 polygons of 1,000 corners would be 20 million."""
     corners = [[i, i % 7] for i in range(1000)]

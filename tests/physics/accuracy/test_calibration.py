@@ -80,6 +80,7 @@ def leaping(count: Iterator[int]) -> float:
     return 60.0 * next(count)
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(
     "clock",
     [partial(ticking, time.perf_counter), partial(leaping, count())],
@@ -153,6 +154,7 @@ def test_what_comes_back_to_zero_is_off_by_its_own_value() -> None:
     assert found.error == pytest.approx(delivered(scene, Stepping(rate=60)), rel=0.03)
 
 
+@pytest.mark.sweep
 def test_an_instant_near_the_end_is_read_off_equal_steps() -> None:
     """A run that is looked at every second step does not end with half a look: 8e-5 it was off."""
     scene = catalog_level("energy/figure-eight")
@@ -189,6 +191,7 @@ def test_an_accuracy_is_delivered_and_not_much_more(damping: float, target: floa
     assert stepping.scheme == "leapfrog" or not damping
 
 
+@pytest.mark.sweep
 def test_fourth_order_is_taken_where_it_is_cheaper() -> None:
     """On an orbit by few of the steps, at five or six times the cost each."""
     assert calibrate(orbit(), target=1e-8).chosen.stepping.scheme == "fourth-order"
@@ -300,6 +303,7 @@ def second_at_the_end(stepping: Stepping) -> float:
     return float(run.columns["second.position.x"][-1])
 
 
+@pytest.mark.sweep
 def test_runs_that_find_an_impact_at_the_same_step_are_not_believed() -> None:
     """From 30 to 480 Hz it is found at 1 s, 1.7 ms late: all agree, and are 5 mm off."""
     ends = [second_at_the_end(Stepping(rate=rate)) for rate in (30, 60, 120, 240, 480)]
@@ -328,6 +332,7 @@ def test_impacts_that_are_located_are_believed() -> None:
     assert last == pytest.approx(3 * (2 - 2.995 / 3), abs=2e-9)  # but for the skin
 
 
+@pytest.mark.sweep
 def test_what_pymunk_makes_of_an_impact_is_judged_by_another_scheme() -> None:
     """An impact that leaves nothing costs stock pymunk so little that it is refined alone."""
     scene = catalog_level("momentum/inelastic")
@@ -356,6 +361,7 @@ def swinging(*checks: Spec) -> Level:
     return level(bob, GRAVITY, joints={"rod": rod}, checks=list(checks), duration=5)
 
 
+@pytest.mark.sweep
 def test_what_cannot_fail_fulfils_no_request() -> None:
     """A rod's length holds to rounding at any rate; where its bob is does not."""
     scene = swinging(check("rod.length", "1"))
@@ -372,6 +378,7 @@ def test_what_cannot_fail_fulfils_no_request() -> None:
     assert "places and velocities" in str(setting)
 
 
+@pytest.mark.sweep
 def test_what_is_recorded_is_judged_as_well() -> None:
     """The kinetic energy of a swing at its turning point is as wrong as the bob is early."""
     scene = swinging()
@@ -402,6 +409,7 @@ def test_a_touch_that_comes_at_once_is_not_chaos() -> None:
     assert chaotic(found, found.defaults, Stepping(rate=240), never) == ""
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("target", [1e-3, 1e-6])
 def test_a_clock_that_stumbles_changes_no_setting(
     monkeypatch: pytest.MonkeyPatch, target: float
@@ -451,6 +459,7 @@ def test_that_velocities_are_off_where_a_force_sets_in_is_told() -> None:
     assert "at a step where a force sets in or ends" in str(setting)
 
 
+@pytest.mark.sweep
 def test_the_cusp_of_a_wire_is_followed() -> None:
     """The time down half a cycloid is π √(R/g), from the cusp on, where its curvature is none."""
     scene = catalog_level("energy/brachistochrone")
@@ -503,6 +512,7 @@ def test_what_cannot_be_reached_says_what_can() -> None:
         calibrate(oscillator(c=1), target=1e-14)
 
 
+@pytest.mark.sweep
 def test_what_is_too_dear_for_real_time_comes_with_an_offer_that_is_not(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
@@ -545,6 +555,7 @@ def test_nothing_that_moves_has_no_accuracy() -> None:
         calibrate(scene)
 
 
+@pytest.mark.sweep
 @pytest.mark.usefixtures("boundless")
 def test_a_level_that_never_runs_says_why() -> None:
     force = [{"body": "ball", "force": ["1e100*exp(200*t)", 0]}]
@@ -616,6 +627,7 @@ def test_a_setting_is_found_out_once(counted: list[float]) -> None:
     assert counted == [1e-3]
 
 
+@pytest.mark.sweep
 def test_another_level_or_target_or_code_is_another_setting(
     counted: list[float], monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -756,6 +768,7 @@ def test_what_is_cancelled_is_not_kept() -> None:
 # Levels that ask
 
 
+@pytest.mark.sweep
 def test_a_level_may_ask_for_its_accuracy(counted: list[float]) -> None:
     scene = oscillator(stepping={"accuracy": 1e-5})
     world = build(scene)

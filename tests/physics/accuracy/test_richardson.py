@@ -21,6 +21,7 @@ def runs(scene: Level, *rates: float) -> list[Trace]:
     return [record(scene, scene.defaults, Stepping(rate=rate), wanted) for rate in rates]
 
 
+@pytest.mark.sweep
 def test_errors_fall_by_the_order_of_the_scheme() -> None:
     traces = runs(orbit(), 60, 120, 240)
     found = extrapolated(traces, PLACE)
@@ -30,6 +31,7 @@ def test_errors_fall_by_the_order_of_the_scheme() -> None:
     assert found.of[0] == pytest.approx(16 * found.of[-1], rel=0.05)
 
 
+@pytest.mark.sweep
 def test_runs_that_agree_by_chance_are_told_no_better_than_the_order_allows() -> None:
     """As where both find an impact at the same instant: what the run before said holds on."""
     *coarse, fine = runs(orbit(), 60, 120, 240)
@@ -49,6 +51,7 @@ def twice(coarse: Trace, fine: Trace) -> Array:
     return column
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("x", [0.7, 0.93])
 def test_a_rope_that_goes_taut_is_told_as_it_is(x: float) -> None:
     """It takes what it takes at the start of a step, and holds at the end of it: nothing is late.

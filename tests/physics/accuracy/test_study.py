@@ -37,6 +37,7 @@ def of_the_ellipse(ellipse: Level) -> list[Finding]:
     return list(study.split(ellipse, ellipse.defaults))
 
 
+@pytest.mark.sweep
 def test_of_whatever_can_be_drawn_it_is_told_how_far_off_it_is(
     ellipse: Level, of_the_ellipse: list[Finding]
 ) -> None:
@@ -71,6 +72,7 @@ def test_it_is_told_until_when_a_motion_is_foretold() -> None:
     assert found["upper.position"].until is None
 
 
+@pytest.mark.sweep
 def test_the_error_of_a_run_is_that_of_its_motion_too() -> None:
     """The checks of the trapdoor are of what rests: 1.6e-11, while the door is 8e-5 off."""
     level = load(find("machines/trapdoor"))
@@ -98,6 +100,7 @@ def test_an_exact_run_owes_nothing_to_its_step() -> None:
     assert here.cost > 0
 
 
+@pytest.mark.sweep
 def test_the_error_of_a_step_is_told_as_numerical(
     ellipse: Level, of_the_ellipse: list[Finding]
 ) -> None:
@@ -157,6 +160,7 @@ def test_a_study_tells_points_of_every_scheme_and_the_finer_cost_more(
     assert shares == sorted(shares)
 
 
+@pytest.mark.sweep
 def test_a_setting_is_looked_for() -> None:
     level = load(find("energy/circular-orbit"))
 

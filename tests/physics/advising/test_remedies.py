@@ -33,6 +33,7 @@ def stop(scene: Level) -> SimulationError:
     return told.value
 
 
+@pytest.mark.sweep
 def test_a_higher_rate_that_does_not_help_is_not_advised() -> None:
     """The load hops at any rate; solved together it stands."""
     scene = strut()
@@ -44,6 +45,7 @@ def test_a_higher_rate_that_does_not_help_is_not_advised() -> None:
     assert found.rate is None
 
 
+@pytest.mark.sweep
 def test_a_rate_is_advised_with_how_far_it_held() -> None:
     scene = orbit(speed=0.05)
     found = advise(stop(scene), scene, scene.defaults, scene.stepping, 1.5)
@@ -52,6 +54,7 @@ def test_a_rate_is_advised_with_how_far_it_held() -> None:
     assert found.text == f"tried: at {found.rate:,.0f} Hz it holds to its end, t = 1.5 s"
 
 
+@pytest.mark.sweep
 def test_trying_ends_in_time_and_says_so() -> None:
     scene = strut()
     why, start = stop(scene), perf_counter()
@@ -73,6 +76,7 @@ def test_eulers_scheme_is_advised_against() -> None:
     assert found.text == "tried: with the scheme 'leapfrog' it holds to its end, t = 2 s"
 
 
+@pytest.mark.sweep
 def test_advice_goes_to_and_fro_between_processes() -> None:
     scene = orbit(speed=0.05)
     why = stop(scene)

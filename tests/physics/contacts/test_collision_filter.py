@@ -23,6 +23,7 @@ def falling(contact: Said, **effects: Said) -> Level:
     return level(bodies, {**GRAVITY, "contact": contact, **effects}, stepping={"rate": 240})
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("contact", SOLVERS, ids=["iterative", "direct", "located"])
 def test_a_ball_falls_through_one_that_it_does_not_meet_and_lands_on_the_floor(
     contact: Said,

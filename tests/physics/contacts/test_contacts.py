@@ -151,6 +151,7 @@ def test_an_impact_that_is_looked_at_changes_the_speed_at_once() -> None:
     assert (flight.acceleration == 0).all()
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("gravity", [0, G])
 def test_the_energy_of_a_spinning_box_is_right_at_every_impact(gravity: float) -> None:
     """Corners hit, not centres; and with one still on the wall the next one may.
@@ -192,6 +193,7 @@ def crowds(draw: st.DrawFn) -> dict[str, Spec]:
     return bodies
 
 
+@pytest.mark.sweep
 @settings(max_examples=40, deadline=None)
 @given(crowds())
 def test_nothing_inside_changes_the_momentum_of_an_isolated_system(bodies: dict[str, Spec]) -> None:
@@ -208,6 +210,7 @@ def test_nothing_inside_changes_the_momentum_of_an_isolated_system(bodies: dict[
     assert np.abs(momentum - start).max() <= 1e-12 * scale  # 2e-15
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("rate", [60, 240])
 def test_a_perfectly_elastic_ball_keeps_its_energy_at_every_step(rate: int) -> None:
     """The impact turns the velocity half a step before it round, and leapfrog adds what it took."""

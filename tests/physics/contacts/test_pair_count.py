@@ -49,6 +49,7 @@ def test_pairs_are_counted_as_by_looking_at_each(squeeze: Pair) -> None:
     assert not meeting(places, pairs)
 
 
+@pytest.mark.sweep
 def test_two_thousand_discs_in_one_place_are_refused_before_they_take_memory() -> None:
     """They took 30 s and 2.7 GB."""
     scene = level(crowd(2000), OVERLAPS)
@@ -70,6 +71,7 @@ def test_who_is_in_most_pairs_is_told_with_its_place() -> None:
         build(level({**row, "far": disc((50, 0))}, OVERLAPS))
 
 
+@pytest.mark.sweep
 def test_a_row_of_twenty_thousand_is_no_crowd() -> None:
     places = np.stack((np.arange(20_000) * 1.1, np.zeros(20_000)), axis=1)
 

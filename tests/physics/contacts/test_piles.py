@@ -40,11 +40,13 @@ def test_a_stack_of_ten_settles_before_its_first_step(contact: Spec) -> None:
     assert drift(stack(10, contact), 20) <= 1e-9  # 1e-13
 
 
+@pytest.mark.sweep
 def test_a_stack_of_fifteen_stands_for_a_minute() -> None:
     """For an hour, too, it stays within the same 6 mm."""
     assert drift(stack(15, PILES, 240, 30), 60) < 0.01
 
 
+@pytest.mark.sweep
 def test_without_settings_for_piles_it_is_stirred() -> None:
     """The check above can fail."""
     assert drift(stack(15, {}, 240, 30), 60) > 0.02

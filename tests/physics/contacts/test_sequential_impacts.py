@@ -88,6 +88,7 @@ def rows(draw: st.DrawFn) -> tuple[Array, Array]:
     return np.array(draw(masses)), np.array(draw(speeds))
 
 
+@pytest.mark.sweep
 @settings(max_examples=60, deadline=None)
 @given(rows(), st.floats(0, 1))
 def test_no_row_gains_energy_or_changes_its_momentum(thrown: tuple[Array, Array], e: float) -> None:
@@ -102,6 +103,7 @@ def test_no_row_gains_energy_or_changes_its_momentum(thrown: tuple[Array, Array]
     assert (np.diff(end.velocity[:, 0]) >= -1e-9).all(), "nothing approaches any more"
 
 
+@pytest.mark.sweep
 @settings(max_examples=60, deadline=None)
 @given(rows())
 @example((np.array([1, 0.1]), np.array([0, -5e-324])))  # the smallest number there is
@@ -133,6 +135,7 @@ def _thrown(draw: st.DrawFn, i: int, *, spin: bool) -> Spec:
     return disc(place, radius=0.25, **rest) if draw(st.booleans()) else box(place, **rest)
 
 
+@pytest.mark.sweep
 @settings(max_examples=60, deadline=None)
 @given(clusters())
 def test_elastic_clusters_keep_energy_momentum_and_angular_momentum(
@@ -286,6 +289,7 @@ def test_a_pile_up_is_solved_once_though_its_kick_is_repeated(
     assert np.ptp(world.advance().velocity[:3, 0]) <= 1e-12
 
 
+@pytest.mark.sweep
 def test_elastic_impacts_without_end_are_told() -> None:
     """A ball of 1 kg between a wall and one of 1e12 kg: 1e6 π impacts would turn that round."""
     wall = fixed({"type": "box", "width": 0.2, "height": 1}, (0, 0), restitution=1)

@@ -64,6 +64,7 @@ def velocity_error(rate: float) -> float:
     return abs(float(found["block.velocity.x"][-1]) - expected) / expected
 
 
+@pytest.mark.sweep
 def test_the_moment_of_breaking_loose_is_found_between_the_steps() -> None:
     """Known to a step only, the velocity would be late by (mu_s − mu_k) g dt: 9e-3 at 60 Hz."""
     assert velocity_error(60) <= 1e-4  # 1.7e-5
@@ -135,6 +136,7 @@ def test_it_stops_and_sticks_where_the_kinetic_friction_is_enough() -> None:
     assert np.ptp(way[400:]) <= 1e-12
 
 
+@pytest.mark.sweep
 def test_a_block_broken_loose_at_first_sticks_again_when_it_has_stopped() -> None:
     """Pulled beyond the limit for a while and then at half of it, it stops and is held."""
     scene = pulled(240, "where(t < 1, 7, 2)/max(t, 0.001)")

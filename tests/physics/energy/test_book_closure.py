@@ -75,6 +75,7 @@ def test_what_rests_turns_nothing_over() -> None:
     assert closing(scene).text == "nothing turned over"
 
 
+@pytest.mark.sweep
 def test_a_load_that_hops_without_gaining_is_told_by_its_books() -> None:
     """Each landing takes what the hop gave: forces are wrong by far, and nothing diverges."""
     rods = {f"{name}_rod": {"type": "rod", "ends": [name, "top"]} for name in ("left", "right")}

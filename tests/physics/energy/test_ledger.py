@@ -49,6 +49,7 @@ def rest(books: list[Balance]) -> float:
     return float(np.abs([b.unexplained for b in books]).max()) / scale(books)
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(
     "name",
     [
@@ -116,6 +117,7 @@ def test_what_a_step_is_too_coarse_for_is_of_second_order() -> None:
     assert coarse > 1e-2
 
 
+@pytest.mark.sweep
 def test_the_books_of_a_step_of_fourth_order_are_as_good_as_the_step() -> None:
     """An ellipse: 6e-7 and 4e-8 of its energy come and go at 60 and 120 Hz, and no momentum."""
     worlds = (build(orbit(speed=0.8, rate=rate, scheme="fourth-order")) for rate in (60, 120))
@@ -138,6 +140,7 @@ def test_two_may_keep_books_of_fourth_order() -> None:
     assert np.abs(ledger.balance.unexplained_impulse).max() < 1e-13
 
 
+@pytest.mark.sweep
 def test_the_books_of_fourth_order_know_what_rods_and_wires_gave() -> None:
     """Impulses of 20 N s at the peg, of which 3e-13 are not accounted for."""
     rod = {"type": "rod", "ends": [[0, 0], "bob"]}
@@ -331,6 +334,7 @@ masses = st.floats(0.1, 100)
 places = st.tuples(st.floats(-2, 2), st.floats(-2, 2))
 
 
+@pytest.mark.sweep
 @settings(max_examples=25, deadline=None)
 @given(st.lists(st.tuples(masses, places, places), min_size=2, max_size=5), st.floats(0.1, 5))
 def test_bodies_between_themselves_give_no_momentum(
@@ -355,6 +359,7 @@ def test_bodies_between_themselves_give_no_momentum(
     assert last.loss["damping"] >= -1e-6 * scale(books)
 
 
+@pytest.mark.sweep
 @settings(max_examples=25, deadline=None)
 @given(st.lists(st.tuples(masses, places), min_size=2, max_size=6), st.floats(0, 1))
 def test_the_books_of_a_pile_up_close(
@@ -444,6 +449,7 @@ def leaning(restitution: float | None, friction: float) -> Level:
     return level({**ends, "floor": ground}, effects, joints={"rod": rod}, stepping={"rate": 480})
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("friction", [0, 0.2, 1])
 @pytest.mark.parametrize("restitution", [None, 0, 0.5, 1])
 def test_impacts_on_joints_are_booked_where_they_are(
@@ -460,6 +466,7 @@ def test_impacts_on_joints_are_booked_where_they_are(
     assert abs(balance.unexplained - balance.overlaps) <= 5e-4  # second order
 
 
+@pytest.mark.sweep
 def test_taking_back_overlaps_has_an_account_of_its_own() -> None:
     world = build(leaning(0.01, 0.2))
     ledger = Ledger(world)
@@ -502,6 +509,7 @@ def test_what_a_jerk_takes_through_a_rod_is_lost_with_it(rate: int) -> None:
         assert b.unexplained == pytest.approx(a.unexplained, abs=1e-11)
 
 
+@pytest.mark.sweep
 @given(
     spin=st.floats(-20, 20),
     angle=st.floats(0.2, 1.4),

@@ -119,6 +119,7 @@ print("unharmed")
 """
 
 
+@pytest.mark.sweep
 def test_the_arrays_write_nowhere_but_in_their_own_memory() -> None:
     """Under Python's debugging allocator a byte beyond the end of an array ends the process."""
     environment = {**os.environ, "PYTHONMALLOC": "debug", "MALLOC_CHECK_": "3"}

@@ -73,6 +73,7 @@ def test_a_condition_ends_each_where_it_holds_first() -> None:
         assert one.trace.columns["ball.velocity.y"][-1] < 0
 
 
+@pytest.mark.sweep
 def test_what_a_run_alone_is_stopped_for_is_left_to_it() -> None:
     """At 20 Hz the joints of a fast pendulum cannot be kept."""
     level = load(find(PENDULUM))

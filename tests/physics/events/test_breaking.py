@@ -25,6 +25,7 @@ def caught(load: float, rate: float, height: float, **effects: object) -> Level:
     return level(bodies, {**GRAVITY, **effects}, joints={"rope": rope}, stepping={"rate": rate})
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("effects", [{}, {"contact": {}}])
 def test_a_rod_breaks_where_its_pull_comes_to_what_it_bears(effects: dict[str, object]) -> None:
     world, books = booked(swung(20, 960, **effects), 1)
@@ -36,6 +37,7 @@ def test_a_rod_breaks_where_its_pull_comes_to_what_it_bears(effects: dict[str, o
     assert np.abs(books.balance.unexplained_impulse).max() < 1e-11
 
 
+@pytest.mark.sweep
 def test_the_instant_is_found_within_the_step_to_second_order() -> None:
     sine = 20 / (3 * G)
 
@@ -47,6 +49,7 @@ def test_the_instant_is_found_within_the_step_to_second_order() -> None:
     assert off(30) / off(960) > 32**2 / 2
 
 
+@pytest.mark.sweep
 def test_what_bears_just_enough_holds() -> None:
     most = 3 * G
 
@@ -120,6 +123,7 @@ def test_a_blow_leaves_the_rope_that_it_does_not_go_through() -> None:
     assert world.snapshot.velocity[:, 1].tolist() == pytest.approx([-G, 0], abs=1e-9)
 
 
+@pytest.mark.sweep
 def test_the_energy_in_a_spring_that_breaks_leaves_and_is_told() -> None:
     spring = {"type": "spring", "ends": [[0, 0], "bob"], "stiffness": 50, "length": 1}
     this = level(

@@ -76,6 +76,7 @@ def test_a_crossing_is_located_to_second_order_and_what_follows_as_well() -> Non
     assert coarse / fine > 16**2 / 2
 
 
+@pytest.mark.sweep
 def test_the_energy_of_a_spring_that_is_cut_leaves_and_is_told() -> None:
     events = {"go": {"at": 0.2517, "cut": ["spring"]}}
     bodies = {"ball": disc((2, 0))}

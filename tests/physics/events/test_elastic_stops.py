@@ -80,6 +80,7 @@ def test_a_puck_loses_the_share_of_its_energy_that_newton_says(
     assert abs(books.balance.unexplained) < 1e-12 * mass * speed**2
 
 
+@pytest.mark.sweep
 def test_an_elastic_stop_takes_nothing_in_fifty_blows() -> None:
     world, books = booked(slider(1), 30)
 
@@ -87,6 +88,7 @@ def test_an_elastic_stop_takes_nothing_in_fifty_blows() -> None:
     assert abs(books.balance.unexplained) < 1e-13
 
 
+@pytest.mark.sweep
 def test_a_ball_bounces_on_an_elastic_stop_for_good() -> None:
     """With gravity alone the parabolas between the blows are exact."""
     period = 2 * sqrt(2 / G)
@@ -99,6 +101,7 @@ def test_a_ball_bounces_on_an_elastic_stop_for_good() -> None:
     assert abs(books.balance.unexplained) < 1e-12
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("e", [0, 0.3, 0.8, 0.95])
 def test_a_ball_that_bounces_lower_and_lower_comes_to_rest_on_the_stop(e: float) -> None:
     world, books = booked(ball(e), 18)
@@ -131,6 +134,7 @@ def test_the_rebound_does_not_know_the_mass(mass: float) -> None:
     assert world.snapshot.position[0, 1] == pytest.approx(0.36, abs=2e-3)
 
 
+@pytest.mark.sweep
 def test_the_period_between_two_elastic_stops_is_that_of_the_closed_form() -> None:
     """ω T = 4 asin(ω α / Ω), shorter than that of the free swing."""
 
@@ -151,6 +155,7 @@ def test_the_period_between_two_elastic_stops_is_that_of_the_closed_form() -> No
     assert coarse / fine > 12
 
 
+@pytest.mark.sweep
 def test_the_energy_of_a_pendulum_between_elastic_stops_does_not_drift() -> None:
     """It stays within what a step is too coarse for, however often it strikes: seen, 2e-5 of it."""
     world, books = booked(clapper(1), 10)
@@ -177,6 +182,7 @@ def test_a_stop_between_two_bodies_gives_momentum_from_one_to_the_other() -> Non
     assert np.abs(books.balance.unexplained_impulse).max() < 1e-12
 
 
+@pytest.mark.sweep
 def test_two_stops_so_near_that_a_step_meets_both_keep_what_is_between_them() -> None:
     stop = {
         "type": "stop",

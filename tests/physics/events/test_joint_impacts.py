@@ -62,6 +62,7 @@ def test_open_it_holds_nothing_and_pulls_at_nothing() -> None:
     assert world.snapshot.tension[0] == 0
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("kind", ["weld", "pivot", "rod", "rope"])
 @pytest.mark.parametrize("effects", [{}, {"contact": {}}])
 def test_what_is_caught_off_its_centre_turns_and_keeps_its_angular_momentum(
@@ -104,6 +105,7 @@ def test_a_hook_at_the_wall_stops_what_it_catches_and_the_wall_takes_the_momentu
     assert books.balance.impulse["supports"][0] == pytest.approx(-3, rel=1e-12)
 
 
+@pytest.mark.sweep
 def test_a_spring_that_latches_is_slack_at_its_length_and_stores_from_there() -> None:
     """A cart that runs into an open spring is turned back with its speed, and pulled on by it."""
     spring = {"type": "spring", "ends": ["cart", [4, 0]], "stiffness": 40, "length": 1.5}
@@ -122,6 +124,7 @@ def test_a_spring_that_latches_is_slack_at_its_length_and_stores_from_there() ->
     assert abs(books.balance.unexplained) < 1e-4
 
 
+@pytest.mark.sweep
 def test_a_spring_that_is_tied_stretched_brings_its_energy_and_that_is_told() -> None:
     spring = {"type": "spring", "ends": ["cart", [4, 0]], "stiffness": 40, "length": 1}
     this = level(

@@ -82,6 +82,7 @@ def test_without_locating_its_bounce_is_late() -> None:
     assert np.abs(flight.position[:, 0, 1] - 0.2 - expected).max() > 1e-2
 
 
+@pytest.mark.sweep
 def test_a_ball_that_hardly_bounces_any_more_rests() -> None:
     flight = run(build(bouncing(0.8, 240, located("ball"))), 10 * 240)
 
@@ -90,6 +91,7 @@ def test_a_ball_that_hardly_bounces_any_more_rests() -> None:
     assert worst(flight.normal[-240:, 0], G) <= 1e-9
 
 
+@pytest.mark.sweep
 def test_forty_nine_elastic_balls_keep_their_energy() -> None:
     """SimBenchmark's "bouncing": the mean of (E − E0)² is 1.9e-2 J² with the best published."""
     balls = {f"ball{i}": disc((0.5 * i, 5), radius=0.1, mass=10, restitution=1) for i in range(49)}
@@ -333,6 +335,7 @@ def between(play: float, speed: float, e: float = 1) -> Level:
     return level({"ball": ball, **walls}, effects)
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(
     ("play", "speed", "said"),
     [
@@ -476,6 +479,7 @@ def cradle(drawn: int, angle: float, radius: float, rate: float) -> World:
     return build(level(balls, effects, joints=rods, stepping={"rate": rate}))
 
 
+@pytest.mark.sweep
 def test_balls_that_hang_still_do_not_tremble_against_each_other() -> None:
     """Of five in a row, the last swings out, and the others hang still to 1e-10 m/s.
 
@@ -515,6 +519,7 @@ def test_each_ball_of_a_cradle_hits_each_that_hangs_once(drawn: int) -> None:
     assert np.ptp(speeds[5 - drawn :]) <= 1e-10
 
 
+@pytest.mark.sweep
 def test_a_run_is_the_same_every_time() -> None:
     random = np.random.default_rng(3)
     balls = {

@@ -282,6 +282,7 @@ def test_it_ends_the_same_whether_each_step_is_looked_at_or_not(slide: Slide) ->
     assert last.friction.tobytes() == flight.friction[-1].tobytes()
 
 
+@pytest.mark.sweep
 @settings(max_examples=50)
 @given(speed=st.floats(0.01, 8), mu=st.floats(0.2, 1.5), rate=st.floats(20, 240))
 @example(speed=MU * G / 60 * 50, mu=MU, rate=60)  # on a step

@@ -55,6 +55,7 @@ def test_a_disc_displaces_what_a_polygon_of_many_corners_does(height: float) -> 
     )
 
 
+@pytest.mark.sweep
 def test_a_disc_of_half_the_density_floats_with_its_centre_at_the_surface() -> None:
     """Lightly damped, it comes to rest there: to e^(−20) of the depth it began at."""
     liquid = {"buoyancy": {"density": 1000, "gravity": G, "surface": 1}, "drag": {"linear": 4000}}
@@ -68,6 +69,7 @@ def test_a_disc_of_half_the_density_floats_with_its_centre_at_the_surface() -> N
     assert trace.columns["ball.position.y"][-1] == pytest.approx(1, abs=1e-8)
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(("width", "rights"), [(1.3, True), (1.15, False)])
 def test_a_block_floats_upright_only_if_it_is_wide_enough(width: float, rights: bool) -> None:
     """The metacentre of a square-cut block, half in: w² / (12 d) above d / 2 from the keel.

@@ -87,6 +87,7 @@ def smooth(law: Law, places: Array) -> Array:
     return places
 
 
+@pytest.mark.sweep
 @given(CONSERVATIVE, PLACES)
 def test_a_force_is_minus_the_slope_of_its_potential(law: Law, somewhere: Array) -> None:
     """Its torque too. Central differences of h = 1e-5: h² times the third slope, eps U / h."""

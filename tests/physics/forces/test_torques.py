@@ -23,6 +23,7 @@ def wheels(effects: Said, rate: float = 240, **rest: object) -> Level:
     return level(bodies, {"rotation": {}, **effects}, stepping={"rate": rate}, **rest)
 
 
+@pytest.mark.sweep
 def test_a_torsion_spring_between_two_bodies_keeps_their_angular_momentum_and_energy() -> None:
     """Relative to each other they swing with ω² = k (1 / I + 1 / J); order 2."""
     record = ["t", "small.angle", "large.angle", "system.angular_momentum"]
@@ -42,6 +43,7 @@ def test_a_torsion_spring_between_two_bodies_keeps_their_angular_momentum_and_en
     assert error(240) < 1e-4
 
 
+@pytest.mark.sweep
 def test_a_brake_between_two_wheels_takes_them_to_one_rate() -> None:
     """I ω / (I + J), whatever the brake does in between; it works on both, and all is booked.
 
@@ -64,6 +66,7 @@ def test_a_brake_between_two_wheels_takes_them_to_one_rate() -> None:
     assert np.abs(found["system.unexplained_energy"]).max() < 1e-12
 
 
+@pytest.mark.sweep
 def test_a_torque_against_what_moves_as_told_is_work_of_that() -> None:
     """A clutch on a shaft that turns at 5 rad/s: what the wheel gains and the clutch takes.
 

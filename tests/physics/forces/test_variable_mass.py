@@ -117,6 +117,7 @@ def test_a_rocket_that_turns_thrusts_along_itself_and_turns_faster_as_it_lighten
     assert end.angular_acceleration[0] * inertia == pytest.approx(np.cos(angle), rel=1e-3, abs=1e-3)
 
 
+@pytest.mark.sweep
 @settings(max_examples=25, deadline=None)
 @given(st.floats(0.1, 5), st.floats(-3, 3), st.floats(-3, 3), st.floats(-3, 3))
 def test_what_gathers_matter_keeps_the_momentum_of_both(

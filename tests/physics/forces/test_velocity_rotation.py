@@ -54,6 +54,7 @@ def ball(effects: Spec | None = None, rate: float = 60, **rest: object) -> Level
     return level(bodies, {**pushed, **(effects or {})}, stepping={"rate": rate}, **rest)
 
 
+@pytest.mark.sweep
 @pytest.mark.usefixtures("field")
 def test_the_speed_is_kept_to_rounding_over_ten_thousand_steps() -> None:
     speed = np.hypot(*run(build(ball()), 10_000).velocity[:, 0].T)
@@ -106,6 +107,7 @@ def test_gravity_across_a_field_drives_a_cycloid_of_second_order() -> None:
     assert log2(drift_error(60) / drift_error(120)) >= 1.95
 
 
+@pytest.mark.sweep
 def test_a_field_that_is_not_uniform_keeps_the_speed_too(field: list[Turn]) -> None:
     field[:] = [Field(OMEGA, growth=0.7)]
     speed = np.hypot(*run(build(ball()), 10_000).velocity[:, 0].T)
@@ -130,6 +132,7 @@ def swing(rate: float) -> float:
     return float(np.ptp(measured(build(this), round(3 * rate), "system.energy")["system.energy"]))
 
 
+@pytest.mark.sweep
 @pytest.mark.usefixtures("field")
 def test_a_rod_in_a_field_is_of_second_order() -> None:
     """The rotation is about the velocity that the rod's own pull belongs to, by its last pull.

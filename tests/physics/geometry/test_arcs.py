@@ -114,6 +114,7 @@ def support(contacts: Contacts, body: int) -> list[float]:
     return (contacts.impulse * sign[:, None]).sum(axis=0).tolist()
 
 
+@pytest.mark.sweep
 def test_a_rod_slides_within_a_hoop_until_it_is_level() -> None:
     """Its middle is R cos below the hoop's, half its length R sin; it swings, and drag stops it."""
     half = asin(0.6)
@@ -220,6 +221,7 @@ def test_a_hoop_swings_on_a_peg() -> None:
     assert quarter(world) == pytest.approx(pi / 2 * sqrt(2 * (R - r) / G), rel=1e-3)
 
 
+@pytest.mark.sweep
 def test_what_is_in_a_free_hoop_stays_there_and_keeps_their_momentum() -> None:
     """Discs and a box bounce about in a hoop that nothing holds."""
     bodies = {
@@ -240,6 +242,7 @@ def test_what_is_in_a_free_hoop_stays_there_and_keeps_their_momentum() -> None:
     assert np.hypot(apart[..., 0], apart[..., 1]).max() < R
 
 
+@pytest.mark.sweep
 def test_a_hoop_in_a_hoop_with_a_disc_in_it_comes_to_rest_below() -> None:
     bodies = {
         "outer": fixed({"type": "hoop", "radius": 2}),

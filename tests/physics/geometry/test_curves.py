@@ -77,6 +77,7 @@ def test_the_first_kick_on_a_curve_settles_to_what_places_are_known_to(
     assert len(kicks) <= 50  # 20
 
 
+@pytest.mark.sweep
 @pytest.mark.steps(4000)
 @SOLVERS
 @ROUGH
@@ -121,6 +122,7 @@ def test_left_to_pymunk_it_would_lose_speed_in_each_step(monkeypatch: pytest.Mon
     assert late(1.5, 240, "iterative", rough=False, share=0.0) > 1e-4
 
 
+@pytest.mark.sweep
 def test_a_circle_that_is_close_to_a_curve_does_not_do_for_a_step(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:

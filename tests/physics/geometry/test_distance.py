@@ -52,6 +52,7 @@ def hull(points: list[complex]) -> list[complex]:
     return list(dict.fromkeys(complex(*corner) for corner in shape.get_vertices()))
 
 
+@pytest.mark.sweep
 @settings(max_examples=200, deadline=None)
 @given(CORNERS, CORNERS, GRID.map(lambda x: 4 * x), GRID.map(lambda y: 3 * y))
 @example([0j, -0.01j], [0.01 + 0j, -0.01 - 0.01j], 0.0, 0.0)  # lines that cross

@@ -55,6 +55,7 @@ def test_a_rate_that_no_level_may_have_is_not_advised() -> None:
     assert told.value.rate is None
 
 
+@pytest.mark.sweep
 def test_energy_from_nowhere_names_the_effect_that_a_step_is_too_long_for() -> None:
     """A planet falls almost into the sun: at 60 Hz it is thrown out faster than it came."""
     fall = orbit(speed=0.05)
@@ -108,6 +109,7 @@ def test_work_that_is_put_in_hides_no_energy_from_nowhere(push: str) -> None:
     assert "the effect 'attraction' changes too fast for a step" in str(told)
 
 
+@pytest.mark.sweep
 def test_what_a_force_gives_is_not_from_nowhere() -> None:
     """A blow of a step gives a ball at rest 50 J, and a spring at ω dt = 1.9 swings with it."""
     blow = {"body": "bob", "force": ["600 if abs(t - 0.5) < 0.001 else 0", 0]}
@@ -316,6 +318,7 @@ def strut(rate: float, solver: str = "iterative") -> Level:
     )
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("rate", [240, 960, 2000])
 def test_a_load_that_hops_on_its_strut_is_stopped_before_it_hops_far(rate: float) -> None:
     """At rest there is no energy to hop with: it had been allowed to rise as high as it is wide."""

@@ -107,6 +107,7 @@ def test_only_the_pairs_that_are_named_stick() -> None:
     assert end.velocity[:, 0].sum() == pytest.approx(2, rel=1e-12)
 
 
+@pytest.mark.sweep
 def test_three_that_all_touch_become_one() -> None:
     """The third pair is one already when it touches: nothing is said twice."""
     bodies = {

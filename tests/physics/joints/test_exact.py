@@ -52,6 +52,7 @@ def tree(links: Links, rate: float) -> Level:
     return level(bodies, {"rotation": {}}, joints=joints, stepping={"rate": rate})
 
 
+@pytest.mark.sweep
 @settings(max_examples=20, deadline=None)
 @given(TREES)
 def test_a_tree_of_joints_keeps_its_lengths_and_its_momenta(links: Links) -> None:
@@ -191,6 +192,7 @@ def linkage(rate: float) -> Level:
     return level(bodies, effects, joints=joints, stepping={"rate": rate})
 
 
+@pytest.mark.sweep
 def test_a_linkage_that_whips_asks_for_a_rate_at_which_it_holds() -> None:
     """At 480 Hz Newton's method came to a motion with 7e7 J; no rate was said to be enough."""
     with pytest.raises(SimulationError) as told:
@@ -240,6 +242,7 @@ def test_joints_that_repeat_each_other_are_named_at_the_start(
         build(scene)
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("scheme", ["leapfrog", "fourth-order"])
 @pytest.mark.parametrize("ends", [[[0, 0], "bob"], ["bob", [0, 0]], ["car", "bob"]])
 def test_rods_that_do_not_meet_move_as_beside_two_that_do(ends: list[Any], scheme: str) -> None:

@@ -63,6 +63,7 @@ def test_a_pendulum_is_second_order() -> None:
     assert order(quarter_error, 60) >= 1.9
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("rate", [60, 240])
 def test_a_pendulum_keeps_its_length_and_its_energy(rate: float) -> None:
     """The energy swings by (ω dt)² of its scale, and does not drift."""
@@ -117,6 +118,7 @@ def double_error(rate: float) -> float:
     return float(np.abs(end.position[1] - lower).max())
 
 
+@pytest.mark.sweep
 def test_a_double_pendulum_follows_its_euler_lagrange_equations() -> None:
     assert double_error(1000) < 2e-4  # 2.5e-5
     assert order(double_error, 500) >= 1.9
@@ -251,6 +253,7 @@ def test_a_spring_swings_creeps_or_rests_as_its_damping_says(damping: float) -> 
     assert order(error, 120) >= 1.9
 
 
+@pytest.mark.sweep
 def test_a_spring_that_pushes_only_turns_a_body_round_and_lets_it_go() -> None:
     """Half a swing: F = v √(k m) at the most, for π √(m / k), and nothing before and after."""
     scene = level(
@@ -559,11 +562,13 @@ def rail(runs: object, through: Sequence[float], direction: Sequence[float]) -> 
     return {"type": "rail", "ends": [runs, list(through)], "direction": list(direction)}
 
 
+@pytest.mark.sweep
 def test_a_cart_with_a_pendulum_follows_its_lagrange_equations() -> None:
     assert cart_error(1000) < 1e-4
     assert order(cart_error, 500) >= 1.9
 
 
+@pytest.mark.sweep
 @given(st.floats(-1.5, 1.5), st.floats(0.1, 10))
 def test_a_rail_carries_across_and_not_along(slope: float, mass: float) -> None:
     """g sin θ along it, and it carries m g cos θ."""

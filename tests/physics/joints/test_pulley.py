@@ -105,6 +105,7 @@ def test_a_weight_pulls_a_block_over_a_table(friction: float | None) -> None:
     assert worst(found["string.tension"], 0.5 * G * (1 + mu) / 1.5) <= 1e-10  # 1e-13
 
 
+@pytest.mark.sweep
 def test_a_block_that_friction_holds_does_not_creep_towards_the_edge() -> None:
     """mu m1 > m2: held. A residue of 1e-11 m/s² in the start would be 5e-10 m after 10 s."""
     world = build(table(0.6))

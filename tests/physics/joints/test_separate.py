@@ -30,6 +30,7 @@ def beads(scheme: str, *, meet: bool) -> Level:
     return level(bodies, GRAVITY, joints=joints, stepping={"rate": 240, "scheme": scheme})
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("scheme", ["leapfrog", "fourth-order"])
 def test_beads_that_meet_nothing_move_as_beside_rods_that_meet(scheme: str) -> None:
     """They are solved in floats, and beside two rods that meet all in arrays: to rounding."""

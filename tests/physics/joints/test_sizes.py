@@ -17,6 +17,7 @@ def chained(count: int, *, apart: bool = False, free: int = 0) -> None:
     build(level(bodies, GRAVITY, joints=rods))
 
 
+@pytest.mark.sweep
 def test_a_chain_longer_than_a_step_can_solve_is_refused_at_its_last_joint() -> None:
     with pytest.raises(SimulationError, match=r"joints\.r1199: the exact joints make 1,200 equat"):
         chained(1200)

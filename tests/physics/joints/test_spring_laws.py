@@ -29,6 +29,7 @@ def test_k_x_as_a_law_is_the_spring_with_that_stiffness() -> None:
             assert other.position == pytest.approx(ends[0].position, abs=1e-11)
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(
     ("law", "energy"),
     [

@@ -70,6 +70,7 @@ def test_between_its_stops_nothing_is_felt() -> None:
     assert along == pytest.approx(-sqrt(0.5) / 6 + G / sqrt(2) / 72, rel=1e-9)
 
 
+@pytest.mark.sweep
 @settings(deadline=None, max_examples=20)
 @given(least=st.floats(-80, -5), mass=st.floats(0.1, 100))
 def test_a_flap_falls_to_its_stop_and_turns_no_further(least: float, mass: float) -> None:

@@ -40,6 +40,7 @@ def massive(m1: float, m2: float, moment: float, radius: float, rate: float = 60
 SIZES = st.floats(-1, 1).map(lambda power: 10.0**power)
 
 
+@pytest.mark.sweep
 @settings(max_examples=30, deadline=None)
 @given(SIZES, SIZES, SIZES, st.floats(0.2, 1))
 def test_a_wheel_with_a_moment_pulls_harder_on_the_side_that_falls(
@@ -83,6 +84,7 @@ def test_a_yo_yo_unwinds_as_it_falls(way: str) -> None:
     assert worst(found["string.tension"], 0.5 * (G - a)) <= 1e-10
 
 
+@pytest.mark.sweep
 def test_a_string_winds_up_on_a_post_around_and_around() -> None:
     """A puck on a post that does not turn: its speed stays, and R per radian is taken off.
 
@@ -238,6 +240,7 @@ def driven(rate: object, hertz: float = 240) -> Level:
     )  # fmt: skip
 
 
+@pytest.mark.sweep
 def test_a_motor_needs_the_torque_that_turns_what_it_carries() -> None:
     """τ = I α, F = m L √(ω⁴ + α²); second order."""
     moment = (1 + 0.05**2) / 12 + 0.25 + 2 * (0.1**2 / 2 + 1)
@@ -257,6 +260,7 @@ def test_a_motor_needs_the_torque_that_turns_what_it_carries() -> None:
     assert coarse[1] / fine[1] == pytest.approx(4, rel=0.1)
 
 
+@pytest.mark.sweep
 def test_a_motor_turns_at_its_rate() -> None:
     """Exactly where the rate is linear in time; by the midpoint rule elsewhere."""
     steady = measured(build(driven(2)), 480, "ball.angle", "t")

@@ -62,6 +62,7 @@ def test_a_bead_on_a_hoop_is_a_pendulum() -> None:
     assert worst(distance, 1.0) <= 1e-14  # 7e-16
 
 
+@pytest.mark.sweep
 def test_a_closed_wire_has_no_seam() -> None:
     """Twenty times around, over the place where its description begins and ends."""
     found = measured(build(on_hoop(0, 480, 8)), 480 * 20, "bead.energy", "arm.tension")
@@ -119,6 +120,7 @@ def test_a_bead_stays_on_its_wire_and_keeps_its_energy(
     assert swings[1] <= max(swings[0] / 3, 1e-9)  # a quarter
 
 
+@pytest.mark.sweep
 def test_a_stick_whose_end_slides_along_a_wire_keeps_its_energy_and_has_a_lever() -> None:
     """On a straight, level wire nothing acts along it: the centre's momentum stays."""
     scene = level(

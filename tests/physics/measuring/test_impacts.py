@@ -41,6 +41,7 @@ def test_an_elastic_impact_gives_twice_the_reduced_mass_times_the_approach(
         assert [names[i] for i in found[0].lighter] == ["second"]
 
 
+@pytest.mark.sweep
 def test_in_a_cradle_the_same_impulse_passes_through_every_pair() -> None:
     world = opened("momentum/cradle")
     v = np.sqrt(2 * 9.81 * (1 - np.cos(np.pi / 6)))  # after the fall of L (1 - cos 30°)

@@ -133,6 +133,7 @@ def test_what_is_thrown_up_has_its_extremes_mean_and_integral() -> None:
     assert trace.units["ball.position.y.integral"] == "m·s"
 
 
+@pytest.mark.sweep
 @given(y=arrays(float, st.integers(1, 30), elements=st.floats(-1e6, 1e6)))
 def test_what_has_come_of_a_quantity_is_that_of_the_part_so_far(y: np.ndarray) -> None:
     t = np.arange(len(y)) / 7 + 3

@@ -94,6 +94,7 @@ def same(one: Snapshot, other: Snapshot) -> bool:
     return all(getattr(one, name).tobytes() == getattr(other, name).tobytes() for name in names)
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("effect", ZERO)
 @settings(max_examples=10, deadline=None)
 @given(scene=scenes())
@@ -117,6 +118,7 @@ def test_an_effect_without_strength_changes_no_bit(
     assert np.array_equal(one.acceleration, other.acceleration)
 
 
+@pytest.mark.sweep
 @settings(max_examples=10, deadline=None)
 @given(scene=scenes(), linear=st.floats(0.1, 5))
 def test_an_effect_switched_off_is_an_effect_never_declared(

@@ -115,6 +115,7 @@ def surface(shape: pymunk.Shape) -> float:
     return float(core + np.sum(np.hypot(*(b - a).T)) * shape.radius)
 
 
+@pytest.mark.sweep
 @settings(max_examples=100, deadline=None)
 @given(st.lists(st.floats(0.2, 1), min_size=5, max_size=14), st.booleans())
 def test_the_parts_of_a_star_fill_it(radii: list[float], clockwise: bool) -> None:

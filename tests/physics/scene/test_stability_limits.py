@@ -33,6 +33,7 @@ def chain(count: int, stiffness: float) -> Level:
     return level(bodies, {}, joints=joints)
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("damping", [0.0, 0.1, 1.0])
 def test_a_spring_just_below_the_limit_is_bounded(damping: float) -> None:
     """k h²/4 + c h = 0.99, of a kilogram: 1.99 = ω h without damping."""

@@ -123,6 +123,7 @@ def test_places_and_velocities_are_of_fourth_order(name: str) -> None:
         assert log2(first / second) == pytest.approx(4, abs=0.15), field  # 3.93 to 4.04
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("name", [*BEADS, *HELD])
 def test_what_joints_hold_is_of_fourth_order_too(name: str) -> None:
     """So are the forces with which they hold it, which leapfrog gives as means over a kick."""
@@ -159,6 +160,7 @@ def test_a_needle_swings_as_long_as_the_elliptic_integral_says(
     assert least < abs(last / swing / 24.25 - 1) < most
 
 
+@pytest.mark.sweep
 def test_two_rods_swing_as_the_equations_of_motion_say() -> None:
     """Beside DOP853 after 2 s at 60, 120 and 240 Hz: 1.8e-5, 1.1e-6, 7e-8 m."""
 
@@ -183,6 +185,7 @@ def test_two_rods_swing_as_the_equations_of_motion_say() -> None:
     assert off(300, "leapfrog") > 10 * errors[0]  # as many kicks as at 60 Hz
 
 
+@pytest.mark.sweep
 def test_a_bead_keeps_its_energy_to_the_fourth_order() -> None:
     """On a wave that it runs down at up to 6.6 m/s: 1.7e-9 and 1.1e-10, leapfrog 1.6e-6."""
     errors = []
@@ -254,6 +257,7 @@ def test_a_step_is_six_kicks_or_five_where_joints_hold() -> None:
     assert build(pendulum, stepping=FOURTH).hooks == 5
 
 
+@pytest.mark.sweep
 def test_an_orbit_keeps_its_energy_for_a_hundred_turns() -> None:
     flight = run(build(orbit(1.1, 6, "fourth-order")), int(200 * pi * 6))
     place, speed = (np.hypot(*getattr(flight, f)[:, 0].T) for f in ("position", "velocity"))
@@ -265,6 +269,7 @@ def test_an_orbit_keeps_its_energy_for_a_hundred_turns() -> None:
     assert off[-600:].max() == pytest.approx(off[:600].max(), rel=0.05)
 
 
+@pytest.mark.sweep
 def test_a_pendulum_keeps_its_energy_for_ten_durations() -> None:
     """No more is gone in the last swings than in the first: 7.5e-8 J, leapfrog 3.5e-5 J."""
 
@@ -306,6 +311,7 @@ def test_a_hand_needs_a_rate_that_is_high_enough_for_leapfrog() -> None:
     assert not world.disturbed
 
 
+@pytest.mark.sweep
 def test_a_spring_may_be_less_stiff_than_for_leapfrog() -> None:
     """Stable up to ω h = 3.163, where the trace of a step's matrix leaves −2 to 2."""
     scene = level(

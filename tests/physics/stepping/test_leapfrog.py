@@ -77,6 +77,7 @@ def test_apex_and_range_follow_from_the_speed_of_the_throw(scheme: str) -> None:
             assert error > 1e-3  # 2e-2: the check can fail
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("rate", [60, 240])
 def test_a_circular_orbit_comes_back_to_its_radius_for_ten_turns(rate: int) -> None:
     """To leapfrog the start is the near end of an ellipse: r = 1 + dt² (1 − cos t) / 4 + O(dt⁴)."""
@@ -127,6 +128,7 @@ def test_velocities_are_those_at_the_step(scheme: str, order: int) -> None:
     assert log2(errors[0] / errors[1]) == pytest.approx(order, abs=0.1)  # 7e-5 and 1.7e-2 at 60 Hz
 
 
+@pytest.mark.sweep
 def test_leapfrog_bounds_the_energy_of_an_orbit_at_every_step() -> None:
     mu = 4 * pi**2
     world = build(orbit(sqrt(mu) * 1.1, 1000, mu=mu))

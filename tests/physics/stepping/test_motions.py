@@ -31,6 +31,7 @@ def columns(scene: Level, duration: float, *names: str) -> list[Array]:
     return [trace.columns[name] for name in ("t", *names)]
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("solver", ["iterative", "direct"])
 def test_a_block_goes_with_the_plate_that_shakes_it(solver: str) -> None:
     """To rounding at every step, 5e-15 m; its weight swings by m A ω², of second order.
@@ -48,6 +49,7 @@ def test_a_block_goes_with_the_plate_that_shakes_it(solver: str) -> None:
     assert force[1:] == pytest.approx(2 * (G + A * W**2 * np.cos(W * t))[1:], abs=3e-4)
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("solver", ["iterative", "direct"])
 def test_the_work_of_a_shaker_is_booked(solver: str) -> None:
     """All that the block has, and no impact takes any of it: to 2e-13 J of 0.4 J."""
@@ -92,6 +94,7 @@ def sprung(rate: float, damping: float) -> tuple[float, float]:
     return float(np.abs(x - exact).max()), float(np.abs(left).max())
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("damping", [0.0, 0.7])
 def test_a_spring_that_is_shaken_is_of_second_order_and_so_are_its_books(damping: float) -> None:
     """The work of the base is booked: nothing is left but what leapfrog is too coarse for."""
@@ -102,6 +105,7 @@ def test_a_spring_that_is_shaken_is_of_second_order_and_so_are_its_books(damping
     assert fine[0] < 2e-4
 
 
+@pytest.mark.sweep
 def test_a_pendulum_swings_from_a_pivot_that_is_moved() -> None:
     """l θ'' = −(g + a) sin θ for a pivot that goes up with a; the rod holds all the same."""
     pivot = told({"displacement": [0, "0.1*(1 - cos(5*t))"]}, {"type": "disc", "radius": 0.05})

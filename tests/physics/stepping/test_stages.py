@@ -83,6 +83,7 @@ MOST = 3030
 """Lines of physics that a level of nothing but uniform gravity may load: comments and all."""
 
 
+@pytest.mark.sweep
 def test_what_a_plain_level_does_not_declare_is_not_even_loaded() -> None:
     loaded = json.loads(python("-c", LOADED).stdout)
 

@@ -95,6 +95,7 @@ print(digest(run(build(pile()), 90)))
 """
 
 
+@pytest.mark.sweep
 def test_another_process_runs_alike_to_the_last_bit() -> None:
     """Contact forces too, which are sums in an order that pymunk takes from addresses."""
     done = python("-c", SCRIPT)

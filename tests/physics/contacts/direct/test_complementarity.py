@@ -36,6 +36,7 @@ def test_lemkes_method_solves_what_pushes(seed: int, count: int, bodies: int) ->
     assert np.abs(found * left).max() <= size * (1 + found.max())
 
 
+@pytest.mark.sweep
 @given(seed=SEEDS, count=st.integers(1, 5), bodies=st.integers(4, 8), mu=st.floats(0, 1.5))
 def test_every_contact_pushes_sticks_or_slips(
     seed: int, count: int, bodies: int, mu: float

@@ -43,6 +43,7 @@ def hanging_bridge(wheel: float, rate: float, planks: int = 10, duration: float 
     return level(bodies, EFFECTS, joints=joints, stepping={"rate": rate}, duration=duration)
 
 
+@pytest.mark.sweep
 def test_a_wheel_whips_light_planks_straight_and_rolls_on(monkeypatch: pytest.MonkeyPatch) -> None:
     """At whose jerks the equations of a whole step have no solution."""
     scene = hanging_bridge(50, 480)
@@ -60,6 +61,7 @@ def test_a_wheel_whips_light_planks_straight_and_rolls_on(monkeypatch: pytest.Mo
         build(scene).advance(240)
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(("wheel", "rate"), [(50, 480), (200, 1920)])
 def test_a_bridge_gains_no_energy_by_it(wheel: float, rate: float) -> None:
     trace = simulate(hanging_bridge(wheel, rate), record=["system.energy"], books=True)
@@ -88,6 +90,7 @@ def end(rate: float) -> Array:
     return build(double_pendulum(rate)).advance(round(rate / 2)).position
 
 
+@pytest.mark.sweep
 def test_a_drift_in_two_parts_is_as_close_as_two_steps(monkeypatch: pytest.MonkeyPatch) -> None:
     """If every drift is divided: an error of second order falls to a quarter."""
     exact = end(3840)

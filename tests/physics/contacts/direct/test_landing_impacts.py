@@ -104,6 +104,7 @@ SCENES: dict[str, dict[str, Spec]] = {
 }
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("rate", [60, 480])
 @pytest.mark.parametrize("name", SCENES)
 def test_what_falls_comes_no_deeper_than_the_surface_and_gains_no_energy(
@@ -116,6 +117,7 @@ def test_what_falls_comes_no_deeper_than_the_surface_and_gains_no_energy(
     assert seen.grown <= 1e-6
 
 
+@pytest.mark.sweep
 def test_a_seesaw_that_is_hit_keeps_its_books() -> None:
     """At 240 Hz 17.5 J of 3,843 had no cause, and 13.8 of it were given: by lifting 100 kg."""
     seen = course(seesaw(240), 1.5)

@@ -39,6 +39,7 @@ def apart(one: Level, other: Level, steps: int, images: Sequence[int]) -> float:
     return worst
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(("speed", "spin"), [(0.45, 1.5), (0.0, 1.5), (0.8, 0.0)])
 def test_dominoes_fall_to_the_left_as_to_the_right(speed: float, spin: float) -> None:
     """Rubbed where its first point had left the floor, a slab slid by the way it turned, squared.

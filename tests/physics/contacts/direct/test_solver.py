@@ -120,6 +120,7 @@ def test_a_light_strut_carries_any_load(load: float, rate: float) -> None:
     assert abs(last.position[2, 1] - 1.1) <= 1e-10  # 3e-11 at 1,000,000 : 1, else 4e-13
 
 
+@pytest.mark.sweep
 def test_taking_turns_a_light_strut_does_not_carry_a_heavy_load() -> None:
     """The bound above can be missed: joints and contacts in turn read 1000 times the force."""
     world = build(strut(100, 960, solver="iterative"))
@@ -165,6 +166,7 @@ def test_a_table_with_welded_legs_carries_a_load_beside_its_middle(load: float) 
     assert np.abs(last.position[4] - (0.45, 1.2)).max() <= 1e-11
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("load", [2.0, 2.1, 2.171])
 def test_a_rope_that_friction_holds_does_not_creep(load: float) -> None:
     """Its ends lie along what pulls: an approach of 1e-13 m/s, which is rounding, is no impact.
@@ -473,6 +475,7 @@ def test_what_is_pushed_out_of_an_overlap_into_a_wall_meets_it_in_the_same_kick(
     assert world.advance().position[1, 0] <= pushed
 
 
+@pytest.mark.sweep
 def test_a_high_pile_begins_at_rest_without_a_long_search(monkeypatch: pytest.MonkeyPatch) -> None:
     """Of a pile only the lowest layer is seen to meet; 200 boxes took 500 kicks and Lemke's method.
 
