@@ -169,6 +169,10 @@ def meet(
     Shapes that touch from the beginning, and do so with no more speed than their acceleration gives
     them in a step, rest on each other: that is for pymunk to solve.
 
+    At a step pymunk finds whatever overlaps at all, by less than `TOUCH`, too. So an impact of
+    shapes that overlap at the end of a drift belongs to that drift, and comes at its end at the
+    latest. Shapes that are still apart there are left to the next drift.
+
     Parameters
     ----------
     path
@@ -179,28 +183,41 @@ def meet(
         (2, n, 3), what gravity and laws alone give the velocities in a step, and what all that
         pulls, joints and loads too, gives them in what is left of it [m/s, rad/s].
     """
-    t = since
+    t, at_end = since, False
     gets = [[complex(*way) for way in gives[:, o.body, :2].tolist()] for o in (one, other)]
     for _ in range(TRIES):
         here, there = _Motion(path, one.body, t), _Motion(path, other.body, t)
         cores = here.put(one.corners), there.put(other.corners)
         found = gap(*cores, one.radius + other.radius)
-        if found.distance <= _touch(here, there):
+        if found.distance <= (_rounding(here, there) if at_end else _touch(here, there)):
             if _passes(one, cores, found.normal) or _passes(other, cores[::-1], -found.normal):
                 return None
             hit = _hit(t, (one, other), (here, there), found)
-            rates = here.velocity, there.velocity, gets[0][0], gets[1][0]
-            allowed = ROUNDING * max(abs(rate) for rate in rates)
-            if t == since:
-                allowed += max(abs(dot(found.normal, b - a)) for a, b in zip(*gets, strict=True))
+            speeds = here.velocity, there.velocity
+            allowed = _allowed(found.normal, speeds, gets, rests=t == since or at_end)
             if hit.parting < -allowed:
                 return hit
             if hit.parting <= allowed:
                 return None
+        if at_end:
+            return None
         t += _clear(found.normal, (here, there), cores, (one, other), until - t)
         if t > until:
-            return None
+            t, at_end = until, True
     return None
+
+
+def _allowed(
+    normal: complex, speeds: Sequence[complex], gets: Sequence[list[complex]], *, rests: bool
+) -> float:
+    """Return the approach of two bodies that is none, or with which they may still rest [m/s].
+
+    What they get in a step is told as by `gives` of `meet`, for each body.
+    """
+    allowed = ROUNDING * max(abs(rate) for rate in (*speeds, gets[0][0], gets[1][0]))
+    if rests:
+        allowed += max(abs(dot(normal, b - a)) for a, b in zip(*gets, strict=True))
+    return allowed
 
 
 def touching(path: Path, one: Outline, other: Outline, t: float) -> Hit | None:
@@ -217,7 +234,12 @@ def touching(path: Path, one: Outline, other: Outline, t: float) -> Hit | None:
 
 def _touch(here: _Motion, there: _Motion) -> float:
     """Return the gap at which bodies touch [m]."""
-    return TOUCH + max(CLOSE, FAR * abs(here.place), FAR * abs(there.place))
+    return TOUCH + max(CLOSE, _rounding(here, there))
+
+
+def _rounding(here: _Motion, there: _Motion) -> float:
+    """Return how exactly the gap of bodies is known where they are [m]."""
+    return FAR * max(abs(here.place), abs(there.place))
 
 
 def _hit(
