@@ -25,6 +25,7 @@ def unfinished(window: Window) -> int:
     return sum(bool(shape.states_to_redraw_queue) for shape in shapes if shape)
 
 
+@pytest.mark.sweep
 def test_all_widgets_are_drawn_before_frames_are_timed(monkeypatch: pytest.MonkeyPatch) -> None:
     left: list[int] = []
     play = window_timing._play
