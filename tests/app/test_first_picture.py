@@ -9,6 +9,7 @@ from sandbox.app import first_picture, main
 from sandbox.model.errors import SandboxError
 
 
+@pytest.mark.sweep
 def test_the_first_picture_is_there_after_one_flip(monkeypatch: pytest.MonkeyPatch) -> None:
     flipped: list[tuple[float, str]] = []
     flip = pygame.display.flip
@@ -34,6 +35,7 @@ def test_a_start_is_timed_from_before_its_process(monkeypatch: pytest.MonkeyPatc
     assert 0 < took < perf_counter() - begun
 
 
+@pytest.mark.sweep
 def test_a_program_that_fails_is_a_sentence() -> None:
     with pytest.raises(SandboxError) as raised:
         first_picture.first_picture("newton/atwod")

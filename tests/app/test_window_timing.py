@@ -41,6 +41,7 @@ def test_all_widgets_are_drawn_before_frames_are_timed(monkeypatch: pytest.Monke
     assert left == [0]
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(
     ("asked", "before"),
     [("newton/incline", main.FIRST), (main.FIRST, "newton/atwood")],
