@@ -77,6 +77,7 @@ def test_numbers_of_numpy_are_numbers_and_other_things_are_told() -> None:
         sandbox.make({**document, "duration": {1}})
 
 
+@pytest.mark.sweep
 def test_a_notebook_shows_levels_and_traces() -> None:
     shell = InteractiveShell.instance()
     notebook.load_ipython_extension(shell)

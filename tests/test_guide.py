@@ -43,6 +43,7 @@ def test_every_level_of_the_guide_runs_and_keeps_its_checks(text: str) -> None:
         assert result.verdict == "passed", f"{result.check.label}: {result.error:.1e}"
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(
     "text", thinned([text for text in EVERY if made(text).parameters], 3), ids=title
 )

@@ -47,6 +47,7 @@ def busy(tmp_path: Path) -> Iterator[tuple[subprocess.Popen[bytes], list[int]]]:
                 os.kill(pid, signal.SIGKILL)
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(
     ("number", "status"),
     [
@@ -66,6 +67,7 @@ def test_no_process_outlives_the_one_that_has_started_it(
     assert until(lambda: not any(map(alive, workers)))
 
 
+@pytest.mark.sweep
 def test_what_goes_wrong_in_another_process_is_raised_here() -> None:
     with pytest.raises(ZeroDivisionError):
         list(spread(divide, [1, 0, 2], 1))

@@ -3,7 +3,9 @@
 import os
 import sys
 import warnings
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from time import perf_counter
 
 import pygame
 
@@ -42,6 +44,31 @@ def run(
     Without a level it begins with the cards of all of them. An accuracy, if one is given, is asked
     for in place of the level's own setting.
     """
+    with _opened(level, settings, accuracy, racing) as window:
+        window.run()
+
+
+def first_picture(
+    level: str,
+    settings: Mapping[str, float] | None = None,
+    accuracy: float | None = None,
+    *,
+    racing: bool = False,
+) -> float:
+    """Open the window as `run` does, and return when its first picture is there, by the clock [s].
+
+    The clock is `perf_counter`, which all processes share.
+    """
+    with _opened(level, settings, accuracy, racing) as window:
+        next(window.pictures())
+        return perf_counter()
+
+
+@contextmanager
+def _opened(
+    level: str | None, settings: Mapping[str, float] | None, accuracy: float | None, racing: bool
+) -> Iterator[Window]:
+    """Yield the window with what it begins with, and close it."""
     # a tool tip that does not fit is cut off; that is nothing to tell a terminal
     warnings.filterwarnings("ignore", "Unable to fit tool tip", UserWarning)
     window = Window()
@@ -52,7 +79,7 @@ def run(
     if racing:
         window.do("race")
     try:
-        window.run()
+        yield window
     finally:
         window.close()
         pygame.quit()

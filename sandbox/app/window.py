@@ -1,6 +1,7 @@
 """The window: events in, frames out."""
 
 import gc
+from collections.abc import Iterator
 from time import perf_counter
 
 import pygame
@@ -47,6 +48,11 @@ class Window(Workspace):
 
     def run(self) -> None:
         """Show frames until the window is closed."""
+        for _ in self.pictures():
+            pass
+
+    def pictures(self) -> Iterator[None]:
+        """Show frames until the window is closed, and pause after each of them."""
         self.look_through()
         clock, before = pygame.time.Clock(), perf_counter()
         while self.open:
@@ -55,6 +61,7 @@ class Window(Workspace):
             self.frame(min(now - before, LONGEST_FRAME))
             before = now
             pygame.display.flip()
+            yield
 
     @staticmethod
     def look_through() -> None:

@@ -8,6 +8,7 @@ import typer
 
 from sandbox.cli import argument_parsing
 from sandbox.cli.accuracy_option import asking, find_out
+from sandbox.cli.render import go_headless
 from sandbox.model.errors import SandboxError
 from sandbox.model.loading import choose
 
@@ -34,17 +35,28 @@ def open_sandbox() -> int:
 
 
 def play(
-    argument: str, pairs: Sequence[str], accuracy: float | None = None, *, racing: bool = False
+    argument: str,
+    pairs: Sequence[str],
+    accuracy: float | None = None,
+    *,
+    racing: bool = False,
+    once: bool = False,
 ) -> None:
-    """Open the window on a level."""
+    """Open the window on a level; if once, only until its first picture, and print when it came."""
     settings = argument_parsing.settings(pairs)
     _, level = argument_parsing.open_level(argument)
     values = choose(level, settings)  # a mistake is better told here than in a window
     find_out(asking(level, accuracy), values)
     _quiet()
-    from sandbox.app.main import has_display, run
+    from sandbox.app.main import first_picture, has_display, run
 
-    if not has_display():
+    displayed = has_display()
+    if once:
+        if not displayed:
+            go_headless()
+        typer.echo(first_picture(argument, settings, accuracy, racing=racing))
+        return
+    if not displayed:
         raise DisplayError(
             "there is no display to open a window on; 'render' draws a level without one,"
             " 'simulate' runs it"

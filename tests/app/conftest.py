@@ -24,7 +24,7 @@ from sandbox.app.words import language
 from sandbox.editing import recovery
 from tests.app.person import Person
 
-EVERY = 6
+EVERY = 12
 """Of so many tests of a module that open a window, the quick tests take the first."""
 
 _WINDOWS = pytest.StashKey[int]()

@@ -49,6 +49,7 @@ def findings(background: Background) -> list[object]:
     return found
 
 
+@pytest.mark.sweep
 def test_findings_come_in_one_by_one_until_the_work_is_done(background: Background) -> None:
     background.start(work.count, 5)
 
@@ -57,6 +58,7 @@ def test_findings_come_in_one_by_one_until_the_work_is_done(background: Backgrou
     assert not background.running
 
 
+@pytest.mark.sweep
 def test_nobody_waits_until_a_large_task_is_taken_over(background: Background) -> None:
     """A few ms, where a process takes 0.7 s to be there; a pipe holds but 64 KiB."""
     durations = []
@@ -90,6 +92,7 @@ def test_work_that_is_cancelled_ends_at_once(background: Background) -> None:
     assert list(background.found()) == []
 
 
+@pytest.mark.sweep
 @pytest.mark.skipif(not hasattr(signal, "SIGKILL"), reason="nothing can be ignored here")
 def test_work_that_ignores_a_request_to_end_ends_at_once(background: Background) -> None:
     """As does all that is started where SIGTERM is ignored: it is inherited."""
@@ -102,6 +105,7 @@ def test_work_that_ignores_a_request_to_end_ends_at_once(background: Background)
     assert time.monotonic() - begun < 30  # it would go on for 120 s
 
 
+@pytest.mark.sweep
 def test_work_that_dies_in_the_middle_of_a_finding_has_found_nothing(
     background: Background,
 ) -> None:
@@ -114,6 +118,7 @@ def test_work_that_dies_in_the_middle_of_a_finding_has_found_nothing(
     assert not background.running
 
 
+@pytest.mark.sweep
 def test_new_work_takes_the_place_of_the_old(background: Background) -> None:
     background.start(work.dawdle)
     before = background.pid
@@ -124,6 +129,7 @@ def test_new_work_takes_the_place_of_the_old(background: Background) -> None:
     assert findings(background) == [0, 1]
 
 
+@pytest.mark.sweep
 @pytest.mark.skipif(not hasattr(os, "nice"), reason="there are no priorities here")
 def test_the_work_gives_way_to_the_window(background: Background) -> None:
     background.start(work.priority)
@@ -131,6 +137,7 @@ def test_the_work_gives_way_to_the_window(background: Background) -> None:
     assert findings(background) == [min(os.nice(0) + 5, 19)]
 
 
+@pytest.mark.sweep
 def test_a_window_that_is_killed_leaves_no_orphan() -> None:
     text = (
         "from sandbox.app.background import Background\n"

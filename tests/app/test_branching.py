@@ -140,6 +140,7 @@ def switch(person: Person) -> UIButton:
     return page.onwards
 
 
+@pytest.mark.sweep
 def test_shift_and_the_switch_decide_where_a_change_acts_from(
     person: Person, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -62,6 +62,7 @@ def places(text: str) -> set[tuple[str | None, str | None]]:
     return {(name, written) for _, name, written, _ in Formatter().parse(text) if name is not None}
 
 
+@pytest.mark.sweep
 @EACH
 def test_every_message_is_translated_and_none_is_left_of_what_is_gone(
     domain: language.Domain, name: str
@@ -138,6 +139,7 @@ def test_a_language_that_is_new_begins_with_all_messages_and_no_translation(
     assert not any(any(forms(message.string)) for message in messages(new))
 
 
+@pytest.mark.sweep
 def test_every_account_of_every_level_is_a_word_that_is_declared() -> None:
     """What a joint or an effect books is found; so is what the ledger books of its own."""
     words = set(declared_words.words())

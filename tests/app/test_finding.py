@@ -28,6 +28,7 @@ def titles(player: Person) -> set[str]:
     return {level.title for level in listed(player).found}
 
 
+@pytest.mark.sweep
 def test_words_find_levels_by_what_they_are_about(player: Person) -> None:
     player.press(pygame.K_SLASH, "/")
     player.type("helix")

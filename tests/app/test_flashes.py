@@ -30,6 +30,7 @@ def until_it_strikes(session: Session) -> Sequence[Blow]:
     return [flash.blow for flash in session.flashes]
 
 
+@pytest.mark.sweep
 def test_a_run_that_goes_back_shows_the_same_flashes_again() -> None:
     session = opened(CRADLE)
     until_it_strikes(session)
@@ -88,6 +89,7 @@ def test_no_more_impacts_are_kept_than_can_be_of_use() -> None:
     assert 0 < len(session.run.blows.since(0)) <= MOST
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("theme", thinned(["dark", "light", "contrast"], 3))
 def test_a_flash_is_seen_where_bodies_struck_unless_it_is_switched_off(
     person: Person, theme: str

@@ -203,6 +203,7 @@ def test_a_velocity_is_taken_apart_into_its_components(person: Person) -> None:
     assert theme.ARROW in colors()
 
 
+@pytest.mark.sweep
 def test_a_force_that_is_switched_off_has_no_arrow() -> None:
     world = build(load(catalog.find("machines/coil-gun")))
     forces = Forces(world.level)

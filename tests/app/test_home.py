@@ -296,6 +296,7 @@ def test_pictures_are_drawn_in_the_background_what_is_seen_first(
     assert not thumbnails.running
 
 
+@pytest.mark.sweep
 def test_a_level_that_cannot_be_drawn_says_so(person: Person, tmp_path: Path) -> None:
     person.open(tmp_path, scenes.falling(duration=-1))
     person.press(pygame.K_F2)

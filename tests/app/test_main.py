@@ -17,6 +17,7 @@ def test_a_driver_without_a_screen_is_no_display(
     assert not main.has_display()
 
 
+@pytest.mark.sweep
 @pytest.mark.skipif(sys.platform != "linux", reason="other systems always have a display server")
 def test_without_a_display_nothing_is_printed() -> None:
     code = "from sandbox.app.main import has_display; raise SystemExit(has_display())"
@@ -25,6 +26,7 @@ def test_without_a_display_nothing_is_printed() -> None:
     assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
 
 
+@pytest.mark.sweep
 def test_the_rest_of_the_sandbox_does_not_need_pygame() -> None:
     code = (
         "import sys, sandbox, sandbox.app, sandbox.model.catalog;"

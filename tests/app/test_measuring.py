@@ -16,6 +16,7 @@ def at(person: Person, point: tuple[float, float]) -> probe.Found | None:
     return probe.find(stage.view, person.session, stage.camera.to_screen(point))
 
 
+@pytest.mark.sweep
 def test_a_probe_on_the_trail_tells_when_the_ball_was_there_and_how_fast(person: Person) -> None:
     person.window.open_level("kinematics/projectile")
     for _ in range(60):

@@ -39,6 +39,7 @@ def seen(person: Person, place: pygame.Rect) -> bytes:
     return pygame.image.tobytes(person.window.surface.subsurface(picture), "RGB")
 
 
+@pytest.mark.sweep
 def test_a_card_plays_while_the_mouse_rests_on_it_and_stops_when_it_is_left(
     visitor: Person,
 ) -> None:

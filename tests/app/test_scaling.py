@@ -36,6 +36,7 @@ def widgets(person: Person) -> list[UIButton | UITextEntryLine]:
     ]
 
 
+@pytest.mark.sweep
 def test_the_keys_go_through_the_sizes_and_back(person: Person) -> None:
     comfort = person.window.comfort
     found = [comfort.size]
@@ -76,6 +77,7 @@ def test_the_parts_of_the_window_fill_it_and_do_not_overlap(
         assert layout.stage.height + layout.controls.height == window[1]
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(("window", "size", "language"), LOOKS)
 def test_no_caption_is_larger_than_its_widget_on_any_page(
     person: Person, tmp_path: Path, window: tuple[int, int], size: int, language: Name
@@ -94,6 +96,7 @@ def test_no_caption_is_larger_than_its_widget_on_any_page(
                 assert pen.height(11) <= each.rect.height, (page.name, each.text)
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(("window", "size", "language"), LOOKS)
 def test_no_two_widgets_of_a_page_cover_each_other(
     person: Person, tmp_path: Path, window: tuple[int, int], size: int, language: Name

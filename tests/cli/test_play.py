@@ -45,6 +45,23 @@ def test_a_level_is_opened_with_the_race_under_way(run: Run, write: Write, opene
     assert opened == [(str(path), {}, None, "racing")]
 
 
+def test_the_first_picture_alone_needs_no_display(
+    run: Run, write: Write, no_display: Opened, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = write()
+    asked: list[object] = []
+
+    def first_picture(*arguments: object, racing: bool) -> float:
+        asked.append((*arguments, racing))
+        return 12.5
+
+    monkeypatch.setattr(window, "first_picture", first_picture)
+
+    assert run("play", path, "--first-picture", "--set", "g=1.6") == (0, "12.5\n", "")
+    assert asked == [(str(path), {"g": 1.6}, None, False)]
+    assert no_display == []
+
+
 def test_without_a_command_the_window_opens(run: Run, opened: Opened) -> None:
     assert run() == (0, "", "")
     assert opened == [()]

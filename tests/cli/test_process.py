@@ -79,6 +79,7 @@ def test_a_mistake_is_one_message_without_a_traceback(arguments: list[str], stat
     assert "Traceback" not in done.stderr
 
 
+@pytest.mark.sweep
 @pytest.mark.skipif(sys.platform == "win32", reason="a process cannot be sent a Ctrl-C there")
 def test_ctrl_c_ends_a_run_quietly_and_leaves_no_file(write: Write, tmp_path: Path) -> None:
     """With an attraction, most of the time passes in callbacks, where an exception is lost."""

@@ -45,6 +45,7 @@ def test_a_falling_stone_s_time_depends_on_height_and_gravity_as_their_spreads(
     assert "Sobol" in page.path.read_text("utf-8")
 
 
+@pytest.mark.sweep
 def test_the_distribution_of_an_outcome_is_that_of_what_is_drawn(tmp_path: Path) -> None:
     found = plan("kinematics/projectile", {"speed": "20±0.1"}, "ball.position.x@1", draws=200,
                  method="sobol", set={"angle": 60})  # fmt: skip

@@ -45,6 +45,7 @@ def test_a_cluster_and_this_process_make_the_same_file(tmp_path: Path, address: 
     assert files[0] == files[1]
 
 
+@pytest.mark.sweep
 @pytest.mark.filterwarnings("ignore")
 def test_a_cluster_that_is_not_there_is_a_sentence(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("sandbox.experiments.executors.PATIENCE", 1)

@@ -29,6 +29,7 @@ def throws(count: int = 60) -> Plan:
     return plan(THROW, {"angle": f"6:85:{count}", "speed": "10±1"}, RANGE, draws=2, duration=6)
 
 
+@pytest.mark.sweep
 def test_one_process_and_two_make_the_same_file(tmp_path: Path) -> None:
     found = throws()
     table(found, tmp_path / "one")
@@ -93,6 +94,7 @@ def parts(folder: Path) -> int:
     return len(list((folder / PARTS).glob("*.parquet")))
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("seed", thinned([1, 2], 2))
 def test_what_was_killed_at_any_moment_goes_on_to_the_same_table(tmp_path: Path, seed: int) -> None:
     moments = Random(seed)

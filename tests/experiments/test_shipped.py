@@ -33,6 +33,7 @@ def test_there_are_ten() -> None:
     assert len(catalog.names()) >= 10
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("name", thinned(catalog.names(), 4))
 def test_a_small_version_runs_and_is_drawn(name: str, tmp_path: Path) -> None:
     found = small(name)
@@ -47,12 +48,14 @@ def test_a_small_version_runs_and_is_drawn(name: str, tmp_path: Path) -> None:
             assert any(x is not None for x in rows[measure.text].to_pylist())
 
 
+@pytest.mark.sweep
 def test_a_braking_distance_is_that_of_the_closed_form(tmp_path: Path) -> None:
     rows = table(small("braking-with-care"), tmp_path)
     [error] = [name for name in rows.column_names if name.endswith(" error")]
     assert max(rows[error].to_pylist()) < 1e-9
 
 
+@pytest.mark.sweep
 def test_stages_give_what_tsiolkovsky_says(tmp_path: Path) -> None:
     """Δv = u ln(m0/m1) + u ln(m2/m3), whatever was dropped in between."""
     rows = table(small("rocket-staging"), tmp_path)

@@ -33,6 +33,7 @@ def test_is_not_solved_by_its_starting_values(name: str) -> None:
     assert played(LEVELS[name], {}).stars == 0
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("name", sampled(LEVELS, "its solution"))
 def test_its_solution_earns_every_star(name: str) -> None:
     level = LEVELS[name]

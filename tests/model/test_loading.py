@@ -411,6 +411,7 @@ def bent(draw: st.DrawFn) -> str:
     return json.dumps(data)
 
 
+@pytest.mark.sweep
 @given(st.one_of(mangled(), bent(), st.text()))
 def test_any_text_is_a_level_or_a_level_error(text: str) -> None:
     found = mistakes_in(text)

@@ -73,6 +73,7 @@ def test_what_is_laid_out_stays_as_it_is(pair: tuple[str, str]) -> None:
     assert formatted(after) == after
 
 
+@pytest.mark.sweep
 @given(st.sampled_from(SMALL), st.sampled_from([None, 1, 2, 4, "\t"]), st.randoms())
 def test_what_a_program_writes_becomes_the_same_level(
     path: Path, indent: int | str | None, random: Random

@@ -422,6 +422,7 @@ MENDED = {
 """Scenes that failed once, and why."""
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("seed", thinned(MENDED, 3))
 def test_a_scene_that_failed_once_holds(seed: int) -> None:
     found = judged(seed)
@@ -442,6 +443,7 @@ def test_a_run_that_stops_is_judged_at_the_rate_that_is_advised() -> None:
     assert then.seen.t[-1] == pytest.approx(first.asked)
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("family", thinned(SOUND, 3))
 @settings(max_examples=2)
 @given(seed=st.integers(0, 2**32 - 1))

@@ -192,6 +192,7 @@ def test_a_sweep_finds_the_order_of_each_scheme() -> None:
     assert naive < 1.3
 
 
+@pytest.mark.sweep
 def test_runs_that_fail_stay_as_rows_without_a_cost() -> None:
     """The spring of 200 N/m on 0.1 kg needs more than 22 Hz, and says so."""
     found = errors("energy/damped-spring", Budget(run=0.5, rates=(2.0, 240.0), targets=()))

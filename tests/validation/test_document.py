@@ -42,6 +42,7 @@ def test_the_listing_stops_short_of_the_range_that_the_sandbox_finds() -> None:
     assert 0 < kinematics.projectile_range(25, np.pi / 4, 9.81) - x < 25 * np.sqrt(0.5) * 0.01
 
 
+@pytest.mark.sweep
 def test_plain_euler_in_the_sandbox_is_the_chapters_bit_for_bit() -> None:
     """It goes over the top, 22.37 J up, where a last digit would grow: there is none."""
     columns = record("lagrange/euler-pendulum", THETA, OMEGA, ENERGY).columns

@@ -15,6 +15,7 @@ angles = st.floats(0.05, pi / 2 - 0.05)
 eccentricities = st.floats(0, 0.85)
 
 
+@pytest.mark.sweep
 @given(positive, angles, positive, positive)
 def test_energy_gives_the_speed_of_landing(
     speed: float, angle: float, g: float, height: float
@@ -37,6 +38,7 @@ def test_a_ball_from_2_m_comes_down_the_ramp_at_6_26_m_per_s() -> None:
     assert energy.landing_speed(0, 9.81, 2) == pytest.approx(6.26, abs=0.005)
 
 
+@pytest.mark.sweep
 @given(positive, angles, positive)
 def test_a_ramp_takes_as_long_as_newton_says(height: float, angle: float, g: float) -> None:
     t = energy.ramp_time(height, angle, g)

@@ -77,6 +77,7 @@ def test_what_is_not_is_one(bad: Trial) -> None:
     assert complaints([bad])
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("seed", thinned([1, 1000], 2))
 def test_a_trial_is_the_same_twice(seed: int) -> None:
     """What it says but for the cost, which is measured."""

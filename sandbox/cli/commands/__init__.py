@@ -7,11 +7,11 @@ commands has to be there at once.
 import typer
 
 from sandbox.cli.commands import (
+    bench,
     check,
     describe,
     effects,
     experiment,
-    frames,
     generate,
     migrate,
     new,
@@ -39,7 +39,7 @@ COMMANDS = (
     replay,
     generate,
     tour,
-    frames,
+    bench,
 )
 """In the order of the help; a command is called as its module."""
 

@@ -94,3 +94,11 @@ RaceOption = Annotated[
         help="Draw the runs of the other schemes that the level can use, up to four, over it.",
     ),
 ]
+FirstPictureOption = Annotated[
+    bool,
+    typer.Option(
+        "--first-picture",
+        help="Close the window after its first picture, and print when it was there, in seconds of"
+        " a clock that all processes share. Needs no display.",
+    ),
+]

@@ -46,6 +46,7 @@ def group(builder: Builder) -> None:
     builder.key(pygame.K_ESCAPE)
 
 
+@pytest.mark.sweep
 def test_a_click_selects_the_group_and_a_second_one_the_body_alone(mine: Builder) -> None:
     group(mine)
     assert chosen(mine) == set()

@@ -33,6 +33,7 @@ def kinds(builder: Builder) -> list[str]:
     return [action.kind for action in builder.person.session.actions]
 
 
+@pytest.mark.sweep
 def test_a_disc_that_is_drawn_into_the_run_falls_with_it(running: Builder) -> None:
     session = running.person.session
     dropped(running)

@@ -111,6 +111,7 @@ def test_a_file_whose_title_is_half_a_character_is_listed(person: Person, tmp_pa
     assert person.window.session is None
 
 
+@pytest.mark.sweep
 def test_every_character_can_be_written() -> None:
     pygame.font.init()
     pen = Pen()

@@ -103,6 +103,7 @@ def test_the_energies_of_a_body_that_was_put_elsewhere_begin_there() -> None:
     assert session.books.history[:, 3] == pytest.approx(4.5)
 
 
+@pytest.mark.sweep
 def test_graph_bars_and_sum_change_by_key_and_by_button(person: Person) -> None:
     person.window.open_level("kinematics/projectile")
     person.press(pygame.K_SPACE, " ")

@@ -101,6 +101,7 @@ def test_what_failed_is_marked_as_failed() -> None:
     assert [milestone.passed for milestone in session.milestones()] == [False]
 
 
+@pytest.mark.sweep
 def test_the_mark_is_seen_and_goes_with_a_restart(person: Person) -> None:
     person.window.open_level("kinematics/projectile")
     person.press(pygame.K_SPACE, " ")

@@ -52,6 +52,7 @@ def informed(player: Person) -> Person:
     return player
 
 
+@pytest.mark.sweep
 def test_it_is_measured_without_being_asked_and_drawn(player: Person) -> None:
     studying = player.window.workers.of(Studying)
     until(player, lambda: studying.here is not None and not studying.running)
@@ -232,6 +233,7 @@ def test_an_accuracy_that_was_asked_for_beside_the_level_outlives_a_reload(
     assert person.session.level.stepping.accuracy == 1e-3
 
 
+@pytest.mark.sweep
 def test_only_digits_that_survive_are_shown_and_how_far_they_go(informed: Person) -> None:
     window = informed.window
     informed.press(pygame.K_SPACE, " ")

@@ -74,6 +74,7 @@ def test_what_a_level_suggests_can_be_measured(name: str) -> None:
         assert parse(text, level, until=False).quantities
 
 
+@pytest.mark.sweep
 def test_the_curve_grows_and_is_that_of_the_closed_form(thrower: Person) -> None:
     work = exploring(thrower)
     until(thrower, lambda: len(work.points) == COUNT)

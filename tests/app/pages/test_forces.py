@@ -152,6 +152,7 @@ def test_the_polygon_ends_where_the_sum_does(pen: Pen, level: str) -> None:
     assert (arrow > 20) == (net > 0)
 
 
+@pytest.mark.sweep
 def test_a_force_that_is_rounding_beside_the_others_is_left_out() -> None:
     found = at(stepped("hard/stack-of-40-directly"))
     faint = Acting("drag", "", (1e-12 * found.largest, 0.0), found.center)

@@ -71,6 +71,7 @@ def test_what_gives_momentum_alone_is_not_told_twice() -> None:
     ]  # fmt: skip
 
 
+@pytest.mark.sweep
 def test_of_a_crowd_the_largest_have_bars_and_the_rest_is_one() -> None:
     session = play(session_of("momentum/billiard-break"))
     every = momenta.momenta(session.world, session.world.snapshot)

@@ -159,6 +159,7 @@ def test_nonsense_is_refused_and_the_run_goes_on_waiting(asked: Person, typed: s
     assert asked.window.panels.typing
 
 
+@pytest.mark.sweep
 def test_after_nonsense_a_number_is_taken(asked: Person) -> None:
     answer(asked, "abc")
     for _ in "abc":

@@ -97,6 +97,7 @@ def test_the_race_ends_as_it_began() -> None:
     assert session.level == session.original
 
 
+@pytest.mark.sweep
 def test_the_race_is_started_by_its_button_and_seen(person: Person, tmp_path: Path) -> None:
     person.open(tmp_path, scenes.falling())
     person.press(pygame.K_s, "s")
@@ -122,6 +123,7 @@ def test_the_window_opens_with_the_race_under_way(person: Person, tmp_path: Path
     assert race.racing(person.session)
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(
     "name", ["energy/kepler-ellipse", "newton/atwood", "momentum/cradle-on-a-line"]
 )

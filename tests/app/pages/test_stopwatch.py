@@ -111,6 +111,7 @@ def test_at_a_step_it_shows_the_same_whatever_way_led_there() -> None:
         assert stopwatch.reading(session) == seen[step], step
 
 
+@pytest.mark.sweep
 def test_the_key_starts_stops_and_starts_it_anew(person: Person) -> None:
     person.window.open_level("kinematics/projectile")
     person.wait()

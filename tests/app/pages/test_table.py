@@ -32,6 +32,7 @@ def test_the_instants_are_few_and_the_last_is_one_of_them(count: int) -> None:
     assert len(set(shown)) == len(shown)
 
 
+@pytest.mark.sweep
 def test_the_file_has_what_is_graphed_at_every_instant(seated: Person, tmp_path: Path) -> None:
     seated.click(seated.page(TablePage).save.rect)
 

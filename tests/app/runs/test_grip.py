@@ -56,6 +56,7 @@ def test_two_balls_that_are_lifted_by_hand_send_two_off_on_the_other_side(person
     assert highest[2] < 0.05
 
 
+@pytest.mark.sweep
 def test_in_the_middle_of_a_swing_too() -> None:
     session = Session(load(catalog.find("momentum/cradle")))
     for _ in range(150):

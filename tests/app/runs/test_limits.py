@@ -70,6 +70,7 @@ def test_where_nobody_looks_no_run_pauses() -> None:
     assert played(patient=True).at_end
 
 
+@pytest.mark.sweep
 @pytest.mark.usefixtures("slow")
 def test_the_window_says_why_it_has_paused_and_another_level_can_be_opened() -> None:
     window = Window((900, 600))

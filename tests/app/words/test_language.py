@@ -144,6 +144,7 @@ def test_the_system_says_its_language_as_gettext_has_it(
     assert language.of_system(environment) == name
 
 
+@pytest.mark.sweep
 def test_a_language_is_chosen_on_the_page_of_the_settings_and_all_changes_at_once(
     person: Person,
 ) -> None:
@@ -221,6 +222,7 @@ def test_what_is_not_said_through_the_catalogue_is_found(speech: Speech) -> None
     assert list(speech.small(set())) == ["Forces", "Forces ON B"]
 
 
+@pytest.mark.sweep
 def test_nothing_is_drawn_or_told_as_it_stands_in_the_code() -> None:
     """What no test comes to is found in the sources, where it is handed on without `say`."""
     found = []

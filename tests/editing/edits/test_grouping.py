@@ -62,6 +62,7 @@ def test_a_body_is_selected_with_its_group_or_alone() -> None:
     assert group_of(level, "d") == ("d",)
 
 
+@pytest.mark.sweep
 @given(st.lists(st.lists(st.sampled_from(NAMES), min_size=2, unique=True), max_size=6))
 def test_no_body_is_ever_in_two_groups(chosen: list[list[str]]) -> None:
     text = scene()

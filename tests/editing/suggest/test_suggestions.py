@@ -105,6 +105,7 @@ MADE = {
 }
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(
     ("setup", "text"),
     thinned([(setup, text) for setup, texts in MADE.items() for text in texts], 3),

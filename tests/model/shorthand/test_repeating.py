@@ -248,6 +248,7 @@ def test_the_layout_stays_as_it_is_typed() -> None:
     assert formatted(formatted(text)) == formatted(text)
 
 
+@pytest.mark.sweep
 @given(st.recursive(
     st.none() | st.booleans() | st.integers() | st.text(max_size=6) | st.just("{i}"),
     lambda inner: st.lists(inner, max_size=3) | st.dictionaries(

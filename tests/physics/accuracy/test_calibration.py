@@ -389,6 +389,7 @@ def test_what_is_recorded_is_judged_as_well() -> None:
         calibrate(scene, target=1e-5, also=["bob.charm"])
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("accuracy", thinned([1e-7, 1e-8], 2))
 def test_a_longer_run_is_judged_for_as_long_as_it_lasts(
     counted: list[float], accuracy: float

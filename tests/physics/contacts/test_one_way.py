@@ -118,6 +118,7 @@ def test_however_fast_it_comes_it_is_not_taken_for_one_from_above(
     assert (heights(scene, rise) == free(scene, rise)).all()
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("hand", ["left", "right", None])
 def test_from_the_other_side_it_bounces_as_off_any_surface(hand: str | None) -> None:
     """Elastic and located, a ball bounces to where it came from, 1 m above the line."""
@@ -165,6 +166,7 @@ def test_what_rests_on_it_at_the_start_is_held_and_what_is_in_it_falls(solver: s
     assert final.position[1, 1] == pytest.approx(0.9 * ROOM - 9.81 / 2, abs=1e-9)
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("solver", ["iterative", "direct"])
 def test_a_valve_that_moves_takes_along_what_it_holds(solver: str) -> None:
     """A line goes to the right: it goes past a ball on its open side, and pushes the other."""
@@ -187,6 +189,7 @@ def test_a_valve_that_moves_takes_along_what_it_holds(solver: str) -> None:
     assert final.position[1, 0] == pytest.approx(0.5, abs=1e-12)
 
 
+@pytest.mark.sweep
 def test_a_closed_arc_lets_everything_in_and_nothing_out() -> None:
     """A gas around a cell comes to be within it, with the energy that it had."""
     cell = {"type": "arc", "radius": 1, "start": 0, "end": "2*pi"}

@@ -28,6 +28,7 @@ def worlds(level: Level, values: list[Values]) -> list[World]:
     return [build(level, v) for v in values]
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("count", thinned([3, 2, 17], 3))
 def test_pendulums_end_in_the_bits_of_each_alone(count: int) -> None:
     """Chaos would make 1e-5 of the last bit within two seconds."""

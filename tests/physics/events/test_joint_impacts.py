@@ -28,6 +28,7 @@ def wagons(
     return level(bodies, {}, joints=joints, events=events, stepping={"rate": rate})
 
 
+@pytest.mark.sweep
 @given(
     st.floats(0.01, 100),
     st.floats(0.01, 100),

@@ -27,6 +27,7 @@ def geared(ratio: float, first: float, second: float) -> Level:
     return level(bodies, effects, joints=joints)
 
 
+@pytest.mark.sweep
 @settings(deadline=None, max_examples=25)
 @given(
     ratio=st.floats(0.1, 10).flatmap(lambda n: st.sampled_from([n, -n])),

@@ -44,6 +44,7 @@ print(*sorted(name.removeprefix(prefix) for name in sys.modules if name.startswi
 """
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(
     ("effects", "loaded"),
     thinned(

@@ -136,6 +136,7 @@ def test_the_parts_of_a_star_fill_it(radii: list[float], clockwise: bool) -> Non
     assert sum(surface(part) for part in parts) == pytest.approx(abs(cross.sum()) / 2, rel=1e-6)
 
 
+@pytest.mark.sweep
 @settings(max_examples=100, deadline=None)
 @given(st.integers(2, 40), st.floats(0.3, 6), st.sampled_from([0.01, 0.1, 0.5]))
 def test_a_bent_bar_is_cut_into_convex_parts_that_fill_it(n: int, arc: float, width: float) -> None:
@@ -263,6 +264,7 @@ def test_an_overlap_is_taken_back_by_its_share_a_step(
     assert depth[2] == pytest.approx(depth[1] * (1 - share), abs=1e-8)
 
 
+@pytest.mark.sweep
 @given(st.lists(st.sampled_from(["dynamic", "static", "kinematic"]), min_size=1, max_size=6))
 def test_only_what_is_dynamic_has_mass(types: list[str]) -> None:
     shape = {"type": "disc", "radius": 1}

@@ -111,6 +111,7 @@ HELD = {
 }
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("name", SCENES)
 def test_places_and_velocities_are_of_fourth_order(name: str) -> None:
     """Each halving of the step leaves a sixteenth of the error: 16 to 4 are 3 in the ratio 15."""
@@ -136,6 +137,7 @@ def test_what_joints_hold_is_of_fourth_order_too(name: str) -> None:
         assert log2(first / second) == pytest.approx(4, abs=0.15), field  # 3.98 to 4.02
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(
     ("scheme", "rate", "least", "most"),
     [("fourth-order", 15, 0, 7e-8), ("leapfrog", 90, 1e-5, 1e-4)],
@@ -200,6 +202,7 @@ def test_a_bead_keeps_its_energy_to_the_fourth_order() -> None:
     assert log2(coarse / fine) == pytest.approx(4, abs=0.3)
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(("step", "error"), [(0.04, 3.6e-7), (0.02, 2.7e-8), (0.01, 1.8e-9)])
 def test_an_eccentric_orbit_closes_after_five_turns(step: float, error: float) -> None:
     """e = 0.5, semi-major axis 1, mu 1; the error is that of the place, of leapfrog a million times
@@ -213,6 +216,7 @@ def test_an_eccentric_orbit_closes_after_five_turns(step: float, error: float) -
     assert off == pytest.approx(error, rel=0.05)
 
 
+@pytest.mark.sweep
 def test_symplectic_euler_needs_more_than_twenty_times_the_kicks() -> None:
     """For 1e-6 m after two seconds: six kicks a step at 30 Hz are more than enough."""
 

@@ -89,6 +89,7 @@ def test_a_circular_orbit_comes_back_to_its_radius_for_ten_turns(rate: int) -> N
     assert worst(radius, ellipse) < 5 / rate**4  # 1.3 dt⁴: 1e-7 at 60 Hz, 4e-10 at 240 Hz
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(("scheme", "order"), [("leapfrog", 2), ("explicit-euler", 1)])
 def test_an_eccentric_orbit_closes_with_the_order_of_its_scheme(scheme: str, order: int) -> None:
     """A period of 1 s (mu = 4 pi² a³), from the nearest point, e = 0.5: back where it was."""
@@ -103,6 +104,7 @@ def test_an_eccentric_orbit_closes_with_the_order_of_its_scheme(scheme: str, ord
         assert log2(coarse / fine) == pytest.approx(order, abs=0.2)  # 2.00 and 0.9
 
 
+@pytest.mark.sweep
 def test_explicit_euler_spirals_outwards_where_symplectic_euler_does_not() -> None:
     radius = {
         scheme: np.hypot(*build(orbit(scheme=scheme)).advance(int(20 * pi * 60)).position[0])

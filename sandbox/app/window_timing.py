@@ -1,4 +1,4 @@
-"""How long the window's frames take while a level plays with a graph and forces in sight."""
+"""How long the window takes: to its first picture, to another level, and for each of its frames."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -7,11 +7,17 @@ from time import perf_counter, thread_time
 import numpy as np
 import pygame
 
+from sandbox.app.first_picture import first_picture
+from sandbox.app.main import FIRST
 from sandbox.app.runs.beginning import begin
 from sandbox.app.runs.live_run import LiveRun
 from sandbox.app.runs.session import Session
 from sandbox.app.window import RATE, Window
+from sandbox.model import catalog
 from sandbox.model.errors import SandboxError
+
+BEFORE = (FIRST, "newton/atwood")
+"""Levels that the window may show before it is asked for another one."""
 
 SHOWN = ("graph page", "forces")
 """What is opened beside the stage: a page whose graph grows, and the arrows of a free body."""
@@ -19,40 +25,62 @@ SHOWN = ("graph page", "forces")
 LOOKS = 5
 """How many pictures pygame_gui makes of a button, one a frame: as it is, under the mouse, ..."""
 
+BOUNDS = {"first_picture": 1.5, "switch": 0.3, "frame_p99": 1 / RATE}
+"""What these attributes of a timing may be at the most [s]."""
+
 
 @dataclass(frozen=True, slots=True)
-class Frames:
-    """What the frames of a level took.
+class Timing:
+    """What a level took in the window.
 
     Attributes
     ----------
     level
         Its name.
-    opened
-        From the command that opens it to its first picture [s].
-    price
+    first_picture
+        From the start of a program that plays it to its first picture [s].
+    switch
+        From the command that opens it, while another level is open, to its first picture [s].
+    cost
         What a second of it takes in the window beside the drawing, on the processor [s].
-    median, late
+    frame_p50, frame_p99
         Of the frames' times on the processor: the middle, and what 99 of 100 stay below [s].
     speed
         How fast its time passed, 1 for real time.
     """
 
     level: str
-    opened: float
-    price: float
-    median: float
-    late: float
+    first_picture: float
+    switch: float
+    cost: float
+    frame_p50: float
+    frame_p99: float
     speed: float
+
+    @property
+    def beyond(self) -> tuple[str, ...]:
+        """The attributes that exceed their bounds."""
+        return tuple(name for name, bound in BOUNDS.items() if getattr(self, name) > bound)
 
     @property
     def smooth(self) -> bool:
         """Whether 99 of 100 frames are in time."""
-        return self.late <= 1 / RATE
+        return "frame_p99" not in self.beyond
 
 
-def frames(name: str, size: tuple[int, int], seconds: float) -> Frames:
-    """Play a level in a window that nobody sees, as long as it goes on, or begin it again.
+def time_window(name: str, size: tuple[int, int], seconds: float) -> Timing:
+    """Start the program on a level, switch to it in a window that nobody sees, and play it there.
+
+    It plays as long as it goes on, or begins again. The program has a window of its usual size.
+
+    Parameters
+    ----------
+    name
+        The level.
+    size
+        Of the window in which it plays [px].
+    seconds
+        How long it plays.
 
     Raises
     ------
@@ -61,27 +89,42 @@ def frames(name: str, size: tuple[int, int], seconds: float) -> Frames:
     """
     window = Window(size)
     try:
-        begun = perf_counter()
-        window.open_level(name)
-        _show(window, 0.0)
-        opened = perf_counter() - begun
+        switch = _switch(window, name)
         if window.session is None:
             raise SandboxError(f"{name} does not open: 'sandbox check {name}' says why")
         for command in SHOWN:
             window.do(command)
-        for _ in range(LOOKS):  # what is opened is drawn once, and is no part of any later frame
-            _show(window, 0.0)
-        window.look_through()
-        price = _price(window.session, seconds / 2)
+        _settle(window)
+        cost = _cost(window.session, seconds / 2)
         took, passed = _play(window, max(round(seconds * RATE), 1))
     finally:
         window.close()
-    late = float(np.quantile(took, 0.99))
-    speed = passed * RATE / len(took)
-    return Frames(name, opened, price, float(np.median(took)), late, speed)
+    middle, late = (float(np.quantile(took, share)) for share in (0.5, 0.99))
+    return Timing(
+        level=name, first_picture=first_picture(name), switch=switch, cost=cost,
+        frame_p50=middle, frame_p99=late, speed=passed * RATE / len(took),
+    )  # fmt: skip
 
 
-def _price(session: Session, most: float) -> float:
+def _switch(window: Window, name: str) -> float:
+    """Open another level, then this one, and return what that takes until it is shown [s]."""
+    path = catalog.find(name).resolve()
+    window.open_level(next(one for one in BEFORE if catalog.find(one).resolve() != path))
+    _settle(window)
+    begun = perf_counter()
+    window.open_level(name)
+    _show(window, 0.0)
+    return perf_counter() - begun
+
+
+def _settle(window: Window) -> None:
+    """Draw all widgets as `LOOKS` says: what is drawn once is no part of any later frame."""
+    for _ in range(LOOKS):
+        _show(window, 0.0)
+    window.look_through()
+
+
+def _cost(session: Session, most: float) -> float:
     """Return what a second of a level takes to be run and observed [s], in so much computing [s].
 
     It runs twice, and of each step the quicker counts: what disturbs one only adds to it.

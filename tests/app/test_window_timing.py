@@ -1,10 +1,12 @@
-"""What is timed of a window is what it draws while a level plays, and not how it is laid out."""
+"""What is timed of a window is what it draws while a level plays, and how it changes levels."""
+
+from time import perf_counter
 
 import pygame
 import pytest
 from pygame_gui.core import UIElement
 
-from sandbox.app import frame_timing
+from sandbox.app import main, window_timing
 from sandbox.app.pages.graph.panel import GraphPage
 from sandbox.app.panels.footer import Foot
 from sandbox.app.widgets.row import Row
@@ -23,18 +25,52 @@ def unfinished(window: Window) -> int:
     return sum(bool(shape.states_to_redraw_queue) for shape in shapes if shape)
 
 
+@pytest.mark.sweep
 def test_all_widgets_are_drawn_before_frames_are_timed(monkeypatch: pytest.MonkeyPatch) -> None:
     left: list[int] = []
-    play = frame_timing._play
+    play = window_timing._play
 
     def watched(window: Window, count: int) -> tuple[list[float], float]:
         left.append(unfinished(window))
         return play(window, count)
 
-    monkeypatch.setattr(frame_timing, "_play", watched)
-    frame_timing.frames("newton/atwood", (900, 600), 0.1)
+    monkeypatch.setattr(window_timing, "_play", watched)
+    monkeypatch.setattr(window_timing, "first_picture", lambda _: 1.0)
+    window_timing.time_window("newton/atwood", (900, 600), 0.1)
 
     assert left == [0]
+
+
+@pytest.mark.sweep
+@pytest.mark.parametrize(
+    ("asked", "before"),
+    [("newton/incline", main.FIRST), (main.FIRST, "newton/atwood")],
+)
+def test_a_switch_is_from_another_level_to_the_one_that_is_asked_for(
+    asked: str, before: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    window = Window((900, 600))
+    opened: list[str] = []
+    shown: list[str] = []
+    open_level, flip = window.open_level, pygame.display.flip
+
+    def watched(level: str) -> None:
+        opened.append(level)
+        open_level(level)
+
+    def watched_flip() -> None:
+        flip()
+        shown.append(opened[-1])
+
+    monkeypatch.setattr(window, "open_level", watched)
+    monkeypatch.setattr(pygame.display, "flip", watched_flip)
+    begun = perf_counter()
+    took = window_timing._switch(window, asked)
+    window.close()
+
+    assert opened == [before, asked]
+    assert shown == [before] * window_timing.LOOKS + [asked]
+    assert 0 < took < perf_counter() - begun
 
 
 def test_no_frame_draws_both_a_page_and_what_stands_below_it(

@@ -1,4 +1,4 @@
-"""`frames`: how long the window's frames take."""
+"""`bench`: how long the window takes to begin, to change levels, and for each frame."""
 
 import json
 import re
@@ -18,13 +18,16 @@ from sandbox.model import catalog
 from sandbox.model.files import write_atomically
 
 if TYPE_CHECKING:
-    from sandbox.app.frame_timing import Frames
+    from sandbox.app.window_timing import Timing
 
 LEAST, MOST = 480, 8000  # px, of a window's width and height
 HELD = 0.98
 """The share of real time from which on a level runs in it: the first frames are slower."""
 
-_HEADER = ("level", "first picture", "a second of it", "a frame", "99 of 100 below", "speed", "")
+_HEADER = (
+    *("level", "first picture", "switch", "a second of it", "a frame", "99 of 100 below"),
+    *("speed", ""),
+)
 
 
 def measure(names: Sequence[str], size: str, seconds: float, json_file: Path | None) -> int:
@@ -35,11 +38,11 @@ def measure(names: Sequence[str], size: str, seconds: float, json_file: Path | N
     for name in names:
         catalog.find(name)
     go_headless()
-    from sandbox.app.frame_timing import frames
+    from sandbox.app.window_timing import time_window
 
     console = Console(stderr=True)
     levels = track(list(names) or catalog.names(), "Playing", console=console, transient=True)
-    found = [frames(name, window, seconds) for name in levels]
+    found = [time_window(name, window, seconds) for name in levels]
     for line in aligned([_HEADER, *_rows(found)]):
         typer.echo(line)
     if json_file is not None:
@@ -58,21 +61,27 @@ def _size(text: str) -> tuple[int, int]:
     return int(match[1]), int(match[2])
 
 
-def _counts(found: "Frames") -> bool:
+def _counts(found: "Timing") -> bool:
     """Whether a level runs in real time, so that its frames must be in time, too."""
     return found.speed >= HELD
 
 
-def _rows(found: "Sequence[Frames]") -> Iterator[tuple[str, ...]]:
+def _rows(found: "Sequence[Timing]") -> Iterator[tuple[str, ...]]:
     """Yield the table's rows, the slowest first."""
-    for each in sorted(found, key=lambda frames: -frames.late):
+    for each in sorted(found, key=lambda timing: -timing.frame_p99):
         verdict = "smooth" if each.smooth else "not smooth" if _counts(each) else "too slow to run"
         yield (
             each.level,
-            f"{each.opened:.2f} s",
-            f"{each.price:.2f} s",
-            f"{each.median * 1e3:.1f} ms",
-            f"{each.late * 1e3:.1f} ms",
+            f"{each.first_picture:.2f} s{_mark(each, 'first_picture')}",
+            f"{each.switch:.2f} s{_mark(each, 'switch')}",
+            f"{each.cost:.2f} s",
+            f"{each.frame_p50 * 1e3:.1f} ms",
+            f"{each.frame_p99 * 1e3:.1f} ms{_mark(each, 'frame_p99')}",
             f"{each.speed:.2f}×",
             verdict,
         )
+
+
+def _mark(found: "Timing", name: str) -> str:
+    """Return what stands behind a figure: a mark if it is beyond its bound."""
+    return " !" if name in found.beyond else ""
