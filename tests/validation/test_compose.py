@@ -417,6 +417,7 @@ MENDED = {
     2907944000: "pins of the scene itself were apart by the last digit written",
     1647454376: "a light box was spun onto its other corner within a step, far into the floor",
     4197398703: "a light body was squeezed out, and the surfaces that pressed on it gave energy",
+    1810560495: "friction acted on two discs that met at two points, a gap apart",
     3313315359: "what slides together was struck, and the impulses were there but not recognized",
 }
 """Scenes that failed once, and why."""

@@ -13,8 +13,8 @@ the complex plane:
     round         V = s |d|        S = s |d| φ + a θ_a + b θ_b         φ is how far d has turned
 
 A, B are centres of what is round, and s = −1 where one is inside the other. The angles count by the
-radii that roll. For curves see `curve_contacts`; a side touches one as the circle that is closest
-there.
+radii that roll. Between round things these end in the middle between the surfaces. For curves see
+`curve_contacts`; a side touches one as the circle that is closest there.
 """
 
 from collections.abc import Sequence
@@ -150,6 +150,8 @@ class Features:
         (r,), s above, of these.
     rolls
         a and b above, (2, f) [m].
+    circles
+        (f,), s above where round things rub on each other, and 0 elsewhere.
     apart
         (k,), d where the drift begins [m].
     curved
@@ -166,6 +168,7 @@ class Features:
     rounds: slice | Integers | None
     sign: Array
     rolls: Array
+    circles: Array
     apart: Plane
     curved: tuple[Curved, ...] = ()
     corners: Booleans | None = None
@@ -222,6 +225,7 @@ class Features:
         first, second = (place.plane[held] + self.points * place.turned[held])[:, : len(self.apart)]
         there = copy(self)
         there.apart = second - first
+        there.rolls = _to_the_middle(self.rolls, self.circles, there.apart[self.touching.rubs])
         return there
 
 
@@ -267,6 +271,7 @@ def features(
     side = np.where(owns[1], bodies[1], bodies[0])
     rolls = _rolls(touching, is_round, owns, sign)
     roll_on_curves(curved, owns[0] | owns[1], rubs, figures, rolls)
+    circles = _circles(sign, curved, rubs)
     return Features(
         touching=touching,
         points=((at - where) * turned.conj()).take(touching.rows, axis=1),
@@ -275,7 +280,8 @@ def features(
         owns=owns.take(touching.rows, axis=1).astype(float),
         rounds=rounds,
         sign=np.zeros(0) if sign is None else sign[rounds],
-        rolls=rolls,
+        rolls=_to_the_middle(rolls, circles, d[rubs]),
+        circles=circles,
         apart=d,
         curved=tuple(one for one in curved if corner is not None and corner[one.point]),
         corners=corners,
@@ -355,6 +361,35 @@ def _rolls(touching: Touching, is_round: Booleans, owns: Booleans, sign: Array |
     radius = outlines.rolls(is_round, sign != 0, inner).take(rubs, axis=1)
     own = -radius if inner is None else np.where(inner.take(rubs, axis=1), radius, -radius)
     return np.where(owns.take(rubs, axis=1), radius[::-1], own)
+
+
+def _circles(sign: Array | None, curved: Sequence[Curved], rubs: Integers) -> Array:
+    """Return s of the friction between round things, and 0 of what has a side or a curve: (f,)."""
+    if sign is None:
+        return np.zeros(len(rubs))
+    circles = sign.copy()
+    for one in curved:
+        circles[one.point] = 0.0
+    return circles.take(rubs)
+
+
+def _to_the_middle(rolls: Array, circles: Array, apart: Plane) -> Array:
+    """Return radii that end in the middle of the gap or the overlap: (2, f) [m].
+
+    Friction then acts on both bodies at one point, and leaves their angular momentum as it is.
+
+    Parameters
+    ----------
+    rolls, circles
+        See `Features`.
+    apart
+        (f,), from the one centre to the other [m].
+    """
+    if not np.count_nonzero(circles):
+        return rolls
+    missing = np.where(circles, -circles * np.abs(apart) - rolls.sum(axis=0), 0.0)
+    centred: Array = rolls + missing / 2
+    return centred
 
 
 def _into(bodies: Integers, count: int) -> Integers:

@@ -160,3 +160,32 @@ def test_what_flies_past_is_not_stopped() -> None:
         build(dropped(240, {"ball": ball, "post": post})).advance(100).position[1],
         build(dropped(240, {"ball": ball})).advance(100).position[1],
     )
+
+
+@pytest.mark.parametrize("rate", [60.0, 240.0, 960.0])
+@pytest.mark.parametrize("mass", [0.01, 1.0, 300.0])
+def test_discs_that_meet_and_rub_keep_their_angular_momentum(rate: float, mass: float) -> None:
+    """Where they meet friction has one point, though they are still apart when it is found.
+
+    With a point on each of their surfaces it was off by 4e-6 to 8e-3 N m s.
+    """
+    scene = {
+        "one": disc((0, 0), radius=0.3, velocity=[2.0, 0.4], angular_velocity=3.0, friction=0.6),
+        "other": disc((1.1, 0.2), radius=0.2, mass=mass, velocity=[-1.5, -0.3], friction=0.8),
+    }
+    effects: Spec = {"contact": {"solver": "direct"}, "friction": {}, "rotation": {}}
+    world = build(level(scene, effects, stepping={"rate": rate}))
+    mass_of, moment = world.scene.mass, world.scene.moment
+
+    def angular_momentum() -> float:
+        now = world.snapshot
+        swept = now.position[:, 0] * now.velocity[:, 1] - now.position[:, 1] * now.velocity[:, 0]
+        return float(mass_of @ swept + moment @ now.angular_velocity)
+
+    found = []
+    for _ in range(round(0.5 * rate)):
+        world.advance()
+        found.append(angular_momentum())
+
+    assert world.snapshot.angular_velocity[1] != 0, "they have rubbed on each other"
+    assert np.abs(np.array(found) - found[0]).max() <= 1e-13 * (1 + mass)
