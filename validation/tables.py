@@ -24,6 +24,7 @@ from pydantic import TypeAdapter
 
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Instant
+from sandbox.model.traversal import expressions
 from validation.case import FOURTH_ORDER, SECOND_ORDER, Case, Parameters, ends, textbook
 from validation.formulas import (
     document,
@@ -159,6 +160,10 @@ def _case(path: Path, level: str, parameters: Parameters, said: Mapping[str, Any
     expected, unknown = _formula(path.stem, level, said["formula"])
     if unknown:
         raise TableError(f"{where}: its formula has an unknown name: {', '.join(unknown)}")
+    at = _instant(json.dumps(said["at"])) if "at" in said else None
+    if strange := _names_in(at) - set(textbook(level).parameters):
+        names = ", ".join(sorted(strange))
+        raise TableError(f"{where}: its 'at' has a name that is no parameter: {names}")
     order = _number(said.get("order"))
     return Case(
         name=said["name"],
@@ -168,7 +173,7 @@ def _case(path: Path, level: str, parameters: Parameters, said: Mapping[str, Any
         tolerance=float(said["tolerance"]),
         because=said["because"],
         parameters=parameters,
-        at=_instant(json.dumps(said["at"])) if "at" in said else None,
+        at=at,
         duration=said.get("duration"),
         naive_misses=_number(said.get("misses")),
         order=None if order is None else ORDERS[int(order)],
@@ -185,6 +190,11 @@ def _formula(phenomenon: str, level: str, source: str) -> tuple[ClosedForm, list
 @cache
 def _instant(text: str) -> Instant:
     return _INSTANT.validate_json(text)
+
+
+def _names_in(at: Instant | None) -> set[str]:
+    """Return the names that the expressions of an instant use."""
+    return {name for _, expression in expressions(at) for name in expression.names}
 
 
 def _number(said: float | str | None) -> float | None:

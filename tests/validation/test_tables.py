@@ -83,6 +83,11 @@ def test_a_formula_is_that_of_the_parameters_and_of_the_times(folder: Path) -> N
         ("level = ", "# ", "a table lacks its level"),
         ("radians(angle)", "radians(angel)", "formula has an unknown name: angel"),
         ("kinematics.", "kinematik.", "formula has an unknown name: kinematik"),
+        (
+            'at = {event = "contact", bodies = ["{ball}", "sand"]}',
+            'at = "2*angel"',
+            "'at' has a name that is no parameter: angel",
+        ),
     ],
 )
 def test_what_cannot_be_meant_is_told_with_its_file_and_case(
