@@ -215,7 +215,7 @@ def creeps(run: Run) -> float:
 LEVELS = {
     "strut": lambda: strut(1e6),
     "heavy-car": lambda: car(1e5),
-    "two-capstans": lambda: capstans(24, rate=RATE / 4),  # half of a core
+    "two-capstans": lambda: capstans(24, rate=RATE / 4),
     "stack-of-40-directly": lambda: stack(40),
 }
 
