@@ -24,7 +24,7 @@ from pydantic import TypeAdapter
 
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Instant
-from sandbox.model.traversal import expressions
+from sandbox.model.level_parts import names_in
 from validation.case import FOURTH_ORDER, SECOND_ORDER, Case, Parameters, ends, textbook
 from validation.formulas import (
     document,
@@ -161,7 +161,7 @@ def _case(path: Path, level: str, parameters: Parameters, said: Mapping[str, Any
     if unknown:
         raise TableError(f"{where}: its formula has an unknown name: {', '.join(unknown)}")
     at = _instant(json.dumps(said["at"])) if "at" in said else None
-    if strange := _names_in(at) - set(textbook(level).parameters):
+    if strange := names_in(at) - set(textbook(level).parameters):
         names = ", ".join(sorted(strange))
         raise TableError(f"{where}: its 'at' has a name that is no parameter: {names}")
     order = _number(said.get("order"))
@@ -190,11 +190,6 @@ def _formula(phenomenon: str, level: str, source: str) -> tuple[ClosedForm, list
 @cache
 def _instant(text: str) -> Instant:
     return _INSTANT.validate_json(text)
-
-
-def _names_in(at: Instant | None) -> set[str]:
-    """Return the names that the expressions of an instant use."""
-    return {name for _, expression in expressions(at) for name in expression.names}
 
 
 def _number(said: float | str | None) -> float | None:
