@@ -47,10 +47,10 @@ lint: $(FOR_TEST) ## style, format, types and the direction of imports
 check-levels: $(FOR_TEST) ## is every level well formed
 	$(HEADLESS) $(PY) -m sandbox check levels/*/*.json
 
-pytest: $(FOR_TEST) ## the tests, but for those that go through all levels at length
+pytest: $(FOR_TEST) ## the quick tests
 	$(HEADLESS) $(PY) -m pytest -n $(WORKERS) --dist worksteal -m "not sweep"
 
-sweep: validate ## every case, and all levels over their parameters and for ten durations: some minutes
+sweep: validate ## every case, and the long tests, such as all levels over their parameters: some 40 minutes
 	$(HEADLESS) $(PY) -m pytest -n $(WORKERS) --dist worksteal -m sweep
 
 validate: $(FOR_TEST) ## every case against its closed form

@@ -13,7 +13,6 @@ from sandbox.model import catalog
 from sandbox.model.loading import load
 from tests.app.person import Person
 from tests.app.test_time_travel import go_to
-from tests.sample import thinned
 
 CRADLE = "momentum/cradle"
 
@@ -90,7 +89,7 @@ def test_no_more_impacts_are_kept_than_can_be_of_use() -> None:
 
 
 @pytest.mark.sweep
-@pytest.mark.parametrize("theme", thinned(["dark", "light", "contrast"], 3))
+@pytest.mark.parametrize("theme", ["dark", "light", "contrast"])
 def test_a_flash_is_seen_where_bodies_struck_unless_it_is_switched_off(
     person: Person, theme: str
 ) -> None:

@@ -11,7 +11,6 @@ from sandbox.experiments import catalog, report, schema
 from sandbox.experiments.plan import Plan, make
 from sandbox.experiments.storage import RESULTS
 from tests.experiments.making import table
-from tests.sample import thinned
 
 
 def small(name: str, most: int = 2) -> Plan:
@@ -34,7 +33,7 @@ def test_there_are_ten() -> None:
 
 
 @pytest.mark.sweep
-@pytest.mark.parametrize("name", thinned(catalog.names(), 4))
+@pytest.mark.parametrize("name", catalog.names())
 def test_a_small_version_runs_and_is_drawn(name: str, tmp_path: Path) -> None:
     found = small(name)
     rows = table(found, tmp_path)

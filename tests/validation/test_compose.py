@@ -16,7 +16,6 @@ from typer.testing import CliRunner
 from sandbox.model.expressions import Array
 from sandbox.model.loading import load
 from sandbox.physics.run import build
-from tests.sample import thinned
 from validation import cli
 from validation.compose import invariants, outcome
 from validation.compose.families import FAMILIES
@@ -424,7 +423,7 @@ MENDED = {
 
 
 @pytest.mark.sweep
-@pytest.mark.parametrize("seed", thinned(MENDED, 3))
+@pytest.mark.parametrize("seed", MENDED)
 def test_a_scene_that_failed_once_holds(seed: int) -> None:
     found = judged(seed)
 
@@ -445,7 +444,7 @@ def test_a_run_that_stops_is_judged_at_the_rate_that_is_advised() -> None:
 
 
 @pytest.mark.sweep
-@pytest.mark.parametrize("family", thinned(SOUND, 3))
+@pytest.mark.parametrize("family", SOUND)
 @settings(max_examples=2)
 @given(seed=st.integers(0, 2**32 - 1))
 def test_scenes_of_sound_families_hold(family: str, seed: int) -> None:

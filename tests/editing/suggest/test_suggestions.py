@@ -16,7 +16,6 @@ from sandbox.model import catalog
 from sandbox.model.loading import parse, read
 from sandbox.physics.measuring.grading import grade
 from sandbox.physics.run import simulate
-from tests.sample import thinned
 
 EMPTY = Draft.empty().text
 
@@ -108,7 +107,7 @@ MADE = {
 @pytest.mark.sweep
 @pytest.mark.parametrize(
     ("setup", "text"),
-    thinned([(setup, text) for setup, texts in MADE.items() for text in texts], 3),
+    [(setup, text) for setup, texts in MADE.items() for text in texts],
 )
 def test_a_set_up_is_recognised_and_its_checks_pass_on_a_run(setup: str, text: str) -> None:
     level = parse(text)
