@@ -1,8 +1,8 @@
 """`check`: whether levels are well formed, and can run at their rate."""
 
 import time
-from collections.abc import Sequence
-from typing import NoReturn
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple, NoReturn
 
 import typer
 
@@ -13,9 +13,17 @@ from sandbox.model.file_watching import PAUSE, Watch
 from sandbox.model.level import Level
 from sandbox.model.remarks import remarks
 from sandbox.model.schemes import bounds_the_rate
+from sandbox.processes import spread
 
 FEW = 30
 """Joints that are never too many for a step."""
+
+
+class Finding(NamedTuple):
+    """What is to be said of a level, and whether it cannot be used."""
+
+    messages: list[str]
+    refused: bool
 
 
 def keep_checking(arguments: Sequence[str]) -> NoReturn:
@@ -38,26 +46,46 @@ def keep_checking(arguments: Sequence[str]) -> NoReturn:
             check(arguments)
 
 
-def check(arguments: Sequence[str]) -> int:
-    """Say every mistake, and what is declared for nothing, and return the exit status."""
+def check(arguments: Sequence[str], jobs: int = 1) -> int:
+    """Say every mistake, and what is declared for nothing, and return the exit status.
+
+    Processes share the levels if there is more than one job.
+    """
     bad = 0
-    for argument in arguments:
-        try:
-            _, level = open_level(argument)
-            _check_start(level)
-        except SandboxError as error:
-            bad += 1
-            typer.echo(error, err=True)
-        else:
-            for remark in remarks(level):
-                place = ".".join(map(str, remark.path))
-                typer.echo(f"{argument}: {place}: {remark.rule}", err=True)
+    for finding in _findings(arguments, jobs):
+        bad += finding.refused
+        for message in finding.messages:
+            typer.echo(message, err=True)
     count = len(arguments)
     if bad:
         typer.echo(f"{bad} of {levels(count)} cannot be used", err=True)
         return 1
     typer.echo(f"{levels(count)} well formed")
     return 0
+
+
+def _findings(arguments: Sequence[str], jobs: int) -> Iterator[Finding]:
+    """Yield what is found about each level, in their order."""
+    if jobs == 1:
+        yield from map(_finding, arguments)
+        return
+    early: dict[int, Finding] = {}  # those that came before one that was begun earlier
+    due = 0
+    for number, finding in spread(_finding, arguments, jobs):
+        early[number] = finding
+        while due in early:
+            yield early.pop(due)
+            due += 1
+
+
+def _finding(argument: str) -> Finding:
+    try:
+        _, level = open_level(argument)
+        _check_start(level)
+    except SandboxError as error:
+        return Finding([str(error)], refused=True)
+    said = ((".".join(map(str, remark.path)), remark.rule) for remark in remarks(level))
+    return Finding([f"{argument}: {place}: {rule}" for place, rule in said], refused=False)
 
 
 def _check_start(level: Level) -> None:

@@ -1,8 +1,12 @@
 """The command `check`."""
 
+import os
 from typing import Annotated
 
 import typer
+
+MANY = 20
+"""Levels from which on processes share the work: they take half a second to begin."""
 
 
 def command(
@@ -23,8 +27,13 @@ def command(
     it breaks, and where possible what was probably meant; springs and drags that are too strong
     for the level's rate among them. Nothing is run.
     """
+    from sandbox.processes import prepare  # what one command needs need not slow all
+
+    jobs = (os.cpu_count() or 1) if len(levels) >= MANY else 1
+    if jobs > 1:
+        prepare("sandbox.cli.check", "sandbox.physics.advising.preflight")
     from sandbox.cli.check import check, keep_checking
 
     if watch:
         keep_checking(levels)
-    raise typer.Exit(check(levels))
+    raise typer.Exit(check(levels, jobs))
