@@ -1,6 +1,6 @@
 """The command line: `python -m sandbox`, and the console script `mechanics-sandbox`."""
 
-from sandbox import interrupts, streams, threads
+from sandbox import interrupts, plugins, streams, threads
 
 
 def main() -> None:
@@ -8,6 +8,7 @@ def main() -> None:
     interrupts.install()
     streams.install()
     threads.spare()
+    plugins.spare()
     with streams.standard():
         from sandbox.cli.main import main as run  # that takes a while, and may be interrupted, too
 

@@ -1,6 +1,6 @@
 """`python -m validation`."""
 
-from sandbox import interrupts, streams, threads
+from sandbox import interrupts, plugins, streams, threads
 
 
 def main() -> None:
@@ -8,6 +8,7 @@ def main() -> None:
     interrupts.install()
     streams.install()
     threads.spare()
+    plugins.spare()
     with streams.standard():
         from validation.cli import app  # that takes a while, and may be interrupted, too
 

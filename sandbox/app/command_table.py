@@ -195,8 +195,7 @@ class CommandTable:
             self._tell(answer)
 
     def _next_field(self) -> None:
-        panels, backwards = self._space.panels, pygame.key.get_mods() & pygame.KMOD_SHIFT
-        panels.focus.go(panels.manager, panels.layout, -1 if backwards else 1)
+        self._space.panels.go_on(-1 if pygame.key.get_mods() & pygame.KMOD_SHIFT else 1)
 
     def _find(self) -> None:
         """Look for a level, also where the list of them was hidden."""

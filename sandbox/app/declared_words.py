@@ -83,7 +83,7 @@ def _of_the_format() -> Iterator[str]:
         yield fields.first_of(model)
         for name, field in model.model_fields.items():
             yield fields.label_of(field.alias or name)
-            yield fields.help_of(field)
+            yield fields.help_of(model, name)
             yield from fields.choices_of(field.annotation)
 
 

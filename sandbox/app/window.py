@@ -53,21 +53,27 @@ class Window(Workspace):
 
     def pictures(self) -> Iterator[None]:
         """Show frames until the window is closed, and pause after each of them."""
+        self._show(0.0)
+        yield
         self.look_through()
         clock, before = pygame.time.Clock(), perf_counter()
         while self.open:
             clock.tick(RATE if self._busy else QUIET_RATE)
             now = perf_counter()
-            self.frame(min(now - before, LONGEST_FRAME))
+            self._show(min(now - before, LONGEST_FRAME))
             before = now
-            pygame.display.flip()
             yield
+
+    def _show(self, seconds: float) -> None:
+        self.frame(seconds)
+        pygame.display.flip()
 
     @staticmethod
     def look_through() -> None:
         """Look for lost objects among all that are there, once: later it would take two frames."""
         gc.collect()
         gc.freeze()
+        gc.enable()
 
     @property
     def _busy(self) -> bool:
@@ -98,7 +104,7 @@ class Window(Workspace):
             self.advising.follow(self.session)
         self.panels.advise(self.advised)
         self.panels.manager.spare(self.session is not None and self.session.playing)
-        self.panels.manager.update(seconds)
+        self.panels.update(seconds)
         self.banner.update(seconds)
         if self.session is not None:
             self._events.leave_fields()

@@ -5,7 +5,6 @@ from typing import NamedTuple
 
 import typer
 from pydantic import ValidationError
-from rich.console import Console
 
 from sandbox.cli.argument_parsing import UsageError
 from sandbox.model import parse_messages
@@ -72,7 +71,9 @@ def find_out(level: Level, values: Values, also: Sequence[str] = ()) -> Stepping
     """
     if level.stepping.accuracy is None:
         return level.stepping
-    from sandbox.physics.accuracy.cache import calibrated  # few need it
+    from rich.console import Console  # few need this
+
+    from sandbox.physics.accuracy.cache import calibrated
 
     with Console(stderr=True).status("Finding the cheapest setting ..."):
         setting = calibrated(

@@ -1,5 +1,6 @@
 """`play`: the window, on one level or on all of them."""
 
+import gc
 import os
 from collections.abc import Sequence
 from pathlib import Path
@@ -28,6 +29,7 @@ def open_sandbox() -> int:
     if has_display():
         run()
         return 0
+    gc.enable()
     typer.echo(f"There is no display to open a window on. The tour goes to {TOUR} instead.")
     from sandbox.cli.tour import tour
 

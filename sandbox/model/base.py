@@ -1,11 +1,24 @@
 """The base class of every part of a level."""
 
-from pydantic import BaseModel, ConfigDict
+from pydantic import BaseModel, ConfigDict, GetJsonSchemaHandler
+from pydantic.json_schema import JsonSchemaValue
+from pydantic_core import CoreSchema
+
+from sandbox.model.field_docs import docs
 
 
 class Model(BaseModel):
     """A frozen part of a level that refuses keys it does not know."""
 
-    model_config = ConfigDict(
-        frozen=True, extra="forbid", defer_build=True, use_attribute_docstrings=True, strict=True
-    )
+    model_config = ConfigDict(frozen=True, extra="forbid", defer_build=True, strict=True)
+
+    @classmethod
+    def __get_pydantic_json_schema__(
+        cls, core: CoreSchema, handler: GetJsonSchemaHandler
+    ) -> JsonSchemaValue:
+        """Return the schema, with what is said of each field."""
+        made = handler(core)
+        properties = handler.resolve_ref_schema(made)["properties"]
+        for name, text in docs(cls).items():
+            properties[cls.model_fields[name].alias or name].setdefault("description", text)
+        return made

@@ -301,7 +301,7 @@ class Level(Model):
     """the numbers that a person may change; any number of the scene may be a formula over them"""
     constants: Annotated[Mapping[Name, Expression], Field(max_length=MAX_CONSTANTS)] = {}
     """names for formulas over the parameters and over other constants; any formula may use them"""
-    effects: Effects = Effects()
+    effects: Effects = Effects.model_construct()
     """what acts; an effect that is not named here is not simulated"""
     bodies: Annotated[Mapping[Name, Body], Field(min_length=1, max_length=MAX_BODIES)]
     """what moves, and what others move against"""
@@ -309,7 +309,7 @@ class Level(Model):
     """what ties bodies together"""
     events: Annotated[Mapping[Name, Event], Field(max_length=MOST_EVENTS)] = {}
     """what happens on the way and changes what acts: something is cut, tied, or switched"""
-    stepping: Stepping = Stepping()
+    stepping: Stepping = Stepping.model_construct()
     """how time advances"""
     duration: Duration = Duration(10)
     """s, how long the checks hold and a run lasts"""
@@ -319,7 +319,7 @@ class Level(Model):
     """what the person who plays is asked to reach, and with which parameters"""
     ghosts: Mapping[Annotated[Name, Mention("body")], tuple[Formula, Formula]] = {}
     """where the closed form says that a body is: [x, y] over the parameters and t"""
-    view: View = View()
+    view: View = View.model_construct()
     """what part of the plane is shown"""
     _origin: Origin | None = PrivateAttr(default=None)
 

@@ -163,7 +163,7 @@ def test_a_row_that_is_scrolled_into_sight_is_as_lively_as_those_before(player: 
 
 def test_a_row_that_is_scrolled_away_from_the_mouse_is_left(player: Person) -> None:
     rows = listed(player)
-    seen = [row for row in rows._buttons if isinstance(row, Row) and row.in_sight]
+    seen = [row for row in rows.rows.values() if row.in_sight]
     player.move(seen[3].rect.center)
     player.wait(0.1)
     assert hovered(seen[3])
@@ -173,3 +173,22 @@ def test_a_row_that_is_scrolled_away_from_the_mouse_is_left(player: Person) -> N
 
     assert not hovered(seen[3])
     assert not in_sight(seen[3])
+
+
+def test_a_row_is_made_when_it_comes_into_sight(player: Person) -> None:
+    rows, last = listed(player), catalog.find(catalog.names()[-1]).resolve()
+    made = [level.path for level in rows.rows]
+    assert 5 < len(made) < 60
+    assert last not in made
+
+    rows.choose(last)
+    player.wait(0.1)
+
+    (row,) = (row for level, row in rows.rows.items() if level.path == last)
+    assert in_sight(row)
+
+
+def test_the_keyboard_gets_to_every_row(player: Person) -> None:
+    player.press(pygame.K_TAB, "\t")
+
+    assert len(listed(player).rows) == len(catalog.names())

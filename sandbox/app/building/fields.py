@@ -17,6 +17,7 @@ from sandbox.editing.layout import Json
 from sandbox.model.base import Model
 from sandbox.model.effects import Effects
 from sandbox.model.expressions import Expression
+from sandbox.model.field_docs import docs
 from sandbox.model.json_positions import Path
 from sandbox.model.reference_fields import Mention
 
@@ -96,7 +97,7 @@ def rows(model: type[Model], said: Mapping[str, Json], path: Path) -> list[Row]:
         key = field.alias or name
         if key in LEFT_OUT and not path:
             continue
-        found += _rows(key, field, said.get(key), (*path, key))
+        found += _rows(key, field, say(help_of(model, name)), said.get(key), (*path, key))
     return found
 
 
@@ -119,13 +120,12 @@ def read(entry: Entry, typed: str) -> Json:
     return value
 
 
-def _rows(key: str, field: FieldInfo, said: Json, path: Path) -> Iterator[Row]:
+def _rows(key: str, field: FieldInfo, message: str, said: Json, path: Path) -> Iterator[Row]:
     kind = bare(field.annotation)
     if said is None and isinstance(field.default, Model):
         said = {}
     if get_origin(kind) is Literal and len(get_args(kind)) == 1:
         return  # the type of a shape or a joint
-    message = say(help_of(field))
     if isinstance(said, Mapping) and (model := model_of(kind, said)):
         yield Section(
             path, _label(key), message or say(first_of(model)), tuple(rows(model, said, path))
@@ -278,9 +278,9 @@ def label_of(key: str) -> str:
     return key.replace("_", " ")
 
 
-def help_of(field: FieldInfo) -> str:
+def help_of(model: type[Model], name: str) -> str:
     """Return what is said of a field in English; empty if nothing is."""
-    return " ".join((field.description or "").split())
+    return " ".join(docs(model).get(name, "").split())
 
 
 def choices_of(kind: Any) -> tuple[str, ...]:  # noqa: ANN401 (a type is any object)

@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 import pygame
-from pydantic import TypeAdapter, ValidationError
+from pydantic import ConfigDict, TypeAdapter, ValidationError
 
 from sandbox.app.building.parsed_parts import Readings
 from sandbox.app.drawing import lines
@@ -33,7 +33,7 @@ from sandbox.model.wires import along
 SIDEWAYS = 2000.0
 """m, how far a rail is drawn to each side."""
 
-_JOINT: TypeAdapter[Joint] = TypeAdapter(Joint)
+_JOINT: TypeAdapter[Joint] = TypeAdapter(Joint, config=ConfigDict(defer_build=True))
 _body = Readings(Body.model_validate_json)
 _joint: Readings[Joint] = Readings(_JOINT.validate_json)
 

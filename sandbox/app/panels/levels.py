@@ -69,12 +69,16 @@ def _rank(title: str, text: str, words: Sequence[str]) -> tuple[int, int]:
 class LevelList:
     """A column of buttons, one a level, below a field that finds those with some words in them.
 
+    A button is made when its row comes into sight: to make all of them takes a tenth of a second.
+
     Attributes
     ----------
     column
         Holds all of it.
     field
         Where the words are typed.
+    rows
+        The buttons that have been made.
     """
 
     def __init__(
@@ -85,7 +89,8 @@ class LevelList:
         levels: Sequence[Entry],
         sought: str = "",
     ) -> None:
-        self._px = px = pen.px
+        self._pen, self._px = pen, pen.px
+        px = self._px
         width = rect.width - 2 * px(MARGIN)
         self.column = UIContainer(rect, manager)
         self._commands = dict(self._ways(manager, pen, width))
@@ -104,14 +109,15 @@ class LevelList:
         self._width = width - self._px(SCROLL_BAR)
         self._none = self._image(manager, pen, say("No level matches."), theme.DIM, bold=False)
         self._headings: dict[str, UIImage] = {}
-        self._buttons: dict[UIButton, Entry] = {}
+        self._levels = tuple(levels)
+        self._tops: dict[Entry, int] = {}  # px: where the rows of those that are found are
+        self.rows: dict[Entry, Row] = {}
+        self._seen: float | None = None  # px: down to where it was scrolled when rows were made
+        self._chosen: Path | None = None
         self._progress = Progress()
-        for level in levels:
-            if level.chapter not in self._headings:
-                self._headings[level.chapter] = self._image(
-                    manager, pen, say(level.chapter.capitalize()), theme.ACCENT, bold=True
-                )
-            self._buttons[self._button(manager, pen, level)] = level
+        for chapter in dict.fromkeys(level.chapter for level in levels):
+            title = say(chapter.capitalize())
+            self._headings[chapter] = self._image(manager, pen, title, theme.ACCENT, bold=True)
         self._show()
 
     def _ways(self, manager: UIManager, pen: Pen, width: int) -> Iterator[tuple[UIButton, str]]:
@@ -149,43 +155,64 @@ class LevelList:
             image.get_rect(x=self._px(MARGIN)), image, manager, container=self._container
         )
 
-    def _button(self, manager: UIManager, pen: Pen, level: Entry) -> UIButton:
+    def update(self) -> None:
+        """Make the rows that have come into sight."""
+        top, height = scrolled(self._container), self._container.rect.height
+        if top == self._seen:
+            return
+        self._seen = top
+        for level, y in self._tops.items():
+            if top - self._px(ROW) < y < top + height and level not in self.rows:
+                self.rows[level] = self._row(level)
+
+    def complete(self) -> None:
+        """Make all rows of what is found."""
+        for level in self._tops:
+            if level not in self.rows:
+                self.rows[level] = self._row(level)
+
+    def _row(self, level: Entry) -> Row:
+        """Return a new button, in its place."""
         stars = self._progress.stars(level.original.title)
         mark = f"   {stars * STAR}" if stars else ""
-        room = self._width - self._px(18) - pen.write(mark, 13).width
-        shown = pen.shorten(level.title, room, 13)
+        room = self._width - self._px(18) - self._pen.write(mark, 13).width
+        shown = self._pen.shorten(level.title, room, 13)
         earned = plural("{count} star earned", "{count} stars earned", stars) if stars else None
-        return Row(
-            pygame.Rect(self._px(MARGIN), 0, self._width, self._px(ROW)), shown + mark, manager,
+        place = self._px(MARGIN), self._tops[level], self._width, self._px(ROW)
+        row = Row(
+            pygame.Rect(place), shown + mark, self._container.ui_manager,
             container=self._container, object_id=ObjectID(class_id="@level"),
             tool_tip_text=earned if shown == level.title else level.title,
         )  # fmt: skip
+        press(row, level.path == self._chosen)
+        return row
 
     def _show(self) -> None:
         """Put what is sought for in rows, and hide the rest; the chapters head all of them only."""
-        found, y = self.found, 0
-        self._put(self._none, y, shown=not found)
-        for element in (*self._headings.values(), *self._buttons):
-            self._put(element, y, shown=False)
-        buttons = {level: button for button, level in self._buttons.items()}
-        headed: set[str] = set()
+        found, self._tops, self._seen, y = self.found, {}, None, 0
+        tops: dict[str, int] = {}  # px: where the headings are
         for level in found:
-            if level.chapter not in headed and not self.sought.strip():
-                headed.add(level.chapter)
-                y += self._put(self._headings[level.chapter], y, shown=True)
-            y += self._put(buttons[level], y, shown=True)
+            if level.chapter not in tops and not self.sought.strip():
+                tops[level.chapter] = y
+                y += self._px(HEADING)
+            self._tops[level] = y
+            y += self._px(ROW)
+        self._put(self._none, None if found else 0)
+        for chapter, heading in self._headings.items():
+            self._put(heading, tops.get(chapter))
+        for level, row in self.rows.items():
+            self._put(row, self._tops.get(level))
         size = self._width + self._px(MARGIN), max(y, self._px(HEADING)) + self._px(MARGIN)
         self._container.set_scrollable_area_dimensions(size)
         scroll(self._container, 0)
 
-    def _put(self, element: UIElement, y: int, *, shown: bool) -> int:
-        """Show an element at a height, or hide it, and return what room it takes [px]."""
-        if not shown:
+    def _put(self, element: UIElement, y: int | None) -> None:
+        """Show an element at a height [px], or hide it."""
+        if y is not None:
+            element.set_relative_position((self._px(MARGIN), y))
+            element.show()  # type: ignore[no-untyped-call]
+        elif element.visible:
             element.hide()  # type: ignore[no-untyped-call]
-            return 0
-        element.set_relative_position((self._px(MARGIN), y))
-        element.show()  # type: ignore[no-untyped-call]
-        return int(element.relative_rect.height)
 
     @property
     def sought(self) -> str:
@@ -196,7 +223,7 @@ class LevelList:
     def found(self) -> list[Entry]:
         """The levels that have each of the words that are looked for, the likeliest first."""
         words = self.sought.casefold().split()
-        found = [e for e in self._buttons.values() if all(word in e.words for word in words)]
+        found = [e for e in self._levels if all(word in e.words for word in words)]
         return sorted(found, key=lambda e: rank(e, words)) if words else found
 
     def clear(self) -> None:
@@ -207,17 +234,20 @@ class LevelList:
 
     def choose(self, path: Path | None) -> None:
         """Mark a level as the one that is played, and bring it into view."""
-        for button, level in self._buttons.items():
-            press(button, level.path == path)
-            if level.path == path and button.visible:
+        self._chosen = path
+        for level, row in self.rows.items():
+            press(row, level.path == path)
+        for level, y in self._tops.items():
+            if level.path == path:
                 top, height = scrolled(self._container), self._container.rect.height
-                if not top <= button.relative_rect.y <= top + height - self._px(ROW):
-                    scroll(self._container, button.relative_rect.y - height / 2)
+                if not top <= y <= top + height - self._px(ROW):
+                    scroll(self._container, y - height / 2)
 
     def process(self, event: pygame.event.Event) -> Path | None:
         """Return the level that was clicked on, or the first that was found, if one was."""
-        if event.type == UI_BUTTON_PRESSED and event.ui_element in self._buttons:
-            return self._buttons[event.ui_element].path
+        if event.type == UI_BUTTON_PRESSED:
+            pressed = (e.path for e, row in self.rows.items() if row is event.ui_element)
+            return next(pressed, None)
         if event.type == UI_TEXT_ENTRY_CHANGED and event.ui_element is self.field:
             self._show()
         if event.type == UI_TEXT_ENTRY_FINISHED and event.ui_element is self.field and self.found:
@@ -226,4 +256,5 @@ class LevelList:
 
     def button(self, path: Path) -> UIButton:
         """Return the button of a level."""
-        return next(button for button, level in self._buttons.items() if level.path == path)
+        self.complete()
+        return next(row for level, row in self.rows.items() if level.path == path)

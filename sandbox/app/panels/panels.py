@@ -150,11 +150,23 @@ class Panels:
             if element is not kept:
                 element.kill()  # type: ignore[no-untyped-call]
 
+    def update(self, seconds: float) -> None:
+        """Let all widgets follow what has happened, over some time [s]."""
+        self.manager.update(seconds)
+        if self.list is not None:
+            self.list.update()
+
     def turn(self, pages: float) -> None:
         """Scroll what can be scrolled by a part of what is seen of it at once."""
         turned = self.side or self.refusal
         if turned is not None:
             turned.turn(pages)
+
+    def go_on(self, direction: int) -> None:
+        """Give the keyboard to the next widget, or to the one before."""
+        if self.list is not None:
+            self.list.complete()
+        self.focus.go(self.manager, self.layout, direction)
 
     def seek(self) -> None:
         """Let a person type what level to look for."""

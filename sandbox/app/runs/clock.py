@@ -1,9 +1,6 @@
 """The computing time of steps, apart from whatever else the machine does."""
 
 from collections import deque
-from collections.abc import Iterator
-from contextlib import contextmanager
-from time import perf_counter
 
 import numpy as np
 
@@ -16,12 +13,9 @@ class Clock:
     def __init__(self) -> None:
         self._last: deque[float] = deque(maxlen=MEMORY)
 
-    @contextmanager
-    def running(self) -> Iterator[None]:
-        """Time what is done within."""
-        start = perf_counter()
-        yield
-        self._last.append(perf_counter() - start)
+    def note(self, seconds: float) -> None:
+        """Note how long a step has taken [s]."""
+        self._last.append(seconds)
 
     @property
     def step(self) -> float | None:

@@ -1,5 +1,7 @@
 """The command `play`."""
 
+import gc
+
 from sandbox.cli.commands.options import (
     AccuracyOption,
     FirstPictureOption,
@@ -17,6 +19,7 @@ def command(
     first_picture: FirstPictureOption = False,
 ) -> None:
     """Open a level in the window."""
+    gc.disable()  # up to the first picture nothing is lost: `Window.look_through`
     from sandbox.cli.play import play
 
     play(level, set_ or [], accuracy, racing=race, once=first_picture)

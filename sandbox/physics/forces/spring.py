@@ -1,6 +1,8 @@
 """A spring with a damper, between two points."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import cache
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -22,6 +24,13 @@ DAMPED = replace(ELASTIC, sees=(*ELASTIC.sees, "velocity"))
 """What a spring with a damper says of itself as a force."""
 
 
+@cache
+def _gauss() -> tuple[Array, Array]:
+    """Return the nodes and weights of Gauss's rule from -1 to 1."""
+    nodes, weights = np.polynomial.legendre.leggauss(NODES)
+    return nodes, weights
+
+
 @dataclass(frozen=True, slots=True)
 class Law:
     """What a spring pulls with beside k x: f(x), over how far it is stretched."""
@@ -35,7 +44,7 @@ class Law:
 
     def energy(self, x: Array) -> Array:
         """Return ∫ f dx from 0 to x [J], by Gauss's rule: to rounding where f is smooth."""
-        nodes, weights = np.polynomial.legendre.leggauss(NODES)
+        nodes, weights = _gauss()
         there = x[..., None] * (nodes + 1) / 2
         forces = np.broadcast_to(self.force(there), there.shape)
         return np.asarray(x / 2 * (forces @ weights))
@@ -69,6 +78,11 @@ class SpringForce:
     def effect(self) -> Effect:
         """What it says of itself as a force."""
         return DAMPED if self.damping > 0 else ELASTIC
+
+    @property
+    def is_plain(self) -> bool:
+        """Whether it stores k x² / 2 and no more, and cannot be cut."""
+        return self.law is None and self.switch is None
 
     @property
     def steepness(self) -> float:
@@ -140,3 +154,29 @@ class SpringForce:
         """Return by how much it is longer than l0, as far as that matters to it [m]."""
         stretch = length - self.length
         return np.minimum(stretch, 0.0) if self.pushes_only else stretch
+
+
+class SpringRows:
+    """What many springs store at one instant, in arrays over all of them: U = Σ k x² / 2.
+
+    They are plain ones.
+    """
+
+    def __init__(self, springs: Sequence[SpringForce]) -> None:
+        ends = [[spring.ends[i] for spring in springs] for i in (0, 1)]
+        # the row after those of the bodies is the plane: its origin, which does not turn
+        self._rows = np.array([[-1 if e.body is None else e.body for e in row] for row in ends])
+        self._points = np.array([[end.point for end in row] for row in ends])
+        self._stiffness, self._length = (
+            np.array([getattr(spring, name) for spring in springs])
+            for name in ("stiffness", "length")
+        )
+        self._most = np.array([0.0 if spring.pushes_only else np.inf for spring in springs])
+
+    def stored(self, motion: Motion) -> float:
+        """Return what they store together [J]; n bodies, with no time in front."""
+        place = np.append(motion.position @ (1, 1j), 0)
+        turn = np.append(np.exp(1j * motion.angle), 1)
+        first, second = place[self._rows] + self._points * turn[self._rows]
+        stretch = np.minimum(np.abs(second - first) - self._length, self._most)
+        return float(self._stiffness @ stretch**2) / 2

@@ -5,6 +5,8 @@ lifts. The second is seen: a body that goes another way than its velocity had it
 moved. So the books stay open at no cost, and what is left has no cause.
 """
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 
 from sandbox.model.expressions import Array
@@ -12,6 +14,11 @@ from sandbox.physics.engine.batch import Contacts
 from sandbox.physics.scene.scene import Scene
 from sandbox.physics.state.motion import Instant, kinetic_energy
 from sandbox.physics.state.snapshot import Snapshot
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from sandbox.physics.forces.spring import SpringForce, SpringRows
 
 UNNOTICED = 1e-2
 """The share of its thickness by which a body may rise: so far the heaviest piles still rock."""
@@ -60,7 +67,10 @@ class Gains:
     ) -> None:
         self._scene, self._swing, self._dt = scene, swing, 1 / rate
         self._laws = (*([scene.gravity] if scene.gravity else []), *scene.laws)
-        self._stores = [law for law in self._laws if law.effect.book == "potential"]
+        stores = {id(law): law for law in self._laws if law.effect.book == "potential"}
+        springs = (spring for spring in scene.joints.springs.values() if spring.is_plain)
+        plain = [spring for spring in springs if stores.pop(id(spring), None)]
+        self._stores, self._springs = [*stores.values()], _rows(plain) if plain else None
         energy, self._lowest = self.energies(start)
         self._before = self._level = energy
         self._last = start
@@ -79,6 +89,8 @@ class Gains:
     def energies(self, now: Snapshot) -> tuple[float, float]:
         """Return the whole energy and what is stored of it [J]."""
         stored = sum(float(law.potential_energy(now).sum()) for law in self._stores)
+        if self._springs:
+            stored += self._springs.stored(now)
         return float(
             kinetic_energy(self._scene.mass, self._scene.moment, now).sum()
         ) + stored, stored
@@ -129,6 +141,12 @@ class Gains:
         for law in self._laws:
             law.add(motion, wrench)
         return np.asarray(wrench * self._scene.inverse_mass)
+
+
+def _rows(springs: "Sequence[SpringForce]") -> "SpringRows":
+    from sandbox.physics.forces.spring import SpringRows  # few scenes need it
+
+    return SpringRows(springs)
 
 
 def _extent(scene: Scene, start: Snapshot, thickness: Array) -> float:

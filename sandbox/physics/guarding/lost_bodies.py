@@ -64,8 +64,8 @@ class Lost:
 
 def is_sound(now: Snapshot) -> bool:
     """Whether places and velocities, and their squares, are finite numbers."""
-    motion = now.position, now.velocity, now.angle, now.angular_velocity
-    return isfinite(sum(np.vdot(part, part) for part in motion))  # no square is, if one is not
+    rows = np.column_stack((now.position, now.velocity, now.angle, now.angular_velocity))
+    return isfinite(np.vdot(rows, rows))  # no sum of squares is, if one of them is not
 
 
 def refuse_lost(

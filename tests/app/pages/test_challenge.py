@@ -6,6 +6,7 @@ from sandbox.app.files.progress import Progress
 from sandbox.app.pages.challenge.card import NONE
 from sandbox.app.pages.challenge.panel import ChallengePage
 from sandbox.app.panels.levels import LevelList
+from sandbox.model import catalog
 from tests.app.person import Person
 
 LEVEL = "challenges/stop-dead"
@@ -59,7 +60,7 @@ def test_a_solved_challenge_earns_its_stars_and_its_title_a_mark(person: Person)
     person.window.open_level(LEVEL)
     listed = person.window.panels.list
     assert isinstance(listed, LevelList)
-    assert any(button.text.endswith("•••") for button in listed._buttons)
+    assert listed.button(catalog.find(LEVEL).resolve()).text.endswith("•••")
 
 
 def test_fewer_stars_than_before_change_nothing(person: Person) -> None:

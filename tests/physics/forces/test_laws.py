@@ -18,7 +18,7 @@ from sandbox.physics.forces.force import Push, Steady
 from sandbox.physics.forces.gravitation import Gravitation
 from sandbox.physics.forces.gravity import Gravity
 from sandbox.physics.forces.law import Law
-from sandbox.physics.forces.spring import SpringForce
+from sandbox.physics.forces.spring import SpringForce, SpringRows
 from sandbox.physics.forces.thrust import Thrust
 from sandbox.physics.forces.variable_mass import Flow
 from sandbox.physics.metering.meter import Meter
@@ -37,6 +37,8 @@ ENDS = st.tuples(
     st.builds(Anchor, st.just(0), POINT),
     st.builds(Anchor, st.sampled_from([None, 1]), POINT),
 )
+SIZE = st.floats(0, 9)
+SPRING = st.builds(SpringForce, ENDS, SIZE, SIZE, SIZE, st.booleans())
 FLOW = st.builds(Flow, st.sampled_from([0, 1]), NUMBER, st.floats(0, 2))
 CONSERVATIVE = st.one_of(
     st.builds(Gravity, XY, st.just(MASS)),
@@ -447,3 +449,13 @@ def driven_error(rate: float) -> float:
 def test_a_driven_spring_in_its_steady_state_is_second_order() -> None:
     assert driven_error(60) < 5e-4  # 1.6e-4
     assert order(driven_error, 60) >= 1.9  # 2.01
+
+
+@given(PLACES, st.lists(SPRING, min_size=1))
+def test_many_springs_store_together_what_each_of_them_does(
+    places: Array, springs: list[SpringForce]
+) -> None:
+    motion = Instant.at(0.0, places, np.zeros((COUNT, 3)))
+    each = [spring.potential_energy(motion).sum() for spring in springs]
+
+    assert SpringRows(springs).stored(motion) == pytest.approx(sum(each), rel=1e-9, abs=1e-9)

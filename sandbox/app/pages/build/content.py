@@ -121,7 +121,7 @@ def _switches(editor: Editor) -> Block:
     acts = (
         Act(
             say(name),
-            say(fields.help_of(Effects.model_fields[name]) or name),
+            say(fields.help_of(Effects, name) or name),
             partial(inspection.switch, work, name),
         )
         for name in EFFECTS

@@ -1,0 +1,41 @@
+"""What a model says of its fields: the text below each in the source.
+
+pydantic can read these texts when a class is made, which takes as long as to make it. They are read
+here when somebody wants to see them.
+"""
+
+import ast
+import inspect
+from collections.abc import Iterator, Mapping
+from functools import cache
+from itertools import pairwise
+from textwrap import dedent
+
+from pydantic import BaseModel
+
+
+@cache
+def docs(model: type[BaseModel]) -> Mapping[str, str]:
+    """Return what is said of the fields of a model, its own and those that it inherits."""
+    said: dict[str, str] = {}
+    for kind in reversed(model.__mro__[: model.__mro__.index(BaseModel)]):
+        own = dict(_docs(kind))
+        said = {name: text for name, text in said.items() if name not in kind.__annotations__} | own
+    told = {name: field.description for name, field in model.model_fields.items()}
+    return said | {name: text for name, text in told.items() if text is not None}
+
+
+def _docs(kind: type) -> Iterator[tuple[str, str]]:
+    """Yield the names and texts of the fields that a class declares itself."""
+    try:
+        source = ast.parse(dedent(inspect.getsource(kind))).body[0]
+    except OSError:  # it is made of another class
+        return
+    assert isinstance(source, ast.ClassDef)
+    for field, below in pairwise(source.body):
+        match field, below:
+            case (
+                ast.AnnAssign(target=ast.Name(id=name)),
+                ast.Expr(value=ast.Constant(value=str(text))),
+            ):
+                yield name, inspect.cleandoc(text)
