@@ -107,6 +107,7 @@ class Events:
     def _touch(self, event: pygame.event.Event, session: Session) -> None:
         """Give an event of the mouse to what makes something on the stage, or to the hand."""
         space, maker = self._space, self._space.maker
+        space.follow(session)  # an event before this one may have begun it anew
         mouse, area = pygame.mouse.get_pos(), space.panels.layout.stage
         if event.type == pygame.MOUSEWHEEL and area.collidepoint(mouse):
             space.hand.wheel(event.precise_y, mouse, area)

@@ -80,7 +80,7 @@ class Hand:
             handles = arrow.handles.items()
             self._components = {name: (axis, arrow.newtons[axis]) for axis, name in handles}
         elif body := self._stage.body_at(pixel):
-            self._doing, session.looking.body = Doing.PULLING, body
+            self._doing, session.looking.chosen = Doing.PULLING, body
             session.grab(body, point)
 
     def _move(self, by: tuple[int, int], pixel: XY, session: Session) -> None:

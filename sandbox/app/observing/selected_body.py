@@ -34,30 +34,39 @@ LITTLE = 0.1
 
 
 class Looking:
-    """At which body of a level a person looks.
+    """At which body a person looks.
 
     Attributes
     ----------
-    body
-        Its name: the first that forces can move, before one is chosen; None if there is none.
+    chosen
+        The body that was clicked on last, which another level, or an earlier step, may not have.
     """
 
-    def __init__(self, level: Level) -> None:
-        dynamic = (name for name, body in level.bodies.items() if body.type == "dynamic")
-        self.body: str | None = next(dynamic, None)
+    def __init__(self) -> None:
+        self.chosen: str | None = None
         self._bodies: tuple[World, FreeBodies] | None = None
         self._seen: tuple[Snapshot, str, FreeBody | None] | None = None
         self._full: dict[str, float] = {}
 
+    def body(self, level: Level) -> str | None:
+        """Return the body of a level that is looked at: the one that was chosen, if it is there.
+
+        Else it is the first that forces can move; None if there is none.
+        """
+        if self.chosen in level.bodies:
+            return self.chosen
+        return next((n for n, body in level.bodies.items() if body.type == "dynamic"), None)
+
     def at(self, world: World) -> FreeBody | None:
         """Return the forces on the body; None if there are none to be told, see `FreeBodies.of`."""
-        if self.body is None:
+        body = self.body(world.level)
+        if body is None:
             return None
         if self._bodies is None or self._bodies[0] is not world:
             self._bodies, self._seen, self._full = (world, FreeBodies(world)), None, {}
         snapshot, seen = world.snapshot, self._seen
-        if seen is None or seen[0] is not snapshot or seen[1] != self.body:
-            seen = self._seen = snapshot, self.body, self._bodies[1].of(self.body)
+        if seen is None or seen[0] is not snapshot or seen[1] != body:
+            seen = self._seen = snapshot, body, self._bodies[1].of(body)
         return seen[2]
 
     def full(self, found: FreeBody) -> float:

@@ -111,7 +111,7 @@ class SidePanel:
         """What is shown depends on."""
         session = self._session
         news = self._workers.news
-        looked_at = session.looking.body
+        looked_at = session.looking.body(session.level)
         return session.world.snapshot, session.playing, session.companions, looked_at, *news
 
     def coming(self, seconds: float) -> Literal["", "page", "foot"]:

@@ -63,7 +63,7 @@ class Session(Playback):
         self.begun_as = at_rate(level, rate)
         self.changes = NONE
         self.branches = False
-        self.looking = Looking(level)
+        self.looking = Looking()
         begun = self._built(self.begun_as, (), level.defaults if values is None else values)
         super().__init__(LiveRun(level, begun), watched=not patient)
         self._opened = self.level, self.values
@@ -156,8 +156,6 @@ class Session(Playback):
             raise SandboxError(message)
         self.release()
         self.run.alter(text)
-        if self.looking.body not in self.level.bodies:
-            self.looking = Looking(self.level)
 
     def _require_one_that_goes_on(self, how: str) -> None:
         if self.companions or self.failure is not None:

@@ -45,6 +45,39 @@ def test_a_disc_that_is_drawn_into_the_run_falls_with_it(running: Builder) -> No
     assert session.world.snapshot.velocity[2, 1] < -1
 
 
+def test_a_body_that_is_looked_at_may_be_gone_where_the_run_begins_anew(running: Builder) -> None:
+    session = running.person.session
+    dropped(running)
+    running.key(pygame.K_ESCAPE)
+    running.at(*session.world.snapshot.position[2].tolist())
+    assert session.looking.body(session.level) == "disc1"
+    running.key(pygame.K_j, "j")
+
+    running.key(pygame.K_r, "r")
+
+    assert session.looking.body(session.level) == "block"
+
+
+def test_a_click_right_after_the_run_has_begun_anew_finds_nothing_that_is_gone(
+    running: Builder,
+) -> None:
+    person, session = running.person, running.person.session
+    dropped(running)
+    running.key(pygame.K_ESCAPE)
+    running.key(pygame.K_j, "j")
+    session.playing = False
+    x, y = session.world.snapshot.position[2]
+    place = person.on_screen((x, y))
+
+    person.move(place)
+    pygame.event.post(pygame.Event(pygame.KEYDOWN, key=pygame.K_r, unicode="r", mod=0, scancode=0))
+    person.button(True, place)
+    person.button(False, place)
+    person.wait(0.2)
+
+    assert "disc1" not in session.level.bodies
+
+
 def test_time_stands_while_something_is_drawn_and_then_goes_on(running: Builder) -> None:
     session = running.person.session
     running.key(pygame.K_2, "2")
@@ -88,7 +121,7 @@ def test_a_mass_is_set_and_a_body_taken_out_while_it_runs(running: Builder) -> N
     running.key(pygame.K_DELETE)
 
     assert list(session.level.bodies) == ["ramp", "disc1"]
-    assert session.looking.body == "disc1"
+    assert session.looking.body(session.level) == "disc1"
 
 
 def test_a_run_that_was_changed_comes_from_its_file_to_the_last_bit(running: Builder) -> None:

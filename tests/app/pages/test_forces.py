@@ -61,14 +61,14 @@ def words(pen: Pen, net: float) -> pygame.Surface:
 def test_a_click_on_a_body_shows_its_forces(person: Person) -> None:
     person.window.open_level("newton/atwood")
     person.press(pygame.K_j, "j")
-    assert person.session.looking.body == "left"
+    assert person.session.looking.body(person.session.level) == "left"
 
     x, y = person.session.world.snapshot.position[1]
     stage = person.window.panels.layout.stage
     px, py = person.window.stage.camera.to_screen((x, y))
     person.click((px + stage.x, py + stage.y))
 
-    assert person.session.looking.body == "right"
+    assert person.session.looking.body(person.session.level) == "right"
     assert at(person.session).body == "right"
     assert person.session.world.steps == 0
     assert not person.session.world.disturbed
@@ -164,8 +164,11 @@ def test_a_force_that_is_rounding_beside_the_others_is_left_out() -> None:
 
 
 def test_a_level_in_which_nothing_moves_by_forces_says_so(pen: Pen) -> None:
-    session = Session(scenes.level())
-    session.looking.body = None
+    floor = {"type": "static", "shape": {"type": "disc", "radius": 1}}
+    session = Session(
+        scenes.level(bodies={"floor": floor}, parameters={}, effects={}, checks=[], ghosts={})
+    )
+    assert session.looking.body(session.level) is None
 
     assert card.forces(pen, WIDTH, session, Axes()).height < 100
 
