@@ -27,10 +27,11 @@ from sandbox.model.expressions import Array
 from sandbox.physics.contacts.contact_work import Kick
 from sandbox.physics.contacts.direct.kick_parts import Stage
 from sandbox.physics.energy.balance import Balance
+from sandbox.physics.energy.divided_drifts import kicks_within
 from sandbox.physics.energy.impulse_attribution import Attribution
 from sandbox.physics.energy.ledger_entries import Entries
 from sandbox.physics.energy.step_record import Recorded
-from sandbox.physics.engine.batch import NO_CONTACTS, Contacts
+from sandbox.physics.engine.batch import Contacts
 from sandbox.physics.events.drift_events import Acted
 from sandbox.physics.events.impact_response import Collided
 from sandbox.physics.events.slip_phases import Stop
@@ -254,49 +255,19 @@ class Ledger:
     def _divide(self, divided: "Divided") -> Array:
         """Book a drift in parts; return the velocities that it ended with, as a whole one: (n, 3).
 
-        Laws act in it as they did in the kick before it. What they lack of a whole kick at its end,
-        the next one gives too much: that much is taken back first.
+        It is read in the middle of its first part, and of its last one.
         """
-        t, begun = float(self._end.t), self._velocity
-        for place, jacobian, stage in divided.between:
-            t += stage.lasts / 2
-            self._between(t, place, begun, stage, jacobian)
-            t += stage.lasts / 2
-            begun = stage.velocity
-        lasts, still = divided.between[-1].stage.lasts, np.zeros_like(self._pulls[0].tension)
-        back = Stage(-divided.missing, divided.begun, still, NO_CONTACTS)
-        self._between(t + lasts / 2, divided.end, begun, back)
+        last = self._pulls[0]
+        for kick, change, impulses, jacobian, contacts in kicks_within(
+            divided, self._end, self._seen, self._inertia
+        ):
+            pulls = last._replace(tension=impulses, jacobian=jacobian)
+            self._causes.book(self._step, kick, change, pulls, contacts, self._slack)
+            self._slack = impulses <= 0
         half = self._step.dt / 2
-        self._end = Instant.at(
-            self._step.t - half, divided.end - half * divided.begun, divided.begun
-        )
+        middle = divided.end - half * divided.begun
+        self._end = Instant.at(self._step.t - half, middle, divided.begun)
         return divided.begun
-
-    def _between(
-        self, t: float, place: Array, begun: Array, stage: Stage, jacobian: Array | None = None
-    ) -> None:
-        """Book a kick between two parts of a drift, at a time [s].
-
-        Parameters
-        ----------
-        place
-            (n, 3), where it is [m, rad].
-        begun
-            (n, 3), the velocities before it [m/s, rad/s].
-        stage
-            What happened in it.
-        jacobian
-            (m, n, 3), how what the joints keep changes with the places there.
-        """
-        mean = (begun + stage.velocity) / 2
-        inertia = self._inertia(t)
-        kick = Kick(t, stage.lasts, self._seen, place[:, :2], mean, inertia)
-        pulls = self._pulls[0]._replace(tension=stage.pulls)
-        if jacobian is not None:
-            pulls = pulls._replace(jacobian=jacobian)
-        change = stage.velocity - begun
-        self._causes.book(self._step, kick, change, pulls, stage.contacts, self._slack)
-        self._slack = stage.pulls <= 0
 
     def _cut(self, collided: Collided) -> Array:
         """Book the impacts that cut the last drift; return the velocities that it ended with."""
