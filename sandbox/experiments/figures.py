@@ -15,7 +15,7 @@ from sandbox.experiments.plan import Plan
 from sandbox.experiments.results import Results
 from sandbox.experiments.table import axis_unit, closed_form
 from sandbox.model.expressions import Array
-from sandbox.reporting.plots import COLOURS, FRAME, MARKERS, style
+from sandbox.reporting.plots import COLOURS, FRAME, MARKERS, legend_below, style
 
 FAMILY = 8
 """How many curves may stand in one picture; of more a heat map is made."""
@@ -110,7 +110,7 @@ def _curves(
                 axes.set_yscale("log")
         axes.grid(visible=True)
         if family or closed_form(measure.text) in found.columns:
-            axes.legend()
+            legend_below(figure, axes)
     return figure
 
 
@@ -200,7 +200,7 @@ def _histogram(plan: Plan, found: Results, measure: Measure) -> Figure:
         first.hist(known, edges, color=COLOURS[0], alpha=0.8, label="measured")
         if len(form):
             first.hist(form, edges, histtype="step", color="black", label="closed form")
-            first.legend()
+            legend_below(figure, first)
         _label(first.set_xlabel, measure.text, measure.unit)
         first.set_ylabel("runs")
         first.grid(visible=True)
@@ -230,7 +230,7 @@ def shares(found: Sensitivity) -> Picture:
         axes.set_xticks(places, found.names)
         axes.set_ylabel("share of the variance")
         axes.grid(visible=True, axis="y")
-        axes.legend()
+        legend_below(figure, axes)
     caption = f"How much of the variance of {found.measure} comes from what is drawn."
     return Picture("sensitivity", figure, caption)
 

@@ -14,7 +14,7 @@ from sandbox.model.files import write_atomically
 from sandbox.model.level import Level
 from sandbox.model.quantities import quantity
 from sandbox.reporting.pages import environment
-from sandbox.reporting.plots import COLOURS, style
+from sandbox.reporting.plots import COLOURS, legend_below, style
 from sandbox.reporting.svg import inline
 
 PAGE, NUMBERS = "report.html", "fit.json"
@@ -73,5 +73,5 @@ def _picture(level: Level, data: Data, found: Fit, name: str) -> Figure:
         above.set_ylabel(f"{name} [{unit}]")
         below.set_ylabel(f"left over [{unit}]")
         below.set_xlabel("t [s]")
-        above.legend()
+        legend_below(figure, above)
     return figure

@@ -64,6 +64,11 @@ def logarithmic(axes: Axes) -> None:
     axes.grid(visible=True)
 
 
+def legend_below(figure: Figure, axes: Axes) -> None:
+    """Say what the curves of some axes are: under the figure, where it covers none of them."""
+    figure.legend(*axes.get_legend_handles_labels(), loc="outside lower center", ncols=4)
+
+
 def power(value: float, _: object = None) -> str:
     """Return a power of ten as text, such as 10⁻³; what is near 1 as it is."""
     exponent = round(log10(value))

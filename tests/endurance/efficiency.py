@@ -1,21 +1,23 @@
 """How much of the cores an experiment uses: `python -m tests.endurance.efficiency`.
 
-Each is run by one process, by two, and some by a local Dask cluster of two workers, one right after
-the other. Printed is the time of one over twice the time of two. It takes two minutes, and says
-something on an idle machine of two cores only.
+Each is run by one process, by two, and some by a local Dask cluster of two workers, in turns.
+Printed is the time of one over twice the time of two: the median of some rounds, and the least and
+the most of them. It takes five minutes, and says something on an idle machine of two cores only.
 """
 
 import re
 import subprocess
 import sys
 import tempfile
+from collections.abc import Sequence
+from statistics import median
 from typing import NamedTuple
 
 import typer
 
 from tests.experiments.machines import Machines
 
-WORKERS = 2
+WORKERS, ROUNDS = 2, 3
 
 
 class Case(NamedTuple):
@@ -57,7 +59,7 @@ def seconds(case: Case, where: list[str]) -> float:
     return float(found[1])
 
 
-def clustered(case: Case) -> float:
+def on_cluster(case: Case) -> float:
     """Run an experiment on a cluster that has loaded what it needs; return how long it took [s]."""
     machines = Machines()
     try:
@@ -68,16 +70,29 @@ def clustered(case: Case) -> float:
         machines.end()
 
 
+def in_turns(case: Case) -> dict[str, list[float]]:
+    """Run an experiment everywhere, some times; return by place which shares of it were used."""
+    shares: dict[str, list[float]] = {}
+    for _ in range(ROUNDS):
+        alone = seconds(case, ["--jobs", "1"])
+        took = {f"{WORKERS} processes": seconds(case, ["--jobs", str(WORKERS)])}
+        if case.clustered:
+            took["Dask"] = on_cluster(case)
+        for where, time in took.items():
+            shares.setdefault(where, []).append(alone / (WORKERS * time))
+    return shares
+
+
+def told(shares: Sequence[float]) -> str:
+    """Write the median of some shares, and between which they lay."""
+    return f"{median(shares):.2f} ({min(shares):.2f} to {max(shares):.2f})"
+
+
 def main() -> None:
     """Run all, and print their efficiencies."""
     for case in CASES:
-        alone = seconds(case, ["--jobs", "1"])
-        told = {f"{WORKERS} processes": seconds(case, ["--jobs", str(WORKERS)])}
-        if case.clustered:
-            told["Dask"] = clustered(case)
-        for where, took in told.items():
-            share = alone / (WORKERS * took)
-            typer.echo(f"{case.name}: {alone:.1f} s alone, {took:.1f} s on {where}: {share:.2f}")
+        for where, shares in in_turns(case).items():
+            typer.echo(f"{case.name} on {where}: {told(shares)}")
 
 
 if __name__ == "__main__":
