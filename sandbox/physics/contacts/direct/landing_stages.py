@@ -63,9 +63,13 @@ def with_landing(
 
 
 def _thrown(kick: Kick, later: Array, moved: Array) -> Array:
-    """Return with what contacts press after the step whose bodies part in a landing: (r,)."""
+    """Return with what contacts press after the step whose bodies part in a landing: (r,).
+
+    What parts no faster than the forces after the step make it does so by them, not by the landing.
+    """
     layout, parts = kick.layout, np.zeros(len(later), dtype=bool)
-    leaves = kick.here.jacobian[layout.gaps] @ moved * kick.joints.drift > LIFTS
+    rates = kick.here.jacobian[layout.gaps] @ np.stack((moved, later @ kick.response), axis=1)
+    leaves = rates[:, 0] > np.abs(rates[:, 1]) + LIFTS / kick.joints.drift
     parts[layout.gaps], parts[layout.slips] = leaves, leaves[layout.touching.rubs]
     return np.where(parts, later, 0.0)
 
