@@ -418,6 +418,10 @@ MENDED = {
     4197398703: "a light body was squeezed out, and the surfaces that pressed on it gave energy",
     1810560495: "friction acted on two discs that met at two points, a gap apart",
     3313315359: "what slides together was struck, and the impulses were there but not recognized",
+    82400747: "a link whipped by a landing was held through the drift, as if by the impact itself",
+    3909030039: "a landing's impact was booked with what joints held afterwards",
+    1928214541: "a slack rope pulled with 6e-16 N, and when it was caught that was no jerk",
+    3743251257: "a drift in two parts was booked as a whole one, in which a body turned by a third",
 }
 """Scenes that failed once, and why."""
 

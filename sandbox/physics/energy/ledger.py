@@ -27,6 +27,7 @@ from sandbox.model.expressions import Array
 from sandbox.physics.contacts.contact_work import Kick
 from sandbox.physics.contacts.direct.kick_parts import Stage
 from sandbox.physics.energy.balance import Balance
+from sandbox.physics.energy.divided_drifts import kicks_within
 from sandbox.physics.energy.impulse_attribution import Attribution
 from sandbox.physics.energy.ledger_entries import Entries
 from sandbox.physics.energy.step_record import Recorded
@@ -36,7 +37,7 @@ from sandbox.physics.events.impact_response import Collided
 from sandbox.physics.events.slip_phases import Stop
 from sandbox.physics.forces.variable_mass import MassFlows
 from sandbox.physics.joints.joint_forces import pulls_of
-from sandbox.physics.state.motion import Instant, momentum
+from sandbox.physics.state.motion import Instant, Motion, momentum
 
 if TYPE_CHECKING:
     from sandbox.physics.contacts.direct.drift_subdivision import Divided
@@ -79,17 +80,19 @@ class Ledger:
             run.keep_trail()
         self._back = begun is not None
         self.steps = self._step.steps - self._back
-        self._velocity = scene.batch.velocity() if begun is None else begun
+        self._velocity = self._left() if begun is None else begun
         pulls = pulls_of(scene.joints, len(self._mass))
         self._pulls = pulls, pulls  # of the last kick, and of that before it
+        self._slack = pulls.tension <= 0
         self._overlaps = 0.0
-        start = self._middle(0.5 - self._back, self._velocity)
+        start = self._middle(-0.5 if self._back else 0.5 / self._parts(), self._velocity)
         if self._composed:
             start = Instant.of(self._step.snapshot)
         self._stores = dict.fromkeys(ledger_accounts.potentials(level), 0.0)
         energy = self._kinetic(start) + sum(self._stored_by(start).values())
         self._start = energy, self._momentum(start)
         self._end = start
+        self._seen: Motion = self._step.seen or start  # by the laws in the last kick
 
     def note(self) -> None:
         """Book the world's last step; one that is booked already is left alone.
@@ -127,11 +130,14 @@ class Ledger:
             self._causes.book(step, kick, ended - begun, held, contacts, None if stuck else slack)
             begun, slack = ended, slack | (tension <= 0)
         self._pulls = pulls, self._pulls[0]
-        self._velocity, self._end = after, self._middle(0.5, after)
+        self._velocity, self._end = after, self._middle(0.5 / self._parts(), after)
+        self._seen, self._slack = seen, slack
 
     def _stages(self, after: Array, tension: Array) -> Iterable[Stage]:
         """Return the parts of the last kick, with impulses for forces."""
         dt, direct = self._step.dt, self._scene.direct
+        if direct and direct.divided:
+            return direct.divided.before
         if direct and direct.stages:
             return direct.stages
         return (Stage(dt, after, tension * dt, self._kicked()),)
@@ -235,18 +241,32 @@ class Ledger:
         return self._cut(step.impacts) if step.impacts else self._velocity
 
     def _left(self) -> Array:
-        """Return the velocities of the coming drift: (n, 3) [m/s, rad/s]."""
+        """Return the velocities of the coming drift, or of its first part: (n, 3) [m/s, rad/s]."""
         direct = self._scene.direct
-        return direct.divided.left if direct and direct.divided else self._scene.batch.velocity()
+        if direct and direct.divided:
+            return direct.divided.before[-1].velocity
+        return self._scene.batch.velocity()
+
+    def _parts(self) -> int:
+        """Return in how many parts the coming drift is."""
+        direct = self._scene.direct
+        return direct.divided.parts if direct and direct.divided else 1
 
     def _divide(self, divided: "Divided") -> Array:
         """Book a drift in parts; return the velocities that it ended with, as a whole one: (n, 3).
 
-        What laws did in it is in the kicks before and after; what else pushed is a support.
+        It is read in the middle of its first part, and of its last one.
         """
-        before = self._momentum(self._end)
-        self._go_on(divided.begun, 0.0)
-        self._entries.support(self._momentum(self._end) - before)
+        last = self._pulls[0]
+        for kick, change, impulses, jacobian, contacts in kicks_within(
+            divided, self._end, self._seen, self._inertia
+        ):
+            pulls = last._replace(tension=impulses, jacobian=jacobian)
+            self._causes.book(self._step, kick, change, pulls, contacts, self._slack)
+            self._slack = impulses <= 0
+        half = self._step.dt / 2
+        middle = divided.end - half * divided.begun
+        self._end = Instant.at(self._step.t - half, middle, divided.begun)
         return divided.begun
 
     def _cut(self, collided: Collided) -> Array:

@@ -492,6 +492,31 @@ def test_a_rope_that_is_caught_at_the_end_of_a_drift_loses_its_jerk_in_the_next_
         assert abs(ledger.balance.unexplained) <= 1e-12
 
 
+def test_a_rope_pulls_with_nothing_until_it_is_caught_whatever_else_is_held() -> None:
+    """Rounding, of 1e-13 N, was a pull: the jerk after it was not seen, and left 2.7 J."""
+    bodies = {
+        "stone": disc((0, 0), radius=0.1, mass=50, velocity=[0, 1]),
+        "link": box((0.3, 0.1), size=(0.5, 0.1), mass=0.3, angular_velocity=20),
+        "ball": disc((0.2, -0.4), radius=0.1, velocity=[0, -3]),
+    }
+    pin = [{"body": "stone", "at": [0.07, 0.05]}, {"body": "link", "at": [-0.23, -0.05]}]
+    joints = {
+        "rope": {"type": "rope", "ends": ["link", "ball"], "length": 0.9},
+        "pin": {"type": "pivot", "ends": pin},
+    }
+    world = build(level(bodies, {"rotation": {}}, joints=joints, stepping={"rate": 480}))
+    ledger, pulls, lost = Ledger(world), [], 0.0
+    for _ in range(60):
+        pulls.append(float(world.advance().tension[0]))
+        ledger.note()
+        lost = max(lost, abs(ledger.balance.unexplained))
+
+    assert pulls[:40] == [0.0] * 40
+    assert pulls[40] > 100
+    assert ledger.balance.loss["impacts"] > 2
+    assert lost < 0.01
+
+
 @pytest.mark.parametrize("rate", [60, 240, 960])
 def test_what_a_jerk_takes_through_a_rod_is_lost_with_it(rate: int) -> None:
     """A rope catches one end of a rod that turns: what the rod does then is of the same impact."""

@@ -15,8 +15,9 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.constraint_impulses import hold
-from sandbox.physics.contacts.direct.kick_parts import Taken
+from sandbox.physics.contacts.direct.kick_parts import Stage, Taken
 from sandbox.physics.contacts.direct.kick_system import Kick
+from sandbox.physics.engine.batch import Integers
 from sandbox.physics.joints.exact.constraints import Coordinates
 from sandbox.physics.state.errors import JointFailure, NoForces
 
@@ -24,23 +25,95 @@ PARTS = (2, 4, 8, 16, 32)
 """In how many parts a drift is taken: in the first of these that serves."""
 
 
+class Between(NamedTuple):
+    """A kick between two parts of a drift; n bodies, m equations of joints.
+
+    Attributes
+    ----------
+    place
+        (n, 3), where it is [m, rad].
+    jacobian
+        (m, n, 3), how what the joints keep changes with the places there.
+    stage
+        What happened in it.
+    """
+
+    place: Array
+    jacobian: Array
+    stage: Stage
+
+
 class Divided(NamedTuple):
     """A drift in parts, as others see it; n bodies.
 
     Attributes
     ----------
-    parts
-        How many.
     left
         (n, 3), the velocities that the kick before it would have ended with, had it been whole
         [m/s, rad/s].
     begun
         (n, 3), those that a whole kick after it begins with [m/s, rad/s].
+    before
+        The parts of the kick before it, which ends in the middle of the first part of the drift.
+    between
+        The kicks in it.
+    missing
+        How much shorter than a whole one the kick before it is, and the one after it [s].
     """
 
-    parts: int
     left: Array
     begun: Array
+    before: tuple[Stage, ...]
+    between: tuple[Between, ...]
+    missing: float
+
+    @property
+    def parts(self) -> int:
+        """In how many parts it is."""
+        return len(self.between) + 1
+
+    @property
+    def end(self) -> Array:
+        """(n, 3), where it ends [m, rad]."""
+        place, _, stage = self.between[-1]
+        return place + stage.lasts * stage.velocity
+
+
+class Inner(NamedTuple):
+    """A kick between two parts of a drift that was solved; r rows, N bodies with the plane.
+
+    Attributes
+    ----------
+    kick
+        Which.
+    lasts
+        How long it is [s].
+    impulse
+        (r,), its impulses.
+    moved
+        (3 N,), the velocities after it [m/s, rad/s].
+    """
+
+    kick: Kick
+    lasts: float
+    impulse: Array
+    moved: Array
+
+    def seen(self, start: Array, origin: Array, order: Integers) -> Between:
+        """Return it as others see it.
+
+        Parameters
+        ----------
+        start, origin
+            Where the drift started: (n, 3), and the same as rows have it, (3 N,) [m, rad].
+        order
+            (n, 3), where the coordinates of each body are.
+        """
+        kick = self.kick
+        place = start + (kick.place.values - origin)[order]
+        jacobian = -kick.here.jacobian[kick.layout.joints][:, order]
+        stage = Stage.of(kick, self.lasts, self.moved[order], self.impulse)
+        return Between(place, jacobian, stage)
 
 
 class Through(NamedTuple):
@@ -48,21 +121,42 @@ class Through(NamedTuple):
 
     Attributes
     ----------
-    parts
-        In how many.
     first
-        The kick before it, with the impulses that it would have given in its whole length.
-    left, begun
-        (3 N,), see `Divided`.
+        The kick before it.
+    inner
+        The kicks in it.
+    acceleration
+        (3 N,), by gravity and force laws in all of them [m/s², rad/s²].
+    missing
+        See `Divided`.
     way
         (3 N,), how far everything gets [m, rad].
     """
 
-    parts: int
     first: Taken
-    left: Array
-    begun: Array
+    inner: tuple[Inner, ...]
+    acceleration: Array
+    missing: float
     way: Array
+
+    @property
+    def whole(self) -> Array:
+        """(r,), the impulses that the kick before it would have given in its whole length."""
+        return self.first.total + self.missing * self.first.forces
+
+    def seen(self, start: Array, order: Integers) -> Divided:
+        """Return it as others see it, from where bodies are, (n, 3) [m, rad]; see `Inner.seen`."""
+        first, lost = self.first, self.missing
+        kick, moved = first.kick, first.moved
+        forces = first.forces.dot(kick.response)
+        length = kick.joints.kick - lost
+        return Divided(
+            (moved + lost * (self.acceleration + forces))[order],
+            (self.inner[-1].moved - lost * self.acceleration)[order],
+            first.stages or (Stage.of(kick, length, moved[order], first.total),),
+            tuple(one.seen(start, kick.place.values, order) for one in self.inner),
+            lost,
+        )
 
 
 def through(
@@ -112,17 +206,12 @@ def _in_parts(
     first = take(kick.between(kick.place, lengths[0], lengths[1]))
     moved, forces, active = first.moved, first.forces, first.active
     joints.time(drift, drift)
-    place = Coordinates(kick.place.values + drift * moved)
+    place, inner = Coordinates(kick.place.values + drift * moved), []
     for before, after in pairwise(lengths[1:]):
         now = kick.between(place, before, after)
         motion = moved + drift * acceleration
         impulse, moved, active = hold(now, motion, (drift * forces, active), driven=False)
+        inner.append(Inner(now, drift, impulse, moved))
         forces = impulse / drift
         place = Coordinates(place.values + drift * moved)
-    return Through(
-        parts,
-        first._replace(total=first.total + missing * first.forces),
-        first.moved + missing * (acceleration + first.forces.dot(first.kick.response)),
-        moved - missing * acceleration,
-        place.values - kick.place.values,
-    )
+    return Through(first, tuple(inner), acceleration, missing, place.values - kick.place.values)

@@ -1,6 +1,5 @@
 """The parts of a kick, and what each did."""
 
-from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -73,36 +72,7 @@ class Taken(NamedTuple):
     impacts: Impacts
     stages: tuple[Stage, ...] = ()
 
-
-def halves(kick: Kick, total: Array, begun: Array, after: Array) -> tuple[Stage, ...]:
-    """Return a kick without impacts as two alike.
-
-    Parameters
-    ----------
-    total
-        (r,), its impulses.
-    begun, after
-        (n, 3), the velocities before it and after it [m/s, rad/s].
-    """
-    first = Stage.of(kick, kick.joints.kick / 2, (begun + after) / 2, total / 2)
-    return first, first._replace(velocity=after)
-
-
-def with_landing(parts: Sequence[Stage], landing: Stage, jump: Array) -> tuple[Stage, ...]:
-    """Return the parts of a kick with a landing in its middle.
-
-    The forces of a kick act equally before and after its step, and an impact acts at the step. Thus
-    energy books that are read in the middle of the drifts close.
-
-    Parameters
-    ----------
-    parts
-        Of the kick: at least one before the step, and one after it.
-    landing
-        What comes down.
-    jump
-        (n, 3), by how much it changes velocities [m/s, rad/s].
-    """
-    *before, rest = parts
-    impact = landing._replace(velocity=before[-1].velocity + jump)
-    return *before, impact, rest._replace(velocity=rest.velocity + jump)
+    @property
+    def later(self) -> Array:
+        """(r,), the impulses after the step."""
+        return self.forces * self.stages[-1].lasts if self.stages else self.total / 2

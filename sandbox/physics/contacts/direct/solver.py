@@ -28,9 +28,10 @@ from sandbox.physics.contacts.direct.constraint_rows import Active
 from sandbox.physics.contacts.direct.convex_parts import Pair
 from sandbox.physics.contacts.direct.drift_subdivision import Divided, through
 from sandbox.physics.contacts.direct.kick_builder import KickBuilder
-from sandbox.physics.contacts.direct.kick_parts import Stage, Taken, halves, with_landing
+from sandbox.physics.contacts.direct.kick_parts import Stage, Taken
 from sandbox.physics.contacts.direct.kick_system import Kick
 from sandbox.physics.contacts.direct.landing_impacts import land
+from sandbox.physics.contacts.direct.landing_stages import halves, with_landing
 from sandbox.physics.contacts.direct.row_layout import Surfaces
 from sandbox.physics.contacts.direct.speculative_contacts import LOOKS, SpeculativeContacts
 from sandbox.physics.contacts.direct.warm_start import WarmStart
@@ -107,6 +108,7 @@ class Direct:
         self.drifted: Divided | None = None
         self._given = self._calm.impulse  # (n,), by which bodies were stopped since the last kick
         self._solved: tuple[Kick, Array] | None = None  # the last kick with contacts, its impulses
+        self._later: tuple[Kick, Array] | None = None  # the same, its impulses after the step
 
     @property
     def contacts(self) -> Contacts:
@@ -149,7 +151,8 @@ class Direct:
         """
         self._build.find_contacts(self._moved)
         self._pushed, self._until = None, until
-        self.last, self.stages, self._solved = self._calm, (), None
+        self.last, self.stages = self._calm, ()
+        self._solved = self._later = None
         self.kicked, self.drifted, self.divided = None, self.divided, None
         self._build.follow(until)
         if len(self._build.contacts.bodies) or np.count_nonzero(self._joints.added):
@@ -232,7 +235,7 @@ class Direct:
         leaning = taken.kick.leaning(taken.moved, taken.forces)
         if leaning is not None:
             taken = self._take(leaning, rates)
-        self.last, self.stages = taken.impacts, taken.stages
+        self.last, self.stages, self._later = taken.impacts, taken.stages, (taken.kick, taken.later)
         self._batch.set_velocity(taken.moved[self._order])
         self._known.note(taken.kick, taken.forces, taken.active)
         self._report(taken.kick, taken.total, taken.active)
@@ -248,11 +251,11 @@ class Direct:
         found = through(kick, rates[1], self._until, partial(self._take, rates=rates))
         first = found.first
         self.last = first.impacts
-        left, begun, way = (of[self._order] for of in (found.left, found.begun, found.way))
-        self.divided, self.kicked = Divided(found.parts, left, begun), left
-        self._batch.set_velocity(way / self._joints.drift)
+        self.divided = found.seen(self._batch.state()[:, :3], self._order)
+        self.kicked = self.divided.left
+        self._batch.set_velocity(found.way[self._order] / self._joints.drift)
         self._known.note(first.kick, first.forces, first.active)
-        self._report(first.kick, first.total, first.active)
+        self._report(first.kick, found.whole, first.active)
 
     def _land(self, velocity: Array) -> None:
         """Let come down what does within the drift after a kick; (n, 3), the velocities then."""
@@ -267,9 +270,9 @@ class Direct:
         pairs = near(motion.values)
         if not pairs:
             return
-        kick, total = self._solved or (
+        kick, later = self._later or (
             self._build.at(place),
-            self._joints.tension * self._joints.kick,
+            self._joints.tension * self._joints.kick / 2,
         )
         landed = land(
             self._speculative,
@@ -283,10 +286,10 @@ class Direct:
         if landed is None:
             return
         after = landed.moved[self._order]
-        parts = self.stages or halves(kick, total, self._begun, velocity)
-        last = Stage.of(landed.kick, 0.0, after, landed.impulse)
-        self.stages = with_landing(parts, last, after - velocity)
-        self.kicked, self._given = velocity, last.normal(len(velocity))
+        stages = self.stages or halves(kick, later * 2, self._begun, velocity)
+        self.stages = with_landing(stages, kick, later, landed, self._order)
+        self.kicked = velocity
+        self._given = Stage.of(landed.kick, 0.0, after, landed.impulse).normal(len(velocity))
         self._batch.set_velocity(after)
 
     def _take(self, kick: Kick, rates: Array) -> Taken:

@@ -312,7 +312,8 @@ class ExactJoints(JointSystem):
         work = -(self._warm_start + impulse) * (here.jacobian @ (free + moved))
         self.refuse_gain(free, moved, work)
         self.batch.set_velocity(moved[self.order])
-        return (self._warm_start + impulse) / self.kick
+        # a slack rope pulls with nothing at all: books tell by its sign when it is caught
+        return np.where(self._taut, (self._warm_start + impulse) / self.kick, 0.0)
 
     def _solve_band(self, band: Banded, until: float) -> Array:
         """Solve all equations as a band; return the forces along them: (m,) [N]."""

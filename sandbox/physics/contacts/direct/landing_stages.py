@@ -1,0 +1,109 @@
+"""The parts of a kick with a landing in its middle.
+
+The forces of a kick act equally before and after its step, and an impact acts at the step. Thus
+energy books that are read in the middle of the drifts close. The impulses that were found for a
+landing hold until the end of the drift. What comes down turns otherwise afterwards, so joints hold
+it with another force from then on, and what it throws off is pressed by nothing any more. These
+differences are no part of the impact itself.
+"""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+from sandbox.physics.contacts.direct.kick_parts import Stage
+from sandbox.physics.contacts.direct.kick_system import LIFTS, Kick
+from sandbox.physics.contacts.direct.landing_impacts import Landed
+from sandbox.physics.contacts.direct.linear_systems import solved
+from sandbox.physics.engine.batch import Booleans, Contacts, Integers
+
+
+def halves(kick: Kick, total: Array, begun: Array, after: Array) -> tuple[Stage, ...]:
+    """Return a kick without impacts as two alike.
+
+    Parameters
+    ----------
+    total
+        (r,), its impulses.
+    begun, after
+        (n, 3), the velocities before it and after it [m/s, rad/s].
+    """
+    first = Stage.of(kick, kick.joints.kick / 2, (begun + after) / 2, total / 2)
+    return first, first._replace(velocity=after)
+
+
+def with_landing(
+    parts: Sequence[Stage], kick: Kick, later: Array, landed: Landed, order: Integers
+) -> tuple[Stage, ...]:
+    """Return the parts of a kick with a landing in its middle.
+
+    Parameters
+    ----------
+    parts
+        Of the kick: at least one before the step, and one after it.
+    kick, later
+        The kick, and its impulses after the step, (r,).
+    landed
+        What comes down in the drift after it.
+    order
+        (n, 3), where the coordinates of each body are.
+    """
+    *before, rest = parts
+    pulled = sum((part.pulls for part in parts), np.zeros_like(rest.pulls)) > 0
+    thrown = _thrown(kick, later, landed.moved)
+    strikes = _strikes(landed, thrown @ kick.response, pulled)
+    jump = strikes @ landed.kick.response + thrown @ kick.response
+    impact = Stage.of(landed.kick, 0.0, before[-1].velocity + jump[order], strikes)
+    impact = impact._replace(contacts=_added(impact.contacts, kick.pushing(thrown)))
+    gained = landed.impulse @ landed.kick.response
+    rest = Stage.of(kick, rest.lasts, rest.velocity + gained[order], later - thrown)
+    holds = (landed.impulse - strikes)[kick.layout.joints]
+    return *before, impact, rest._replace(pulls=rest.pulls + holds)
+
+
+def _thrown(kick: Kick, later: Array, moved: Array) -> Array:
+    """Return with what contacts press after the step whose bodies part in a landing: (r,).
+
+    What parts no faster than the forces after the step make it does so by them, not by the landing.
+    """
+    layout, parts = kick.layout, np.zeros(len(later), dtype=bool)
+    rates = kick.here.jacobian[layout.gaps] @ np.stack((moved, later @ kick.response), axis=1)
+    leaves = rates[:, 0] > np.abs(rates[:, 1]) + LIFTS / kick.joints.drift
+    parts[layout.gaps], parts[layout.slips] = leaves, leaves[layout.touching.rubs]
+    return np.where(parts, later, 0.0)
+
+
+def _strikes(landed: Landed, thrown: Array, pulled: Booleans) -> Array:
+    """Return the impulses of a landing that leave the rates of joints as they are: (r,).
+
+    Those at contacts are what they are, and so are those of ropes that it catches.
+
+    Parameters
+    ----------
+    landed
+        What comes down.
+    thrown
+        (3 N,), by how much else velocities change at the same time [m/s, rad/s].
+    pulled
+        (m,), which joints pulled before it.
+    """
+    kick, found = landed.kick, landed.impulse.copy()
+    pulls = found[kick.layout.joints]
+    rows = np.flatnonzero((pulls != 0) & (pulled | ~kick.joints.pulls_only))
+    if len(rows):
+        found[rows] = 0.0
+        jacobian, response = kick.here.jacobian[rows], kick.response[rows]
+        rates = jacobian @ (found @ kick.response + thrown)
+        found[rows] = solved(jacobian @ response.T, -rates)[0]
+    return found
+
+
+def _added(contacts: Contacts, first: Contacts) -> Contacts:
+    """Return contacts with more impulses at the first of them."""
+    more = len(contacts.bodies) - len(first.bodies)
+    return contacts._replace(
+        normal=contacts.normal + np.pad(first.normal, (0, more)),
+        friction=contacts.friction + np.pad(first.friction, (0, more)),
+        impulse=contacts.impulse + np.pad(first.impulse, ((0, more), (0, 0))),
+    )
