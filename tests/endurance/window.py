@@ -3,7 +3,8 @@
 Events at random, several to a frame: every key, letters and characters that no font has, clicks,
 drags and wheels anywhere, windows of any size, files that are dropped on it, good and bad. Whatever
 leaves `Window.frame` is a defect. Memory is read again and again, each time with the same levels
-open; the first readings come after all levels and all pages have been shown.
+open in a window that looks as it did at first; the first readings come after all levels and all
+pages have been shown. What is kept, such as settings, goes to a home of its own.
 """
 
 import os
@@ -23,6 +24,7 @@ import pygame
 import typer
 
 from sandbox.app.commands import BINDINGS
+from sandbox.app.files.preferences import Preferences
 from sandbox.app.pages.register import PAGES
 from sandbox.app.window import Window
 from sandbox.model import catalog
@@ -146,6 +148,12 @@ class Monkey:
 
 def _reading(window: Window) -> float:
     """Return what is held in a state that is the same each time [MB]: the median of some looks."""
+    pygame.display.set_mode(SIZES[0], pygame.RESIZABLE)
+    pygame.event.post(pygame.Event(pygame.VIDEORESIZE, size=SIZES[0], w=SIZES[0][0], h=SIZES[0][1]))
+    window.comfort.choose(**Preferences().model_dump())
+    window.panels.show(PAGES[0].command)
+    if window.panels.home.open:
+        window.go_home()
     looks = []
     for name in SAME:
         window.open_level(name)
@@ -157,6 +165,17 @@ def _reading(window: Window) -> float:
 
 def main(events: int = 100_000, seed: int = 0) -> None:
     """Post so many events, and tell how memory went."""
+    with tempfile.TemporaryDirectory() as folder:
+        for name in ("HOME", "XDG_DATA_HOME", "XDG_CACHE_HOME", "XDG_CONFIG_HOME"):
+            os.environ[name] = folder
+        readings = _readings(events, seed, Path(folder))
+    grown = median(readings[-LAST:]) - median(readings[1 : 1 + LAST])
+    typer.echo(f"grown by {grown:.1f} MB from the first readings to the last; {LEAK:g} may be")
+    raise typer.Exit(grown > LEAK)
+
+
+def _readings(events: int, seed: int, folder: Path) -> list[float]:
+    """Post so many events; return what was held before the first and after each part [MB]."""
     window, begun = Window(), monotonic()
     for name in catalog.textbook():  # what is made but once is there then
         window.open_level(name)
@@ -165,20 +184,17 @@ def main(events: int = 100_000, seed: int = 0) -> None:
             window.frame(FRAME)
     readings = [_reading(window)]
     typer.echo(f"all levels and pages were open: {readings[0]:.1f} MB")
-    with tempfile.TemporaryDirectory() as folder:
-        monkey = Monkey(window, seed, Path(folder))
-        for number in range(events):
-            monkey.act()
-            if number % 3 == 0:
-                _frame(window, monkey, number)
-            if number % (events // PARTS) == events // PARTS - 1:
-                readings.append(_reading(window))
-                told = f"{number + 1:,} events, {monotonic() - begun:.0f} s"
-                typer.echo(f"{told}: {readings[-1]:.1f} MB")
-        window.close()
-    grown = median(readings[-LAST:]) - median(readings[1 : 1 + LAST])
-    typer.echo(f"grown by {grown:.1f} MB from the first readings to the last; {LEAK:g} may be")
-    raise typer.Exit(grown > LEAK)
+    monkey = Monkey(window, seed, folder)
+    for number in range(events):
+        monkey.act()
+        if number % 3 == 0:
+            _frame(window, monkey, number)
+        if number % (events // PARTS) == events // PARTS - 1:
+            readings.append(_reading(window))
+            told = f"{number + 1:,} events, {monotonic() - begun:.0f} s"
+            typer.echo(f"{told}: {readings[-1]:.1f} MB")
+    window.close()
+    return readings
 
 
 def _frame(window: Window, monkey: Monkey, number: int) -> None:
