@@ -11,9 +11,11 @@ from sandbox.model import catalog
 from sandbox.model.effects import EFFECTS
 from sandbox.model.joints import KINDS
 from sandbox.model.level import Level
+from sandbox.physics.contacts.direct.solver import Direct
 from sandbox.physics.measuring.free_body import FRICTION, NORMAL, Acting, FreeBody
 from sandbox.physics.measuring.free_body_forces import FreeBodies
 from sandbox.physics.run import build
+from sandbox.physics.state.errors import NoForces, SimulationError
 from sandbox.physics.stepping.world import World
 from tests.effects import BODIES, examples
 from tests.physics import scenes
@@ -369,3 +371,25 @@ def test_every_joint_that_there_is_is_in_the_diagram(kind: str) -> None:
     assert by["tie"] == KINDS[kind].pull
     assert all(forces_off(found, world) < BOUND for found in diagrams)
     assert all(torques_off(found, world) < BOUND for found in diagrams)
+
+
+def test_after_a_step_that_failed_the_forces_of_the_last_whole_one_are_told(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    def fail(_: Direct) -> None:
+        raise NoForces(0, 1)
+
+    scene = level(
+        {"floor": floor(), "box": box((0, 0.5), mass=3)},
+        {"gravity": {"acceleration": [0, -G]}, "contact": {"solver": "direct"}},
+    )
+    world = build(scene)
+    world.advance(20)
+    monkeypatch.setattr(Direct, "_solve_all", fail)
+    with pytest.raises(SimulationError):
+        world.advance(1)
+
+    found = FreeBodies(world).of("box")
+
+    assert found
+    assert force(found, NORMAL).size == pytest.approx(3 * G, rel=1e-9)

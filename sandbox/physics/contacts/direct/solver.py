@@ -152,13 +152,14 @@ class Direct:
         self._build.find_contacts(self._moved)
         self._pushed, self._until = None, until
         self.last, self.stages = self._calm, ()
-        self._solved = self._later = None
+        self._later = None
         self.kicked, self.drifted, self.divided = None, self.divided, None
         self._build.follow(until)
         if len(self._build.contacts.bodies) or np.count_nonzero(self._joints.added):
             self._solve_all()
         else:
             self._known.forget()
+            self._solved = None
             self._solve_joints(until)
         given, self._given = self._given, self._calm.impulse
         after = self.divided.left if self.divided else self._batch.velocity()
