@@ -95,8 +95,6 @@ def _untied(joint: Joint) -> Iterator[tuple[str, str]]:
         yield "length", f"{then} must say the 'length' at which it is slack, if it is a spring"
     if getattr(joint, "exact", True) is False:
         yield "exact", f"{then} must be exact; leave out 'exact'"
-    if getattr(joint, "breaks_at", None) is not None:
-        yield "breaks_at", f"{then} does not break; leave it out, or cut the joint by an event"
     if getattr(joint, "restitution", None) is not None:
         yield "restitution", f"{then} cannot bounce; leave out 'restitution'"
 

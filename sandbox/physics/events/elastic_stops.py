@@ -12,11 +12,12 @@ from typing import Self
 
 import numpy as np
 
-from sandbox.model.acting_events import bouncing
+from sandbox.model.acting_events import bouncing, loads
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level
 from sandbox.physics.engine.batch import Booleans
 from sandbox.physics.events.drift_events import NEAR, Part, since
+from sandbox.physics.events.joint_breaking import borne_jolt
 from sandbox.physics.events.joint_impacts import Jolt, jolt
 from sandbox.physics.joints.exact.joint_system import JointSystem, coordinates_of
 from sandbox.physics.joints.exact.shake import ExactJoints
@@ -37,14 +38,21 @@ class Bounces:
         The equations of the sides.
     restitution
         Of each stop, by its name.
+    borne
+        The force at which those joints break that do, by name [N].
     dt
         The time step [s].
     """
 
     def __init__(
-        self, scene: Scene, sides: JointSystem, restitution: Mapping[str, float], dt: float
+        self,
+        scene: Scene,
+        sides: JointSystem,
+        restitution: Mapping[str, float],
+        borne: Mapping[str, float],
+        dt: float,
     ) -> None:
-        self._scene, self._sides, self._dt = scene, sides, dt
+        self._scene, self._sides, self._borne, self._dt = scene, sides, borne, dt
         self._restitution = [restitution[name] for name in sides.names]
         self._resting: set[int] = set()
         self._begin()
@@ -54,7 +62,8 @@ class Bounces:
         """Return that of a scene; None if nothing in it bounces off a stop."""
         sides = scene.joints.elastic
         restitution = {name: e(values) for name, e in bouncing(level.joints)}
-        return cls(scene, sides, restitution, dt) if sides else None
+        borne = loads(level.joints, values)
+        return cls(scene, sides, restitution, borne, dt) if sides else None
 
     def _begin(self) -> None:
         """Hold what lies at a stop from the start and does not run into it."""
@@ -107,8 +116,12 @@ class Bounces:
     def bounce(self, side: int, t: float, *, rests: bool) -> Jolt:
         """Let what meets a side at a time leave it again [s], or stay."""
         self._hold(side)
-        row = int(np.flatnonzero(self._rows(side))[0])
-        found = jolt(self._scene, t, {} if rests else {row: self._restitution[side]})
+
+        def impact() -> Jolt:
+            row = int(np.flatnonzero(self._rows(side))[0])
+            return jolt(self._scene, t, {} if rests else {row: self._restitution[side]})
+
+        found = borne_jolt(self._scene, t, self._borne, self._dt, impact)
         if rests:
             self._together.calm()
         else:

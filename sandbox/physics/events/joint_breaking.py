@@ -12,15 +12,19 @@ kick after it. What counts is the whole jerk, J = m u, wherever in the drift it 
 kick gives the share (u − u')/u of it, where u and u' are the rates at which the rope grows longer
 before and after that kick.
 
+What catches within a drift, or bounces off a stop, is an impact at its own time. It breaks joints
+by the same rule, and is found again without each that it breaks: among them the joint that catches.
+
 The force of a spring is known at any time, so springs need none of this.
 """
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 
 import numpy as np
 
 from sandbox.model.acting_events import breaking
 from sandbox.model.expressions import Array
+from sandbox.physics.events.joint_impacts import Jolt
 from sandbox.physics.joints.exact.shake import ExactJoints
 from sandbox.physics.joints.joint_changes import let_go
 from sandbox.physics.scene.scene import Scene
@@ -50,7 +54,7 @@ class JointBreaking:
         self, scene: Scene, joints: ExactJoints, borne: Mapping[str, float], solve: Work
     ) -> None:
         self._scene, self._joints, self._solve = scene, joints, solve
-        self._borne = {name: load for name, load in borne.items() if name in joints.names}
+        self._borne = borne
 
     def __call__(self, kick: Kick) -> None:
         """Take a kick; one that is only tried, of bodies that are held, breaks nothing."""
@@ -58,14 +62,14 @@ class JointBreaking:
         velocity = batch.velocity()
         self._solve(kick)
         while kick.start is None and (broken := self._broken(before, velocity)):
-            self._break(broken, kick.t)
+            _break(self._scene, broken, kick.t)
             batch.set_velocity(velocity)
             self._solve(kick)
 
     def _forces(self) -> dict[str, float]:
-        """Return the size of the force of each joint that can break and has not [N]."""
-        whole = self._borne.keys() - self._scene.joints.cut.keys()
-        return {name: abs(self._joints.force(name)) for name in self._borne if name in whole}
+        """Return the size of the force of each joint that can break and holds [N]."""
+        holding = self._joints.equations.pulling
+        return {name: abs(self._joints.force(name)) for name in self._borne if name in holding}
 
     def _broken(self, before: Mapping[str, float], velocity: Array) -> str | None:
         """Return the joint that a blow takes furthest beyond what it bears, if there is one.
@@ -92,9 +96,45 @@ class JointBreaking:
         grew, grows = (float(np.max(np.sum(along * v, axis=(1, 2)))) for v in (velocity, now))
         return grew / (grew - grows) if grew > grows > 0 else 1.0
 
-    def _break(self, name: str, t: float) -> None:
-        scene = self._scene
-        let_go(scene.joints, name, t)
-        scene.happened[breaking(name)] = t
-        if scene.direct:
-            scene.direct.relay()
+
+def borne_jolt(
+    scene: Scene, t: float, borne: Mapping[str, float], dt: float, jolt: Callable[[], Jolt]
+) -> Jolt:
+    """Let what is joined come to terms at once, without the joints that this breaks.
+
+    Parameters
+    ----------
+    scene
+        What moves.
+    t, dt
+        The time, and a step [s].
+    borne
+        The force at which those joints break that do, by name [N].
+    jolt
+        Finds the impulses; it is asked again after each joint that has broken.
+    """
+    found = jolt()
+    while broken := _overloaded(scene, borne, dt, found):
+        _break(scene, broken, t)
+        found = jolt()
+    return found
+
+
+def _overloaded(scene: Scene, borne: Mapping[str, float], dt: float, found: Jolt) -> str | None:
+    """Return the joint that an impact takes furthest beyond what it bears, if there is one."""
+    together = scene.joints.together
+    pulling = together.equations.pulling if together else {}
+    shares = {
+        name: float(np.linalg.norm(found.pulls.tension[pulling[name]])) / (dt * load)
+        for name, load in borne.items()
+        if name in pulling
+    }
+    most = max(shares, key=lambda name: shares[name], default=None)
+    return most if most is not None and shares[most] >= 1 else None
+
+
+def _break(scene: Scene, name: str, t: float) -> None:
+    let_go(scene.joints, name, t)
+    scene.happened[breaking(name)] = t
+    if scene.direct:
+        scene.direct.relay()

@@ -195,6 +195,83 @@ def test_a_dog_that_is_leashed_beyond_its_leash_is_told() -> None:
         booked(this, 1)
 
 
+@given(
+    st.floats(0.1, 10),
+    st.floats(0.1, 10),
+    st.floats(0.5, 20),
+    st.sampled_from([30, 60, 240]),
+    st.sampled_from(["weld", "rod", "pivot"]),
+)
+@settings(deadline=None, max_examples=6)
+def test_a_coupling_breaks_before_it_gives_anything_if_it_bears_less_than_the_impact(
+    m1: float, m2: float, v: float, rate: float, kind: str
+) -> None:
+    force = m1 * m2 / (m1 + m2) * v * rate  # which would give the impulse within a step
+    together = m1 * v / (m1 + m2)
+    for load, after in ((0.99 * force, [v, 0]), (1.01 * force, [together] * 2)):
+        world, books = booked(wagons(m1, m2, v, rate, kind, breaks_at=load), 1.817 / v + 0.1)
+
+        assert world.snapshot.velocity[:, 0] == pytest.approx(after, rel=1e-12)
+        assert ("hook breaks" in world.scene.happened) == (load < force)
+        assert abs(books.balance.unexplained) < 1e-12 * m1 * v**2
+
+
+@pytest.mark.parametrize(("share", "after"), [(0.99, [1.6, 1.6, 0]), (1.01, [0.8, 0.8, 0.8])])
+def test_what_catches_breaks_a_weak_link_behind_it(share: float, after: list[float]) -> None:
+    """The link would have to give the third its share of the momentum, 5 kg · 0.8 m/s."""
+    link = {"type": "rod", "ends": ["second", "third"], "breaks_at": 4 * 60 * share}
+    bodies = {
+        "first": disc(mass=2, velocity=[4, 0]),
+        "second": disc((3.017, 0), mass=3),
+        "third": disc((5, 0), mass=5),
+    }
+    joints = {"hook": {"type": "rod", "ends": ["first", "second"]}, "link": link}
+    events = {"click": {"at": MEET, "tie": ["hook"]}}
+    this = level(bodies, {}, joints=joints, events=events, stepping={"rate": 60})
+
+    world, books = booked(this, 1)
+
+    assert world.snapshot.velocity[:, 0] == pytest.approx(after, abs=1e-12)
+    assert abs(books.balance.unexplained) < 1e-12
+
+
+@pytest.mark.parametrize(("share", "after"), [(0.99, [-1.5, 3]), (1.01, [-1.5, -1.5])])
+def test_a_bounce_off_a_stop_breaks_a_weak_link(share: float, after: list[float]) -> None:
+    """The link would have to turn 1 kg back: 3 m/s before, half of that after it."""
+    bodies = {
+        "first": disc(mass=2, velocity=[3, 0]),
+        "second": disc((1.5, 0), mass=1, velocity=[3, 0]),
+    }
+    stop = {"type": "stop", "ends": ["first", [5, 0]], "direction": [1, 0]}
+    joints = {
+        "stop": {**stop, "range": [-9, -3], "restitution": 0.5},
+        "link": {"type": "rod", "ends": ["first", "second"], "breaks_at": 4.5 * 120 * share},
+    }
+
+    world, books = booked(level(bodies, {}, joints=joints, stepping={"rate": 120}), 1.2)
+
+    assert world.snapshot.velocity[:, 0] == pytest.approx(after, abs=1e-12)
+    assert abs(books.balance.unexplained) < 1e-12
+
+
+@pytest.mark.parametrize("effects", [{}, {"contact": {}, "rotation": {}}])
+def test_what_has_caught_breaks_when_its_force_has_grown(effects: dict[str, object]) -> None:
+    """The hook pulls 2 kg of 5: with 2/5 of 2000 (t - 0.6) N, which are 1200 N at 2.1 s."""
+    pull = {"body": "second", "force": ["2000*max(t - 0.6, 0)", 0], "name": "pull"}
+    this = level(
+        {"first": disc(mass=2, velocity=[4, 0]), "second": disc((3.017, 0), mass=3)},
+        {**effects, "force": [pull]},
+        joints={"hook": {"type": "weld", "ends": ["first", "second"], "breaks_at": 1200}},
+        events={"click": {"at": MEET, "tie": ["hook"]}},
+        stepping={"rate": 60},
+    )
+
+    world, _ = booked(this, 3)
+
+    assert world.scene.happened["hook breaks"] == pytest.approx(2.1, abs=1e-9)
+    assert world.snapshot.velocity[:, 0] == pytest.approx([451.6, 1621.6], rel=1e-9)
+
+
 @pytest.mark.parametrize("scheme", ["symplectic-euler", "explicit-euler"])
 def test_eulers_schemes_catch_at_a_step_and_keep_the_momentum(scheme: str) -> None:
     this = wagons()
@@ -210,7 +287,6 @@ def test_eulers_schemes_catch_at_a_step_and_keep_the_momentum(scheme: str) -> No
     [
         ({"type": "rod", "length": 2}, "is as long as it is found; leave out 'length'"),
         ({"type": "rod", "exact": False}, "must be exact; leave out 'exact'"),
-        ({"type": "rod", "breaks_at": 9}, "does not break"),
         ({"type": "spring", "stiffness": 9}, "must say the 'length' at which it is slack"),
     ],
 )

@@ -16,13 +16,14 @@ from functools import partial
 
 import numpy as np
 
-from sandbox.model.acting_events import Happening, happenings
+from sandbox.model.acting_events import Happening, happenings, loads
 from sandbox.model.expressions import Array
 from sandbox.physics.energy.step_record import StepRecord
 from sandbox.physics.energy.taut_ropes import reached
 from sandbox.physics.engine.batch import Booleans
 from sandbox.physics.events.drift_events import Part, acted, acted_at_a_step, stored
 from sandbox.physics.events.elastic_stops import Bounces
+from sandbox.physics.events.joint_breaking import borne_jolt
 from sandbox.physics.events.joint_impacts import Jolt, jolt
 from sandbox.physics.joints.joint_changes import catch, let_go
 from sandbox.physics.joints.joint_forces import Pulls, pulls_of
@@ -60,6 +61,7 @@ class Acting:
         found = happenings(level.events, level.joints, setup.values)
         self._pending = {name: one for name, one in found.items() if name not in scene.happened}
         self._waiting = Waiting(setup, self._pending)
+        self._borne = loads(level.joints, setup.values)
         self._bounces = Bounces.of(scene, level, setup.values, self._dt)
         self._laws = (*((scene.gravity,) if scene.gravity else ()), *scene.laws)
         self._fixed = scene.mass == 0
@@ -246,7 +248,8 @@ class Acting:
             if switch := scene.switches.get(changed):
                 switch.turn(t, on=changed in tie or changed in on)
         if sum(catch(scene.joints, joint, t) for joint in tie):
-            self._jolts.append(jolt(scene, t))
+            impact = borne_jolt(scene, t, self._borne, self._dt, partial(jolt, scene, t))
+            self._jolts.append(impact)
             assert scene.joints.together
             scene.joints.together.calm()
 
