@@ -8,11 +8,14 @@ from pygame_gui.elements import UIScrollingContainer
 from sandbox.app.cards.card import COLUMNS, INDENT, Card
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
+from sandbox.app.panels import controls
 from sandbox.app.panels.layout import divide
+from sandbox.app.runs.session import Session
 from sandbox.app.widgets.parameters import Parameters
 from sandbox.app.widgets.sheet import BAR, MARGIN
 from sandbox.model import catalog
 from sandbox.model.loading import load
+from tests.app import scenes
 
 LONGEST = 12
 """So many labels are tried, the longest that there are."""
@@ -55,3 +58,15 @@ def test_a_long_number_keeps_off_the_column_beside_it(pen: Pen) -> None:
     for share in (COLUMNS[0], COLUMNS[0] + COLUMNS[1]):
         border = round(INDENT + share * (WIDTH - INDENT))
         assert (drawn[border - 3 : border] == theme.PANEL).all()
+
+
+def test_a_speed_that_is_as_good_as_reached_is_not_told() -> None:
+    session = Session(scenes.level(duration=100))
+    session.toggle()
+
+    def noted(simulated: float) -> str:
+        session.pace.note(1.0, simulated, dropped=1)
+        return next(controls.notes(session))[0]
+
+    assert noted(0.97) == "of 100.00 s"
+    assert noted(0.5).startswith("running at 0.5×, not 1×")

@@ -32,6 +32,7 @@ WAYS: tuple[tuple[str, str], ...] = (("fit", later("Fit")), ("help", later("Help
 KNOB = 7.0  # px, the radius of what is dragged along the time
 REACH = 24  # px, how much higher than the bar of the time the area is that can be clicked on
 PADDING = 22  # px, beside the caption of a button, left and right together
+NEARLY = 0.95  # of the chosen speed, from which on nobody needs to be told that it is not reached
 
 
 class Controls:
@@ -130,8 +131,8 @@ class Controls:
         now = pen.write(f"t = {formatting.seconds(session.t)}", 15, bold=True)
         surface.blit(now, (area.x, middle - pen.px(20)))
         room = area.width - now.width - pen.px(10)
-        notes = (pen.write(text, 13, color) for text, color in _notes(session))
-        if note := next((note for note in notes if note.width <= room), None):
+        written = (pen.write(text, 13, color) for text, color in notes(session))
+        if note := next((note for note in written if note.width <= room), None):
             surface.blit(note, (area.right - note.width, middle - pen.px(18)))
         track = self._track
         pygame.draw.rect(surface, theme.RAISED, track, border_radius=2)
@@ -151,10 +152,10 @@ def _overlays() -> list[tuple[str, str]]:
     return [(each.name, each.caption) for each in OVERLAYS if each.caption]
 
 
-def _notes(session: Session) -> Iterator[tuple[str, theme.Color]]:
+def notes(session: Session) -> Iterator[tuple[str, theme.Color]]:
     """Yield what is said beside the time, the longest first: there may be no room for it."""
     reduced = session.pace.reduced if session.playing else None
-    if reduced is None:
+    if reduced is None or reduced > NEARLY * session.speed:
         yield say("of {time}", time=formatting.seconds(session.duration)), theme.DIM
         return
     message = say("running at {speed:.2g}×", speed=reduced)
