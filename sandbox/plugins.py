@@ -1,4 +1,4 @@
-"""Turns off the plug-ins of pydantic, of which the sandbox uses none."""
+"""Keeps pydantic from looking for plug-ins of its own, of which the sandbox uses none."""
 
 import os
 

@@ -4,6 +4,7 @@ import os
 import signal
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
+from concurrent.futures.process import BrokenProcessPool
 from itertools import islice
 from multiprocessing import get_all_start_methods, get_context
 from multiprocessing.connection import Connection
@@ -12,6 +13,7 @@ from threading import Thread
 from typing import TypeVar
 
 from sandbox import interrupts
+from sandbox.model.errors import SandboxError
 
 Item = TypeVar("Item")
 Result = TypeVar("Result")
@@ -57,6 +59,11 @@ def spread(
         They are begun in this order, and asked for only when a process is about to need them.
     jobs
         How many processes share them at the most; each is started when there is work for it.
+
+    Raises
+    ------
+    SandboxError
+        If one of the processes is ended from outside.
     """
     prepare()
     context = get_context(METHOD)
@@ -72,8 +79,13 @@ def spread(
                 break
             for done in wait(numbers, return_when=FIRST_COMPLETED).done:
                 yield numbers.pop(done), done.result()
-    except BaseException:
+    except BaseException as error:
         life.close()  # nobody waits for what they are at
+        if isinstance(error, BrokenProcessPool):
+            raise SandboxError(
+                "one of the processes that worked on it was ended from outside, perhaps for want"
+                " of memory"
+            ) from error
         raise
     finally:
         pool.shutdown(cancel_futures=True)

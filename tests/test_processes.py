@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 
 from sandbox.interrupts import ENDED, INTERRUPTED
+from sandbox.model.errors import SandboxError
 from sandbox.processes import spread
 from tests.elsewhere import PATIENCE, ROOT
 
@@ -75,3 +76,12 @@ def test_what_goes_wrong_in_another_process_is_raised_here() -> None:
 
 def divide(by: int) -> float:
     return 1 / by
+
+
+def test_a_process_that_is_ended_from_outside_is_told_in_a_sentence() -> None:
+    with pytest.raises(SandboxError, match="was ended from outside"):
+        list(spread(end, [signal.SIGKILL], 1))
+
+
+def end(number: int) -> None:
+    os.kill(os.getpid(), number)

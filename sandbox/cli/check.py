@@ -26,8 +26,10 @@ class Finding(NamedTuple):
     refused: bool
 
 
-def keep_checking(arguments: Sequence[str]) -> NoReturn:
+def keep_checking(arguments: Sequence[str], jobs: int = 1) -> NoReturn:
     """Check levels, and anew whenever one of their files changes, until the process is ended.
+
+    Processes share the levels the first time if there is more than one job.
 
     Raises
     ------
@@ -36,7 +38,7 @@ def keep_checking(arguments: Sequence[str]) -> NoReturn:
     """
     paths = [catalog.find(argument) for argument in arguments]
     watch = Watch(paths)
-    check(arguments)
+    check(arguments, jobs)
     while True:
         time.sleep(PAUSE)
         changed = watch.changed()  # what changes while it is checked is checked once more

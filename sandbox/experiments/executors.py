@@ -4,7 +4,6 @@ Dask's part is imported where a cluster is asked for.
 """
 
 from collections.abc import Callable, Iterable, Iterator
-from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager, suppress
 from itertools import islice
 from typing import TYPE_CHECKING, Protocol, TypeVar
@@ -61,14 +60,8 @@ class Cores:
 
     def results(self, work: Callable[[Item], Result], items: Iterable[Item]) -> Iterator[Result]:
         """Yield what comes of each item, as it comes."""
-        try:
-            for _, result in spread(work, items, self.jobs):
-                yield result
-        except BrokenProcessPool as error:
-            raise SandboxError(
-                "one of the processes that worked on it was ended from outside, perhaps for want"
-                " of memory"
-            ) from error
+        for _, result in spread(work, items, self.jobs):
+            yield result
 
 
 class Cluster:

@@ -29,7 +29,7 @@ def _docs(kind: type) -> Iterator[tuple[str, str]]:
     """Yield the names and texts of the fields that a class declares itself."""
     try:
         source = ast.parse(dedent(inspect.getsource(kind))).body[0]
-    except OSError:  # it is made of another class
+    except (OSError, TypeError):  # it is made of another class, or has no file
         return
     assert isinstance(source, ast.ClassDef)
     for field, below in pairwise(source.body):

@@ -98,6 +98,20 @@ def test_the_focus_stays_where_it_was_when_all_is_built_anew(
     assert person.window.panels.page == "graph page"
 
 
+@pytest.mark.all_levels
+def test_a_row_far_down_the_list_keeps_the_focus_when_the_window_changes(
+    person: Person, tmp_path: Path
+) -> None:
+    person.open(tmp_path, falling())
+    tab_to(person, "Wind")
+    person.resize((1200, 760))
+    person.wait(0.1)
+    after = focused(person)
+
+    assert isinstance(after, UIButton)
+    assert after.text == "Wind"
+
+
 def test_space_plays_where_no_button_has_the_focus(person: Person, tmp_path: Path) -> None:
     person.open(tmp_path, falling())
     tab_to(person, "Step")

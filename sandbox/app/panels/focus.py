@@ -33,6 +33,11 @@ class Focus:
         self._around: list[UIScrollingContainer] = []  # in which it is scrolled
         self._known = "", 0  # its words and its place, to find it again when all is built anew
 
+    @property
+    def lost(self) -> bool:
+        """Whether what had it is there no more, and is still to be found again."""
+        return self._at is not None and not _seen(self._at)
+
     def element(self, manager: UIManager, layout: Layout) -> Stop | None:
         """Return what has the focus; that which has taken its place where all was built anew."""
         if self._at is None or _seen(self._at):

@@ -115,6 +115,8 @@ class Panels:
         self._clear((size, layout.levels.width, tuple(entries)))
         if self.list is None and layout.levels.width:
             self.list = LevelList(manager, pen, layout.levels, entries, self._sought)
+            if self.focus.lost:  # maybe by a row out of sight, which is to have it again
+                self.list.complete()
         if self.list is not None:
             self.list.choose(path)
         self.side = None
@@ -163,7 +165,7 @@ class Panels:
             turned.turn(pages)
 
     def go_on(self, direction: int) -> None:
-        """Give the keyboard to the next widget, or to the one before."""
+        """Give the keyboard to the next widget, or to the one before: to rows out of sight, too."""
         if self.list is not None:
             self.list.complete()
         self.focus.go(self.manager, self.layout, direction)

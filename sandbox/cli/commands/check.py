@@ -5,8 +5,8 @@ from typing import Annotated
 
 import typer
 
-MANY = 20
-"""Levels from which on processes share the work: they take half a second to begin."""
+SHARE = 10
+"""How many levels are worth a process more, which takes half a second to begin."""
 
 
 def command(
@@ -29,11 +29,11 @@ def command(
     """
     from sandbox.processes import prepare  # what one command needs need not slow all
 
-    jobs = (os.cpu_count() or 1) if len(levels) >= MANY else 1
+    jobs = min(os.cpu_count() or 1, len(levels) // SHARE) or 1
     if jobs > 1:
         prepare("sandbox.cli.check", "sandbox.physics.advising.preflight")
     from sandbox.cli.check import check, keep_checking
 
     if watch:
-        keep_checking(levels)
+        keep_checking(levels, jobs)
     raise typer.Exit(check(levels, jobs))

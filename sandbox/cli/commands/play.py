@@ -19,7 +19,11 @@ def command(
     first_picture: FirstPictureOption = False,
 ) -> None:
     """Open a level in the window."""
-    gc.disable()  # up to the first picture nothing is lost: `Window.look_through`
+    if accuracy is None:  # else many worlds are made and lost before the window opens
+        gc.disable()  # up to the first picture nothing is lost: `Window.look_through`
     from sandbox.cli.play import play
 
-    play(level, set_ or [], accuracy, racing=race, once=first_picture)
+    try:
+        play(level, set_ or [], accuracy, racing=race, once=first_picture)
+    finally:
+        gc.enable()

@@ -41,7 +41,9 @@ class Within(NamedTuple):
 def kicks_within(
     divided: "Divided", begin: Instant, seen: Motion, inertia: Callable[[float], Array]
 ) -> Iterator[Within]:
-    """Yield the kicks between the parts of a drift, and what the next whole kick gives too much.
+    """Yield the kicks between the parts of a drift, of which there is one at least.
+
+    The last to be yielded takes back what the next whole kick gives too much.
 
     Laws act in a divided drift as they did in the kick before it. The kick after it is a whole one,
     though it begins in the middle of a part: that much is taken back before it.

@@ -112,6 +112,11 @@ def borne_jolt(
         The force at which those joints break that do, by name [N].
     jolt
         Finds the impulses; it is asked again after each joint that has broken.
+
+    Raises
+    ------
+    JointFailure, NoForces
+        If there are no such impulses.
     """
     found = jolt()
     while broken := _overloaded(scene, borne, dt, found):

@@ -63,7 +63,7 @@ def with_landing(
 
 
 def _thrown(kick: Kick, later: Array, moved: Array) -> Array:
-    """Return with what contacts press after the step whose bodies part in a landing: (r,).
+    """Return the impulses after the step of those contacts whose bodies part in a landing: (r,).
 
     What parts no faster than the forces after the step make it does so by them, not by the landing.
     """

@@ -108,7 +108,7 @@ class Direct:
         self.drifted: Divided | None = None
         self._given = self._calm.impulse  # (n,), by which bodies were stopped since the last kick
         self._solved: tuple[Kick, Array] | None = None  # the last kick with contacts, its impulses
-        self._later: tuple[Kick, Array] | None = None  # the same, its impulses after the step
+        self._later: tuple[Kick, Array] | None = None  # the kick now, its impulses after the step
 
     @property
     def contacts(self) -> Contacts:
