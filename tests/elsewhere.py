@@ -29,6 +29,12 @@ def python(
     )  # fmt: skip
 
 
+def move_home(folder: object) -> None:
+    """Let this process keep what a person has, such as settings, in a folder."""
+    for name in ("HOME", "XDG_DATA_HOME", "XDG_CACHE_HOME", "XDG_CONFIG_HOME"):
+        os.environ[name] = str(folder)
+
+
 def limited(seconds: float = 60.0) -> str:
     """Return a line of Python from which on a process lasts so long at the most [s].
 

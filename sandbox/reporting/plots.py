@@ -64,9 +64,17 @@ def logarithmic(axes: Axes) -> None:
     axes.grid(visible=True)
 
 
-def legend_below(figure: Figure, axes: Axes) -> None:
-    """Say what the curves of some axes are: under the figure, where it covers none of them."""
-    figure.legend(*axes.get_legend_handles_labels(), loc="outside lower center", ncols=4)
+def legend_below(figure: Figure, axes: Axes, columns: int = 4) -> None:
+    """Say what the curves of some axes are, each label once, if any has one.
+
+    That stands under the figure, whose layout is constrained, and covers no curve.
+    """
+    handles, labels = axes.get_legend_handles_labels()
+    unique = dict(zip(labels, handles, strict=True))
+    if unique:
+        figure.legend(
+            list(unique.values()), list(unique), loc="outside lower center", ncols=columns
+        )
 
 
 def power(value: float, _: object = None) -> str:

@@ -37,6 +37,7 @@ from sandbox.model.errors import SandboxError
 from sandbox.model.files import write_atomically
 from sandbox.model.loading import load
 from sandbox.physics.accuracy.cache import calibrated
+from tests.elsewhere import move_home
 from validation import cases, cli
 from validation.report import command, parts  # noqa: F401 (as above)
 
@@ -185,9 +186,7 @@ class Workplace:
     def _enter(self) -> None:
         os.setsid()
         os.chdir(self.folder)
-        home = str(self.folder / "home")
-        for name in ("HOME", "XDG_DATA_HOME", "XDG_CACHE_HOME", "XDG_CONFIG_HOME"):
-            os.environ[name] = home
+        move_home(self.folder / "home")
         nowhere = os.open(os.devnull, os.O_RDWR)
         for stream in (0, 1, 2):
             os.dup2(nowhere, stream)

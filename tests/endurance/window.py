@@ -28,6 +28,7 @@ from sandbox.app.files.preferences import Preferences
 from sandbox.app.pages.register import PAGES
 from sandbox.app.window import Window
 from sandbox.model import catalog
+from tests.elsewhere import move_home
 from tests.endurance.memory import held
 from validation.fuzz.command import made
 from validation.fuzz.mutation import mutated
@@ -166,8 +167,7 @@ def _reading(window: Window) -> float:
 def main(events: int = 100_000, seed: int = 0) -> None:
     """Post so many events, and tell how memory went."""
     with tempfile.TemporaryDirectory() as folder:
-        for name in ("HOME", "XDG_DATA_HOME", "XDG_CACHE_HOME", "XDG_CONFIG_HOME"):
-            os.environ[name] = folder
+        move_home(folder)
         readings = _readings(events, seed, Path(folder))
     grown = median(readings[-LAST:]) - median(readings[1 : 1 + LAST])
     typer.echo(f"grown by {grown:.1f} MB from the first readings to the last; {LEAK:g} may be")

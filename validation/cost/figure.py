@@ -46,10 +46,7 @@ def diagram(sweep: Sweep) -> Figure:
         axes.set(
             xlabel="ms of computing for a second of the scene", ylabel="largest error of the run"
         )
-        handles, labels = axes.get_legend_handles_labels()
-        unique = dict(zip(labels, handles, strict=True))
-        if unique:
-            figure.legend(list(unique.values()), list(unique), loc="outside lower center", ncols=2)
+        plots.legend_below(figure, axes, columns=2)
     return figure
 
 

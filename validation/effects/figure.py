@@ -26,7 +26,7 @@ def diagram(costs: Sequence[EffectCost]) -> Figure:
             )  # fmt: skip
         plots.logarithmic(axes)
         axes.set(xlabel="bodies", ylabel="µs a step")
-        figure.legend(loc="outside lower center", ncols=3)
+        plots.legend_below(figure, axes, columns=3)
     return figure
 
 

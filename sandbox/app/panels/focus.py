@@ -40,7 +40,7 @@ class Focus:
 
     def element(self, manager: UIManager, layout: Layout) -> Stop | None:
         """Return what has the focus; that which has taken its place where all was built anew."""
-        if self._at is None or _seen(self._at):
+        if not self.lost:
             return self._at
         words, place = self._known
         alike = [(abs(i - place), each) for i, each in enumerate(stops(manager, layout))

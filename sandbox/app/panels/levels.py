@@ -1,6 +1,6 @@
 """The list of levels, by chapter, with a search field."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 
 import pygame
@@ -161,13 +161,16 @@ class LevelList:
         if top == self._seen:
             return
         self._seen = top
-        for level, y in self._tops.items():
-            if top - self._px(ROW) < y < top + height and level not in self.rows:
-                self.rows[level] = self._row(level)
+        above = top - self._px(ROW)
+        self._make(level for level, y in self._tops.items() if above < y < top + height)
 
     def complete(self) -> None:
         """Make all rows of what is found."""
-        for level in self._tops:
+        self._make(self._tops)
+
+    def _make(self, levels: Iterable[Entry]) -> None:
+        """Make the rows of some levels, as far as they are not there yet."""
+        for level in levels:
             if level not in self.rows:
                 self.rows[level] = self._row(level)
 

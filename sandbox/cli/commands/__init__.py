@@ -4,8 +4,6 @@ A module has one function, `command`. What that does is imported when it is call
 commands has to be there at once.
 """
 
-import gc
-
 import typer
 
 from sandbox.cli.commands import (
@@ -66,7 +64,7 @@ def start(context: typer.Context) -> None:
     Exit status: 0 if all is well, 1 if a check or a level failed, 2 for wrong usage.
     """
     if context.invoked_subcommand is None:
-        gc.disable()  # up to the first picture nothing is lost: `Window.look_through`
-        from sandbox.cli.play import open_sandbox
+        with play.uncollected():
+            from sandbox.cli.play import open_sandbox
 
-        raise typer.Exit(open_sandbox())
+            raise typer.Exit(open_sandbox())

@@ -12,7 +12,7 @@ from typing import Self
 
 import numpy as np
 
-from sandbox.model.acting_events import bouncing, loads
+from sandbox.model.acting_events import bouncing
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level
 from sandbox.physics.engine.batch import Booleans
@@ -58,11 +58,12 @@ class Bounces:
         self._begin()
 
     @classmethod
-    def of(cls, scene: Scene, level: Level, values: Values, dt: float) -> Self | None:
+    def of(
+        cls, scene: Scene, level: Level, values: Values, borne: Mapping[str, float], dt: float
+    ) -> Self | None:
         """Return that of a scene; None if nothing in it bounces off a stop."""
         sides = scene.joints.elastic
         restitution = {name: e(values) for name, e in bouncing(level.joints)}
-        borne = loads(level.joints, values)
         return cls(scene, sides, restitution, borne, dt) if sides else None
 
     def _begin(self) -> None:

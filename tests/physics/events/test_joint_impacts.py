@@ -1,6 +1,8 @@
 """Joints that catch: what they hold from then on, and what the impact of that takes."""
 
+from collections.abc import Mapping
 from math import pi, sqrt
+from typing import Any
 
 import numpy as np
 import pytest
@@ -17,15 +19,27 @@ MEET = {"event": "crossing", "quantity": "hook.length", "value": 1.2, "direction
 
 
 def wagons(
-    m1: float = 2, m2: float = 3, v: float = 4, rate: float = 60, kind: str = "weld", **more: object
+    m1: float = 2,
+    m2: float = 3,
+    v: float = 4,
+    rate: float = 60,
+    kind: str = "weld",
+    *,
+    effects: Mapping[str, Any] | None = None,
+    bodies: Mapping[str, Any] | None = None,
+    joints: Mapping[str, Any] | None = None,
+    **more: object,
 ) -> Level:
-    bodies = {
-        "first": disc(mass=m1, velocity=[v, 0]),
-        "second": disc((3.017, 0), mass=m2),
-    }
-    joints = {"hook": {"type": kind, "ends": ["first", "second"], **more}}
-    events = {"click": {"at": MEET, "tie": ["hook"]}}
-    return level(bodies, {}, joints=joints, events=events, stepping={"rate": rate})
+    """Return two wagons that are hooked to each other as they meet, and more beside them."""
+    two = {"first": disc(mass=m1, velocity=[v, 0]), "second": disc((3.017, 0), mass=m2)}
+    hook = {"type": kind, "ends": ["first", "second"], **more}
+    return level(
+        {**two, **(bodies or {})},
+        effects or {},
+        joints={"hook": hook, **(joints or {})},
+        events={"click": {"at": MEET, "tie": ["hook"]}},
+        stepping={"rate": rate},
+    )
 
 
 @pytest.mark.sweep
@@ -220,14 +234,8 @@ def test_a_coupling_breaks_before_it_gives_anything_if_it_bears_less_than_the_im
 def test_what_catches_breaks_a_weak_link_behind_it(share: float, after: list[float]) -> None:
     """The link would have to give the third its share of the momentum, 5 kg · 0.8 m/s."""
     link = {"type": "rod", "ends": ["second", "third"], "breaks_at": 4 * 60 * share}
-    bodies = {
-        "first": disc(mass=2, velocity=[4, 0]),
-        "second": disc((3.017, 0), mass=3),
-        "third": disc((5, 0), mass=5),
-    }
-    joints = {"hook": {"type": "rod", "ends": ["first", "second"]}, "link": link}
-    events = {"click": {"at": MEET, "tie": ["hook"]}}
-    this = level(bodies, {}, joints=joints, events=events, stepping={"rate": 60})
+    third = disc((5, 0), mass=5)
+    this = wagons(kind="rod", bodies={"third": third}, joints={"link": link})
 
     world, books = booked(this, 1)
 
@@ -258,13 +266,7 @@ def test_a_bounce_off_a_stop_breaks_a_weak_link(share: float, after: list[float]
 def test_what_has_caught_breaks_when_its_force_has_grown(effects: dict[str, object]) -> None:
     """The hook pulls 2 kg of 5: with 2/5 of 2000 (t - 0.6) N, which are 1200 N at 2.1 s."""
     pull = {"body": "second", "force": ["2000*max(t - 0.6, 0)", 0], "name": "pull"}
-    this = level(
-        {"first": disc(mass=2, velocity=[4, 0]), "second": disc((3.017, 0), mass=3)},
-        {**effects, "force": [pull]},
-        joints={"hook": {"type": "weld", "ends": ["first", "second"], "breaks_at": 1200}},
-        events={"click": {"at": MEET, "tie": ["hook"]}},
-        stepping={"rate": 60},
-    )
+    this = wagons(effects={**effects, "force": [pull]}, breaks_at=1200)
 
     world, _ = booked(this, 3)
 

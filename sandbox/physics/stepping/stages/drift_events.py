@@ -62,7 +62,7 @@ class Acting:
         self._pending = {name: one for name, one in found.items() if name not in scene.happened}
         self._waiting = Waiting(setup, self._pending)
         self._borne = loads(level.joints, setup.values)
-        self._bounces = Bounces.of(scene, level, setup.values, self._dt)
+        self._bounces = Bounces.of(scene, level, setup.values, self._borne, self._dt)
         self._laws = (*((scene.gravity,) if scene.gravity else ()), *scene.laws)
         self._fixed = scene.mass == 0
         self._past: tuple[Pulls, Pulls] | None = None  # in the last kick, and in that before it
