@@ -8,6 +8,7 @@ differences are no part of the impact itself.
 """
 
 from collections.abc import Sequence
+from typing import NamedTuple
 
 import numpy as np
 
@@ -51,15 +52,53 @@ def with_landing(
     """
     *before, rest = parts
     pulled = sum((part.pulls for part in parts), np.zeros_like(rest.pulls)) > 0
-    thrown = _thrown(kick, later, landed.moved)
-    strikes = _strikes(landed, thrown @ kick.response, pulled)
-    jump = strikes @ landed.kick.response + thrown @ kick.response
-    impact = Stage.of(landed.kick, 0.0, before[-1].velocity + jump[order], strikes)
-    impact = impact._replace(contacts=_added(impact.contacts, kick.pushing(thrown)))
+    begun = np.empty_like(landed.moved)
+    begun[order] = before[-1].velocity
+    impact = _Impact.of(kick, _thrown(kick, later, landed.moved), landed, pulled)
+    if impact.work(begun) > 0:  # none gives energy: what parts there is pressed on afterwards, too
+        impact = _Impact.of(kick, np.zeros_like(later), landed, pulled)
+    struck = Stage.of(landed.kick, 0.0, (begun + impact.jump)[order], impact.strikes)
+    struck = struck._replace(contacts=_added(struck.contacts, kick.pushing(impact.thrown)))
     gained = landed.impulse @ landed.kick.response
-    rest = Stage.of(kick, rest.lasts, rest.velocity + gained[order], later - thrown)
-    holds = (landed.impulse - strikes)[kick.layout.joints]
-    return *before, impact, rest._replace(pulls=rest.pulls + holds)
+    rest = Stage.of(kick, rest.lasts, rest.velocity + gained[order], later - impact.thrown)
+    holds = (landed.impulse - impact.strikes)[kick.layout.joints]
+    return *before, struck, rest._replace(pulls=rest.pulls + holds)
+
+
+class _Impact(NamedTuple):
+    """The impact of a landing.
+
+    Attributes
+    ----------
+    kick, landed
+        The kick in whose middle it is, and what comes down.
+    thrown
+        (r,), the impulses of the kick that belong to it.
+    strikes
+        (r,), the impulses of the landing that do.
+    """
+
+    kick: Kick
+    landed: Landed
+    thrown: Array
+    strikes: Array
+
+    @classmethod
+    def of(cls, kick: Kick, thrown: Array, landed: Landed, pulled: Booleans) -> "_Impact":
+        """Return an impact in which these impulses of the kick are thrown off; see `_strikes`."""
+        return cls(kick, landed, thrown, _strikes(landed, thrown @ kick.response, pulled))
+
+    @property
+    def jump(self) -> Array:
+        """(3 N,), by how much it changes velocities [m/s, rad/s]."""
+        thrown: Array = self.thrown @ self.kick.response
+        return thrown + self.strikes @ self.landed.kick.response
+
+    def work(self, begun: Array) -> float:
+        """Return what it gives bodies of velocities (3 N,) [J]."""
+        thrown: Array = self.thrown @ self.kick.here.jacobian
+        given = thrown + self.strikes @ self.landed.kick.here.jacobian
+        return float(given @ (begun + self.jump / 2))
 
 
 def _thrown(kick: Kick, later: Array, moved: Array) -> Array:
