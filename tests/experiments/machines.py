@@ -8,7 +8,6 @@ import time
 
 from tests.elsewhere import PATIENCE, ROOT
 
-
 UNWATCHED = {"DASK_DISTRIBUTED__WORKER__PROFILE__ENABLED": "False"}
 """What the documents set for workers: else each looks a hundred times a second what it is doing."""
 
