@@ -77,7 +77,7 @@ def test_what_is_not_is_one(bad: Trial) -> None:
 
 
 @pytest.mark.sweep
-@pytest.mark.parametrize("seed", [1, 1000])
+@pytest.mark.parametrize("seed", [1, 15])
 def test_a_trial_is_the_same_twice(seed: int) -> None:
     """What it says but for the cost, which is measured."""
     first, second = trial(seed), trial(seed)

@@ -7,27 +7,32 @@ from numpy.typing import ArrayLike
 
 from validation.formulas.arrays import Array
 
-STEP = 1e-3
-"""The longest step; its error is of fourth order."""
+RELATIVE, ABSOLUTE = 2.3e-14, 1e-15
+"""By how much a step may be off, of what it leads to, and of what is next to nothing: about the
+hundred roundings that SciPy takes at the least."""
 
 
 def solution(slope: Callable[[Array], Array], start: Array, t: ArrayLike) -> Array:
-    """Return what y' = slope(y) leads to at rising times: (k, T), from start at time 0.
+    """Return what y' = slope(y) leads to at times of any order: (k, T), from start at time 0.
 
-    The classical method of Runge and Kutta (1901), in steps no longer than `STEP` of the unit that
-    the times have: choose it so that nothing changes much in a hundredth of it.
+    By the method of eighth order of Dormand and Prince, DOP853 of Hairer, Nørsett and Wanner
+    (Solving Ordinary Differential Equations I, 1993), as SciPy has it.
+
+    Raises
+    ------
+    ArithmeticError
+        If no step is short enough to go on.
     """
-    times = np.atleast_1d(np.asarray(t, dtype=float))
-    y, now = start, 0.0
-    found = np.empty((len(start), len(times)))
-    for i, then in enumerate(times):
-        steps = max(int(np.ceil((then - now) / STEP)), 1)
-        h = (then - now) / steps
-        for _ in range(steps):
-            a = slope(y)
-            b = slope(y + h / 2 * a)
-            c = slope(y + h / 2 * b)
-            d = slope(y + h * c)
-            y = y + h / 6 * (a + 2 * b + 2 * c + d)
-        found[:, i], now = y, float(then)
-    return found if np.ndim(t) else found[:, 0]
+    from scipy.integrate import solve_ivp  # takes a third of a second to load
+
+    times, places = np.unique(np.asarray(t, dtype=float), return_inverse=True)
+    found = start[:, None]
+    if times[-1] > 0:
+        solved = solve_ivp(
+            lambda _, y: slope(y), (0.0, times[-1]), start, "DOP853", times,
+            rtol=RELATIVE, atol=ABSOLUTE,
+        )  # fmt: skip
+        if not solved.success:
+            raise ArithmeticError(solved.message)
+        found = solved.y
+    return np.asarray(found[:, places.reshape(np.shape(t))])

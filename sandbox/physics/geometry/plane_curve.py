@@ -182,11 +182,13 @@ class Course:
 
     def _cut(self) -> tuple[Stretch, ...]:
         """Return the stretches: from one bend to the next, and none turns by much."""
-        feet = [self.look(float(at)) for at in range(0, self._curve.count + 1, KNOT)]
+        _, slope, bend = self._curve.over(np.arange(0, self._curve.count + 1, KNOT))
+        speed = np.abs(slope)
         size = float(np.abs(self._knots - self._knots[0]).max())
-        bends = np.array([foot.bend for foot in feet])
+        bends = (slope.conj() * bend).imag / speed**3
+        bends[np.abs(bends) < FLATTEST] = FLATTEST
         bends[np.abs(bends) * size < QUADRATIC] = 0.0
-        turns = np.abs(np.angle([b.tangent / a.tangent for a, b in pairwise(feet)]))
+        turns = np.abs(np.angle(slope[1:] / slope[:-1]))
         cuts = _cuts(bends, turns)
         return tuple(self._stretch(a, b, bends[a : b + 1]) for a, b in pairwise(cuts))
 

@@ -3,12 +3,15 @@
 The parameter counts the pieces between the points. The plane is complex here.
 """
 
+from functools import cached_property
+
 import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
 
 from sandbox.model.expressions import Values
 from sandbox.model.joints import Wire
 from sandbox.model.wires import PIECES, Points, along, graded, is_closed
+from sandbox.physics.engine.batch import Integers
 
 _FIT = np.linalg.inv(np.vander(np.arange(-2.0, 4.0), increasing=True))
 _BEFORE = np.array([6.0, -15.0, 20.0, -15.0, 6.0, -1.0])
@@ -31,8 +34,25 @@ class Quintics:
 
     def __init__(self, points: Points) -> None:
         self.closed = is_closed(points)
-        self._pieces: list[list[complex]] = _quintics(points, self.closed).tolist()
-        self.count = len(self._pieces)
+        self._table = _quintics(points, self.closed)
+        self.count = len(self._table)
+
+    @cached_property
+    def _pieces(self) -> list[list[complex]]:
+        """The coefficients of each piece, which a run asks for one by one."""
+        pieces: list[list[complex]] = self._table.tolist()
+        return pieces
+
+    def over(self, places: Integers) -> tuple[Points, Points, Points]:
+        """Return what `at` does at the ends of pieces, (k,), all at once."""
+        piece = np.minimum(places, self.count - 1)
+        u = places - piece
+        a, b, c, d, e, f = self._table[piece].T
+        return (
+            a + u * (b + u * (c + u * (d + u * (e + u * f)))),
+            b + u * (2 * c + u * (3 * d + u * (4 * e + u * 5 * f))),
+            2 * c + u * (6 * d + u * (12 * e + u * 20 * f)),
+        )
 
     def at(self, place: float) -> tuple[complex, complex, complex]:
         """Return the point [m], and its first and second derivative by the number of pieces."""

@@ -1,6 +1,7 @@
 """The system of all exact joints of a scene, over the coordinates of its bodies."""
 
 from collections.abc import Sequence
+from functools import cached_property
 
 import numpy as np
 
@@ -44,8 +45,6 @@ class JointSystem:
         The tables of all equations.
     length
         (m,), what each keeps, but for what changes with time [m, rad].
-    band
-        The equations as a band, where that is cheaper; else None.
     bodies
         Those that each equation is about; the plane is the last of all, or −1.
     origin
@@ -84,11 +83,13 @@ class JointSystem:
         self._joints, self.alike = equations.names, equations.alike
         self._pulls_only = equations.pulls_only
         self._unilateral = bool(self._pulls_only.any())
-        self.band = self._banded(len(self._joints))
+        self.__dict__.pop("band", None)  # it was that of the equations before
         self.bodies = equations.bodies(self.place())
 
-    def _banded(self, count: int) -> Banded | None:
-        """Return the equations as a band, where there are many and each meets but a few."""
+    @cached_property
+    def band(self) -> Banded | None:
+        """The equations as a band, where there are many and each meets but a few."""
+        count = len(self._joints)
         if count < FEWEST or self.equations.others or self._unilateral:
             return None
         band = Banded(self.reaches, count, self.inverse)
