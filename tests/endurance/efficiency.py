@@ -2,7 +2,7 @@
 
 Each is run by one process, by two, and some by a local Dask cluster of two workers, in turns.
 Printed is the time of one over twice the time of two: the median of some rounds, and the least and
-the most of them. It takes ten minutes, and says something on an idle machine of two cores only.
+the most of them. It takes half an hour, and says something on an idle machine of two cores only.
 """
 
 import re
@@ -30,8 +30,8 @@ class Case(NamedTuple):
 
 CASES = (
     Case(
-        "projectile, 20,001 throws",
-        ("kinematics/projectile", "--vary", "angle=5:85:20001", "--measure", "t@landing"),
+        "projectile, 60,001 throws",
+        ("kinematics/projectile", "--vary", "angle=5:85:60001", "--measure", "t@landing"),
         clustered=True,
     ),
     Case(
