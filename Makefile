@@ -18,6 +18,8 @@ PY := $(VENV)/bin/python
 PIP_INSTALL := $(PY) -m pip install -q --disable-pip-version-check --no-input
 # No window, no sound; and threads inside of NumPy would only contend with the test processes.
 HEADLESS := SDL_VIDEODRIVER=dummy SDL_AUDIODRIVER=dummy OPENBLAS_NUM_THREADS=1
+# An environment that is active where this is called is not the one in which anything runs here.
+unexport VIRTUAL_ENV
 
 # Each stamp says that the environment holds what its name says, as pyproject.toml asks for it.
 FOR_RUN := $(VENV)/.ready-to-run
