@@ -12,9 +12,10 @@ pushed out on the wrong side. It has gone through as one does that goes through 
 where that may be, its impacts are to be located.
 """
 
-from cmath import rect
+from cmath import nan, rect
 from collections.abc import Mapping
 from itertools import pairwise
+from math import isfinite
 from operator import itemgetter
 from typing import NamedTuple
 
@@ -169,7 +170,8 @@ class Gates:
 
 
 def _placed(body: pymunk.Body) -> Placed:
-    return complex(*body.position), rect(1, body.angle)
+    turned = rect(1, body.angle) if isfinite(body.angle) else complex(nan, nan)
+    return complex(*body.position), turned  # one that is nowhere is told of after the step
 
 
 def _gate(spec: Body, row: int, values: Values, skin: float) -> _Gate:

@@ -326,7 +326,7 @@ def nearest(core: Sequence[complex], place: complex) -> complex:
     for i, b in enumerate(core):
         a = core[i - 1]
         along = b - a
-        share = dot(place - a, along) / dot(along, along)
+        share = dot(place - a, along) / (dot(along, along) or 1.0)  # far away, ends are the same
         near = a + along * min(max(share, 0.0), 1.0)
         if abs(near - place) < abs(best - place):
             best = near

@@ -11,6 +11,7 @@ from sandbox.model.errors import LevelError
 from sandbox.model.expressions import Array
 from sandbox.model.level import Level
 from sandbox.physics.run import build
+from sandbox.physics.state.errors import SimulationError
 from tests.physics.scenes import GRAVITY, Spec, box, disc, fixed, floor, level
 
 Said = dict[str, Any]
@@ -225,6 +226,32 @@ def test_what_cannot_be_one_way_is_told(said: Said, told: str) -> None:
     line = {**fixed(LINES["segment"], one_way="left"), **said}
     with pytest.raises(LevelError, match=told):
         level({"ball": disc((0, 3)), "line": line}, {**GRAVITY, "contact": {}})
+
+
+def test_a_surface_that_turns_without_end_is_told_by_name() -> None:
+    """Its angle is not finite, and where bodies are was looked at before that was told."""
+    line = {"shape": LINES["segment"], "mass": 1, "one_way": "left"}
+    pushed: Said = {"contact": {}, "rotation": {}, "torque": [{"body": "line", "torque": "1/t"}]}
+    world = build(level({"ball": disc((0, 3)), "line": line}, pushed))
+
+    with pytest.raises(SimulationError, match="'line' is no longer anywhere finite"):
+        world.advance()
+
+
+def test_a_surface_so_far_away_that_its_ends_are_one_point_moves_on() -> None:
+    """Which of its points was nearest was asked of a line of no length."""
+    line = {"shape": {"type": "polyline", "points": [[0, 1.45], [0.1, -1]]}, "mass": 1}
+    plate = fixed({"type": "box", "width": 0.5, "height": 0.1})
+    pushed: Said = {
+        "contact": {"solver": "direct"},
+        "rotation": {},
+        "force": [{"body": "line", "force": [1e35, 2.42]}],
+    }
+    world = build(level({"line": line | {"one_way": "left"}, "plate": plate}, pushed))
+
+    moved = world.advance(8).position[0, 0]
+
+    assert moved == pytest.approx(1e35 * world.t**2 / 2, rel=1e-9)
 
 
 def test_a_one_way_surface_needs_contact_and_nothing_sticks_to_it() -> None:

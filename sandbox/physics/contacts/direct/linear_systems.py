@@ -98,6 +98,8 @@ def least_distance(limits: Array, least: Array) -> Array | None:
 
     if not limits.shape[1]:
         return None
+    if not len(limits):  # SciPy 1.17 frees memory twice at a table of no columns
+        return np.zeros(limits.shape[1])
     size = np.abs(least).max(initial=0.0) or 1.0
     wanted = np.zeros(limits.shape[1] + 1)
     wanted[-1] = 1.0
