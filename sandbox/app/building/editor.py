@@ -261,7 +261,7 @@ class Editor:
     def back(self, session: Session) -> None:
         """Go back to the start, and to building; the run can be come back to."""
         if self.trying(session):
-            self.trial.leave(session, self.work.draft.text)
+            self.trial.leave(session)
             session.restart()
             session.pause()
             session.forget_earlier()
@@ -269,6 +269,8 @@ class Editor:
 
     def come_back(self, session: Session) -> None:
         """Go on with the run of this level that was left."""
+        if self.running:
+            self.settle(session)
         if not self.refusal:
             self.trial.come_back(session, self.work.draft.text)
         self._look_at(session)

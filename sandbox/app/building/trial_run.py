@@ -38,8 +38,9 @@ class Trial:
         self._undone: list[Action] = []
         self._latest: str | None = None  # the text whose run was left last, and undone so
 
-    def leave(self, session: Session, text: str) -> None:
+    def leave(self, session: Session) -> None:
         """Note a run before it is left for its start."""
+        text = session.original.text
         steps = session.world.steps if session.sought is None else session.sought
         if steps:
             run = Run(tuple(session.actions), steps, session.begun_with, session.t)

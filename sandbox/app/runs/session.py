@@ -85,6 +85,14 @@ class Session(Playback):
         changed = self.companions or self.earlier or self.run.actions
         return bool(changed) or (self.level, self.values) != self._opened
 
+    def values_for(self, level: Level) -> Values:
+        """Return the parameters of a level: the present ones, as far as the run has them.
+
+        One that was changed on the way may have others than it began with.
+        """
+        known = {**level.defaults, **self.begun_with, **self.values}
+        return {name: known[name] for name in level.parameters}
+
     def restart(self, settings: Mapping[str, float] | None = None) -> None:
         """Start anew, with some parameters changed.
 
@@ -93,9 +101,7 @@ class Session(Playback):
         ValueRangeError
             If a parameter cannot have that value.
         """
-        level = self.begun_as
-        now = {name: value for name, value in self.values.items() if name in level.parameters}
-        values = choose(level, {**self.begun_with, **now, **(settings or {})})
+        values = choose(self.begun_as, {**self.values_for(self.begun_as), **(settings or {})})
         if values != self.values and self.world.steps:
             self.run.keep_as_earlier(values)
         try:
@@ -233,7 +239,7 @@ class Session(Playback):
         SandboxError
             If one of them cannot be run; then all stays as it was.
         """
-        begun = self._built(level, beside, self.values if values is None else values)
+        begun = self._built(level, beside, self.values_for(level) if values is None else values)
         self.begun_as, self.changes = level, changes
         self._take_up(LiveRun(self.original, begun))
 

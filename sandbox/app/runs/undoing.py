@@ -114,8 +114,8 @@ def setup(session: Session) -> Setup:
     branches = [Branch(a.step, a.parameters) for a in session.actions if a.kind == "branch"]
     beside = [companion.variant for companion in session.companions]
     return Setup(
-        session.begun_as, session.changes, beside, session.begun_with, branches, session.values,
-        session.speed,
+        session.begun_as, session.changes, beside, session.begun_with, branches,
+        session.values_for(session.begun_as), session.speed,
     )  # fmt: skip
 
 

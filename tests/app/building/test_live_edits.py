@@ -1,5 +1,7 @@
 """Things are thrown into a run while it goes, taken out and set; and the run is kept."""
 
+from typing import Any
+
 import pygame
 import pytest
 
@@ -177,6 +179,30 @@ def test_who_goes_back_to_building_can_come_back_to_the_run(running: Builder) ->
     running.act(f"Back to the run at {t:.2f} s")
     until(running.person, lambda: session.sought is None)
 
+    assert fingerprint(session.world.snapshot) == late
+
+
+def test_the_run_that_is_come_back_to_is_one_of_the_level_that_it_was_left_of(
+    running: Builder,
+) -> None:
+    """Between two frames, what was built last is taken back, and the run before it done again."""
+    running.key(pygame.K_SPACE, " ")
+    session = running.person.session
+    steps, late = session.world.steps, fingerprint(session.world.snapshot)
+    running.control("z")
+    text = running.editor.work.draft.text
+    running.at(*session.world.snapshot.position[1].tolist())
+    running.key(pygame.K_UP)
+    until(running.person, lambda: session.original.text == running.editor.work.draft.text != text)
+
+    for letter in "zy":
+        key = pygame.key.key_code(letter)
+        said: dict[str, Any] = {"key": key, "unicode": "", "mod": pygame.KMOD_LCTRL, "scancode": 0}
+        pygame.event.post(pygame.Event(pygame.KEYDOWN, **said))
+    running.person.wait(0.5)
+    until(running.person, lambda: session.sought is None)
+
+    assert (session.original.text, session.world.steps) == (text, steps)
     assert fingerprint(session.world.snapshot) == late
 
 

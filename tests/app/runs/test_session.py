@@ -7,9 +7,11 @@ import pytest
 
 from sandbox.app.runs.pace import SPEEDS, Pace
 from sandbox.app.runs.session import Session
+from sandbox.editing.run_as_level import as_it_stands
+from sandbox.model import catalog
 from sandbox.model.crowd_levels import crowd
 from sandbox.model.errors import ValueRangeError
-from sandbox.model.loading import parse
+from sandbox.model.loading import load, parse
 from sandbox.physics.measuring.recording import count_steps
 from sandbox.physics.run import build
 from tests.app import scenes
@@ -340,3 +342,23 @@ def test_a_run_that_is_lost_does_not_go_on() -> None:
 
     assert session.failure is not None
     assert not session.playing
+
+
+def test_a_run_with_parameters_of_its_own_begins_anew_in_any_form_of_its_level() -> None:
+    """A run that is changed on the way has others than its level, and lacks those that are used up.
+
+    Played in another form with these, it left the window with an exception when it began anew.
+    """
+    session = Session(load(catalog.find("newton/incline")))
+    session.step()
+    changed = json.loads(as_it_stands(session.world, anew=False))
+    changed["parameters"]["F"] = {"value": 1, "min": 0.5, "max": 2}
+    changed["bodies"]["block"]["mass"] = "F*mass"
+    session.alter(json.dumps(changed))
+    assert session.values.keys() != session.original.parameters.keys()
+
+    session.play_as(session.original)
+    session.restart()
+
+    assert session.failure is None
+    assert session.values == session.original.defaults

@@ -51,7 +51,9 @@ def toggle(session: Session) -> None:
         If one of them cannot be run; then all stays as it was.
     """
     original = whatif.at_its_pace(session)
-    session.play_as(original, [] if racing(session) else rivals(original, session.values))
+    session.play_as(
+        original, [] if racing(session) else rivals(original, session.values_for(original))
+    )
 
 
 def rivals(level: Level, values: Values) -> list[Variant]:
