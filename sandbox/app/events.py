@@ -155,11 +155,11 @@ class Events:
         assert side is not None
         if change.value is None:
             banner.tell(say("'{typed}' is not a number", typed=change.typed))
-        elif change.value != session.values.get(change.name):
+        elif change.value != session.chosen[change.name]:
             try:
                 session.change({change.name: change.value}, otherwise=change.shifted)
                 banner.tell("")
             except SandboxError as error:
                 banner.tell(str(error))
-        side.parameters.show(session.values)
+        side.parameters.show(session.chosen)
         side.parameters.revert()

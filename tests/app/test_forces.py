@@ -1,5 +1,6 @@
 """Given forces as arrows, and the hand that drags their tips."""
 
+import json
 from pathlib import Path
 
 import pygame
@@ -7,6 +8,7 @@ import pytest
 
 from sandbox.app.drawing import theme
 from sandbox.app.stage.forces import Arrow, Forces
+from sandbox.editing.run_as_level import as_it_stands
 from sandbox.model import catalog
 from sandbox.model.loading import load
 from sandbox.model.shapes import XY
@@ -166,6 +168,24 @@ def test_a_force_along_one_axis_follows_the_mouse_along_it(person: Person, tmp_p
     person.drag(tip(person, (5, 0), (0, 5)), tip(person, (9, 4), (0, 5)))
 
     assert person.session.values["F"] == pytest.approx(9, abs=0.11)
+
+
+def test_a_force_that_the_run_alone_has_as_a_parameter_stays_as_it_is(
+    person: Person, tmp_path: Path
+) -> None:
+    """Its level could not begin anew with it, and that left the window."""
+    pushed(person, tmp_path, ["F", 0])
+    session = person.session
+    changed = json.loads(as_it_stands(session.world, anew=False).replace('"F"', '"G"'))
+    session.alter(json.dumps(changed))
+    assert "G" in session.values
+
+    person.drag(tip(person, (5, 0), (0, 5)), tip(person, (9, 4), (0, 5)), let_go=False)
+
+    assert session.values["G"] == 5
+    person.press(pygame.K_r, "r")
+    person.move(tip(person, (12, 4), (0, 5)))
+    assert session.values == session.original.defaults
 
 
 @pytest.mark.sweep

@@ -269,9 +269,11 @@ class Editor:
 
     def come_back(self, session: Session) -> None:
         """Go on with the run of this level that was left."""
+        if session.original is not self._played:
+            self._take_up(session)
         if self.running:
             self.settle(session)
-        if not self.refusal:
+        if not self.refusal and self.trial.left(self.work.draft.text):
             self.trial.come_back(session, self.work.draft.text)
         self._look_at(session)
 

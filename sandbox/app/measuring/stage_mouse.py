@@ -1,5 +1,6 @@
 """The mouse on the stage: it drags bodies and forces, moves the view, zooms, and measures."""
 
+from contextlib import suppress
 from enum import Enum, auto
 
 import pygame
@@ -9,6 +10,7 @@ from sandbox.app.measuring.tape import Tape
 from sandbox.app.runs.session import Session
 from sandbox.app.stage.stage import Stage
 from sandbox.app.words.rounding import rounded
+from sandbox.model.errors import ValueRangeError
 from sandbox.model.shapes import XY
 
 ZOOM = 1.15  # a notch of the wheel
@@ -114,6 +116,8 @@ class Hand:
         wanted = {
             name: rounded(parameters[name], first + by[axis])
             for name, (axis, first) in self._components.items()
+            if name in parameters
         }
         if any(value != session.values[name] for name, value in wanted.items()):
-            session.restart(wanted)
+            with suppress(ValueRangeError):  # what the level cannot begin with stays as it was
+                session.restart(wanted)

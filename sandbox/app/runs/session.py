@@ -93,6 +93,11 @@ class Session(Playback):
         known = {**level.defaults, **self.begun_with, **self.values}
         return {name: known[name] for name in level.parameters}
 
+    @property
+    def chosen(self) -> Values:
+        """The parameters of the original, as they are now; see `values_for`."""
+        return self.values_for(self.original)
+
     def restart(self, settings: Mapping[str, float] | None = None) -> None:
         """Start anew, with some parameters changed.
 

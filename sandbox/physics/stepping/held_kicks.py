@@ -97,7 +97,7 @@ class HeldKicks:
             from sandbox.physics.joints.exact.constraints import PLACES
 
             blur = FOOT * PLACES * np.abs(self._batch.state()[:, :3]).max(initial=0.0)
-            near = max(near, blur * len(self._moving) ** 0.5 / kick.drift)
+            near = max(near * _spread(self._moving), blur * len(self._moving) ** 0.5 / kick.drift)
         after = np.full_like(start, np.inf)  # at least two kicks are compared
         if self._most > 1:
             from sandbox.physics.state.cancellation import cancellation_point
@@ -119,6 +119,12 @@ class HeldKicks:
                 self._space.iterations = max(min(2 * self._space.iterations, most), swept)
         self._space.iterations = swept
         return after
+
+
+def _spread(bodies: Sequence[pymunk.Body]) -> float:
+    """How heavy the heaviest body is for the lightest: what it rounds moves that so much more."""
+    masses = [body.mass for body in bodies if body.body_type == pymunk.Body.DYNAMIC]
+    return max(masses) / min(masses)
 
 
 def _circles(changes: Sequence[float], near: float) -> bool:

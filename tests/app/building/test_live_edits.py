@@ -6,6 +6,8 @@ import pygame
 import pytest
 
 from sandbox.app.pages.build import content
+from sandbox.app.pages.page import Page
+from sandbox.app.pages.register import PAGES
 from sandbox.app.runs import runfile
 from sandbox.app.runs.runfile import Run
 from sandbox.model.loading import parse
@@ -241,3 +243,19 @@ def test_the_page_tells_that_no_check_holds_for_a_run_that_was_changed(running: 
     dropped(running)
     told = [block.text for block in content.above(running.editor, running.person.session)]
     assert content.NO_FORMULA in told
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
+def test_every_page_shows_a_run_that_was_changed_and_lets_it_begin_anew(
+    running: Builder, page: Page
+) -> None:
+    """It has parameters of its own: the slope's angle is a number by then."""
+    session = running.person.session
+    dropped(running)
+    assert session.values.keys() != session.original.parameters.keys()
+
+    running.person.window.do(page.command)
+    running.person.wait(0.2)
+    running.key(pygame.K_r, "r")
+
+    assert (session.failure, session.values) == (None, session.original.defaults)

@@ -1,5 +1,6 @@
 """What can be taken away, as somebody who plays meets it."""
 
+import json
 from io import BytesIO
 from pathlib import Path
 
@@ -12,6 +13,7 @@ from sandbox.app.files import own_files
 from sandbox.app.pages.share.panel import KINDS, SharePage
 from sandbox.app.runs import runfile
 from sandbox.app.runs.session import Session
+from sandbox.editing.run_as_level import as_it_stands
 from sandbox.model import catalog
 from sandbox.model.loading import load
 from tests.app.person import Person
@@ -88,6 +90,22 @@ def test_a_copy_of_a_level_has_its_present_values(person: Person, folder: Path) 
     copy = load(file)
     assert copy.defaults["m2"] == 2.0
     assert copy.checks == person.session.original.checks
+
+
+def test_a_copy_of_a_level_has_no_parameter_that_the_run_alone_has(
+    person: Person, folder: Path
+) -> None:
+    shown, session = played(person), person.session
+    changed = json.loads(as_it_stands(session.world, anew=False))
+    changed["parameters"]["G"] = {"value": 1, "min": 0.5, "max": 2}
+    body = next(body for body in changed["bodies"].values() if "mass" in body)
+    body["mass"] = f"G*({body['mass']})"
+    session.alter(json.dumps(changed))
+
+    person.click(shown.button("Level").rect)
+
+    (file,) = folder.iterdir()
+    assert load(file).defaults == {**session.original.defaults, "m2": 2.0}
 
 
 def test_a_folder_that_cannot_be_made_is_told(person: Person, folder: Path) -> None:

@@ -5,6 +5,7 @@ import json
 import numpy as np
 import pytest
 
+from sandbox.app.pages.effects import whatif
 from sandbox.app.runs.pace import SPEEDS, Pace
 from sandbox.app.runs.session import Session
 from sandbox.editing.run_as_level import as_it_stands
@@ -361,4 +362,18 @@ def test_a_run_with_parameters_of_its_own_begins_anew_in_any_form_of_its_level()
     session.restart()
 
     assert session.failure is None
+    assert session.values == session.original.defaults
+
+
+def test_another_pace_takes_a_run_that_was_changed_from_the_start_of_its_level() -> None:
+    """It began where the run had been changed, as if that were a level."""
+    session = Session(load(catalog.find("newton/incline")))
+    begun = session.world.snapshot.position.tobytes()
+    for _ in range(30):
+        session.step()
+    session.alter(as_it_stands(session.world, anew=False))
+
+    whatif.repace(session, session.world.stepping)
+
+    assert session.world.snapshot.position.tobytes() == begun
     assert session.values == session.original.defaults

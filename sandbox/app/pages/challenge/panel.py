@@ -23,7 +23,7 @@ class ChallengePage:
         self._sheet, self._session = sheet, desk.session
         self._judge = desk.worker(Judge)
         y = below(sheet.image(task(sheet.pen, sheet.width, desk.session), sheet.margin // 2)) + 12
-        asked, level = desk.session.level.challenge, desk.session.level
+        asked, level = desk.session.level.challenge, desk.session.original
         free = {name: level.parameters[name] for name in (asked.free if asked else ())}
         area = pygame.Rect(sheet.margin, y, sheet.width, 0)
         sheet.parameters = Parameters(
@@ -32,7 +32,7 @@ class ChallengePage:
             sheet.container,
             area,
             free,
-            desk.session.values,
+            desk.session.chosen,
             level_words.of(desk.session.original),
         )
         self._standing = sheet.image(self._draw_standing(), y + sheet.parameters.height + 4)
@@ -59,7 +59,7 @@ class ChallengePage:
     def update(self) -> None:
         """Show how the challenge stands."""
         sheet = self._sheet
-        sheet.parameters.show(self._session.values)
+        sheet.parameters.show(self._session.chosen)
         sheet.replace(self._standing, self._draw_standing())
         sheet.replace(self._hints, self._draw_hints())
         self._hints.set_relative_position((self._sheet.margin, below(self._standing) + 8))

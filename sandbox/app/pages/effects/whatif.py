@@ -113,7 +113,7 @@ def repace(session: Session, stepping: Stepping) -> None:
     variants = (companion.variant for companion in session.companions if session.changes)
     beside = [replace(each, level=each.level.model_copy(update=pace)) for each in variants]
     changes = replace(session.changes, left=None)
-    session.play_as(session.level.model_copy(update=pace), beside, changes)
+    session.play_as(session.begun_as.model_copy(update=pace), beside, changes)
 
 
 def at_its_pace(session: Session) -> Level:

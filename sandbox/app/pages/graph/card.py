@@ -166,10 +166,10 @@ def closed_forms(
         return
     t = session.history.snapshots.t
     for check in session.original.checks:
-        if check.quantity not in these or check.at or not applies(check, session.values):
+        if check.quantity not in these or check.at or not applies(check, session.chosen):
             continue
         try:
-            formula = check.formula.over(session.values, t)
+            formula = check.formula.over(session.chosen, t)
         except ExpressionError:
             continue
         yield check.quantity, formula if across == check.quantity else columns[across], formula

@@ -37,7 +37,7 @@ class LevelPage:
         if level.parameters:
             y = below(sheet.image(heading(pen, width, say("Parameters")), y))
         area = pygame.Rect(sheet.margin, y, width, 0)
-        values = desk.session.values
+        values = desk.session.chosen
         sheet.parameters = Parameters(
             sheet.manager,
             pen,
@@ -68,7 +68,7 @@ class LevelPage:
             press(self.onwards, self._session.branches)
         self._sheet.replace(self._checks, self._drawn())
         self._sheet.end(below(self._checks) + 2)
-        self._sheet.parameters.show(self._session.values)
+        self._sheet.parameters.show(self._session.chosen)
 
     def _drawn(self) -> pygame.Surface:
         session, sheet = self._session, self._sheet

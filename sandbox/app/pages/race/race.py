@@ -51,9 +51,7 @@ def toggle(session: Session) -> None:
         If one of them cannot be run; then all stays as it was.
     """
     original = whatif.at_its_pace(session)
-    session.play_as(
-        original, [] if racing(session) else rivals(original, session.values_for(original))
-    )
+    session.play_as(original, [] if racing(session) else rivals(original, session.chosen))
 
 
 def rivals(level: Level, values: Values) -> list[Variant]:

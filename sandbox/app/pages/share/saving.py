@@ -90,7 +90,7 @@ def level(session: Session) -> Path:
     """Save a copy of the level whose parameters have their present values."""
     document = session.original.model_dump(mode="json", by_alias=True, exclude_defaults=True)
     document.pop("$schema", None)
-    for name, value in session.values.items():
+    for name, value in session.chosen.items():
         document["parameters"][name]["value"] = value
     path = path_for(session, ".json")
     write_atomically(path, text(document))
