@@ -24,11 +24,6 @@ PATIENCE = 50
 UNSETTLED = 1000
 """How many times the rounding velocities must still change for that."""
 
-FOOT = 16
-"""How much worse than a place the foot of a body on a curve is known: it is found from several.
-What is left of it in a kick differs between processors, 1e-13 to 1e-12 m/s at 500 Hz. In a pile
-each layer adds its own: 8 times as much is left at the top of 200 boxes, at the most."""
-
 LULL = 10
 """For how many kicks what changes must not halve, to be taken for rounding that goes in circles."""
 
@@ -94,10 +89,10 @@ class HeldKicks:
         close = 1e-15 * (pulled or np.abs(start).max(initial=0.0))  # the rounding of what changes
         near = UNSETTLED * close
         if self._placed:
-            from sandbox.physics.joints.exact.constraints import PLACES
+            from sandbox.physics.contacts.direct.rounding import left_of_places, spread
 
-            blur = FOOT * PLACES * np.abs(self._batch.state()[:, :3]).max(initial=0.0)
-            near = max(near * _spread(self._moving), blur * len(self._moving) ** 0.5 / kick.drift)
+            left = left_of_places(self._batch.state()[:, :3], self._moving, kick.drift)
+            near = max(near * spread(self._moving), left)
         after = np.full_like(start, np.inf)  # at least two kicks are compared
         if self._most > 1:
             from sandbox.physics.state.cancellation import cancellation_point
@@ -119,12 +114,6 @@ class HeldKicks:
                 self._space.iterations = max(min(2 * self._space.iterations, most), swept)
         self._space.iterations = swept
         return after
-
-
-def _spread(bodies: Sequence[pymunk.Body]) -> float:
-    """How heavy the heaviest body is for the lightest: what it rounds moves that so much more."""
-    masses = [body.mass for body in bodies if body.body_type == pymunk.Body.DYNAMIC]
-    return max(masses) / min(masses)
 
 
 def _circles(changes: Sequence[float], near: float) -> bool:

@@ -146,6 +146,7 @@ class _Scaled:
         self._row, self._contact = problem.friction.row, problem.friction.contact
         self._settled = not (len(self._row) or np.count_nonzero(problem.pushes))  # joints alone
         self._largest = 0.0 if self._settled else most(rate)
+        self._circles: set[bytes] = set()  # what leads nowhere
 
     @cached_property
     def _share(self) -> Array:
@@ -220,7 +221,7 @@ class _Scaled:
 
     def mend(self, active: Active) -> tuple[Array, Active | None]:
         """Solve and mend the guess until it holds; None if that goes in circles."""
-        seen = set()
+        seen: set[bytes] = set()
         for _ in range(GUESSES):
             cancellation_point()
             impulse, repeats = self._with(active)
@@ -232,7 +233,8 @@ class _Scaled:
                 better = self._judge(impulse, rate, active)
             if better is None:
                 return impulse, active if self._holds(rate, active) else None
-            if better.key in seen:
+            if better.key in seen or better.key in self._circles:
+                self._circles |= seen
                 break
             seen.add(better.key)
             active = better

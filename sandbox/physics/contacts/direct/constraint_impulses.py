@@ -16,7 +16,9 @@ Held = tuple[Array, Array, Active]
 """Impulses, (r,), the velocities with them, (3 N,), and which rows hold."""
 
 
-def hold(kick: Kick, motion: Array, guess: tuple[Array, Active], *, driven: bool) -> Held:
+def hold(
+    kick: Kick, motion: Array, guess: tuple[Array, Active], *, driven: bool, placed: bool = False
+) -> Held:
     """Return impulses with which all rows hold after the drift, and the velocities then.
 
     Newton's method starts with the forces of the last step. If it does not converge, or its result
@@ -32,6 +34,8 @@ def hold(kick: Kick, motion: Array, guess: tuple[Array, Active], *, driven: bool
         The impulses, and which rows hold.
     driven
         Whether surfaces that run, or kinematic bodies, may give energy.
+    placed
+        Whether velocities are not to be constrained instead of positions.
 
     Raises
     ------
@@ -46,6 +50,8 @@ def hold(kick: Kick, motion: Array, guess: tuple[Array, Active], *, driven: bool
         if not (grown or _squeezes(kick, motion, found)):
             return found
     except (JointFailure, NoForces):
+        if placed:
+            raise
         grown = True
     none = 0.0 * impulse
     try:

@@ -22,7 +22,8 @@ from sandbox.physics.joints.exact.constraints import Coordinates
 from sandbox.physics.state.errors import JointFailure, NoForces
 
 PARTS = (2, 4, 8, 16, 32)
-"""In how many parts a drift is taken: in the first of these that serves."""
+"""In how many parts a drift is taken: in the first of these that serves. Only in the last of them
+may velocities be constrained where positions cannot be."""
 
 
 class Between(NamedTuple):
@@ -159,9 +160,7 @@ class Through(NamedTuple):
         )
 
 
-def through(
-    kick: Kick, acceleration: Array, until: float, take: Callable[[Kick], Taken]
-) -> Through:
+def through(kick: Kick, acceleration: Array, until: float, take: Callable[..., Taken]) -> Through:
     """Return a way through the drift after a kick of a step.
 
     Parameters
@@ -173,7 +172,7 @@ def through(
     until
         The time at the end of the drift [s].
     take
-        Returns what becomes of a kick, which is as long as its joints say.
+        Returns what becomes of a kick, which is as long as its joints say; `placed`: see `hold`.
 
     Raises
     ------
@@ -186,7 +185,7 @@ def through(
         times = until - whole + whole * np.arange(parts + 1) / parts
         lengths = [joints.lengths(float(t)) for t in times]
         try:
-            return _in_parts(kick, acceleration, lengths, take)
+            return _in_parts(kick, acceleration, lengths, take, placed=parts < PARTS[-1])
         except (JointFailure, NoForces) as error:
             lost = error
         finally:
@@ -196,21 +195,28 @@ def through(
 
 
 def _in_parts(
-    kick: Kick, acceleration: Array, lengths: list[Array], take: Callable[[Kick], Taken]
+    kick: Kick,
+    acceleration: Array,
+    lengths: list[Array],
+    take: Callable[..., Taken],
+    *,
+    placed: bool,
 ) -> Through:
     """Return the way, with what the joints keep at the ends of its parts: (m,) each [m, rad]."""
     joints, whole, parts = kick.joints, kick.joints.drift, len(lengths) - 1
     drift = whole / parts
     missing = (whole - drift) / 2  # of the length of the kicks before and after
     joints.time(whole - missing, drift)
-    first = take(kick.between(kick.place, lengths[0], lengths[1]))
+    first = take(kick.between(kick.place, lengths[0], lengths[1]), placed=placed)
     moved, forces, active = first.moved, first.forces, first.active
     joints.time(drift, drift)
     place, inner = Coordinates(kick.place.values + drift * moved), []
     for before, after in pairwise(lengths[1:]):
         now = kick.between(place, before, after)
         motion = moved + drift * acceleration
-        impulse, moved, active = hold(now, motion, (drift * forces, active), driven=False)
+        impulse, moved, active = hold(
+            now, motion, (drift * forces, active), driven=False, placed=placed
+        )
         inner.append(Inner(now, drift, impulse, moved))
         forces = impulse / drift
         place = Coordinates(place.values + drift * moved)

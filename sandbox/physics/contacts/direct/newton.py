@@ -15,6 +15,10 @@ from sandbox.physics.joints.exact.constraints import MAX_ITERATIONS, QUADRATIC, 
 from sandbox.physics.joints.exact.shake import TAUT
 from sandbox.physics.state.errors import JointFailure, NoForces
 
+CIRCLES = 1
+"""How often what holds may be as before, with nothing gained, until it is taken for a circle: what
+converges has never been seen to do so once."""
+
 SOON = 5
 """Steps of Newton's method within which rows may contradict each other, if it is far from home."""
 
@@ -53,6 +57,7 @@ def newton(
     JointFailure, NoForces
         If there are none.
     """
+    rounds = _Rounds()
     for iteration in range(MAX_ITERATIONS):
         way = drift * (motion + impulse.dot(kick.response))
         there = rows(way) if np.count_nonzero(way) else kick.here
@@ -64,7 +69,24 @@ def newton(
         impulse, active = solve_rows(kick, layout, there.jacobian, rate, active, impulse, lets)
         if not far and active.key == before.key:
             return impulse, motion + impulse.dot(kick.response), active
+        if rounds.vain(before, float(missed[before.on].max(initial=0.0))):
+            break
     raise lost(kick, int(np.where(active.on, missed, 0.0).argmax()))
+
+
+class _Rounds:
+    """Whether Newton's method goes in circles: rows hold that did before, and nothing is gained."""
+
+    def __init__(self) -> None:
+        self._least: dict[bytes, float] = {}
+        self._last, self._vain = b"", 0
+
+    def vain(self, held: Active, missed: float) -> bool:
+        """Take note of which rows held and of what they missed; return whether it is in vain."""
+        key, least = held.key, self._least.get(held.key, inf)
+        self._vain += key != self._last and missed >= least / 2
+        self._least[key], self._last = min(missed, least), key
+        return self._vain >= CIRCLES
 
 
 def solve_rows(

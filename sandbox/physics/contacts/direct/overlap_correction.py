@@ -28,6 +28,7 @@ class OverlapCorrection:
     def __init__(self, surfaces: Surfaces, known: WarmStart) -> None:
         self._surfaces, self._known = surfaces, known
         self._held: tuple[Layout, Active] | None = None  # what held in the last
+        self._lost: Array = np.zeros(0)  # where there was no way, and what was asked for
 
     def way(self, kick: Kick, leaving: Array) -> Array | None:
         """Return the displacement, (3 N,) [m, rad], that removes a share of each large overlap.
@@ -53,9 +54,13 @@ class OverlapCorrection:
         wanted[layout.gaps] += back
         none, still = np.zeros_like(wanted), np.zeros_like(kick.place.values)
         smooth, start = layout.smooth, self._start(layout)
+        asked = np.concatenate((kick.place.values, wanted))
+        if np.array_equal(asked, self._lost):  # as in the kick before, if bodies are held
+            return None
         try:
             _, way, held_now = newton(kick, smooth, kick.rows, still, 1.0, wanted, none, start)
         except (JointFailure, NoForces):
+            self._lost = asked
             return None
         self._held = layout, held_now
         return way

@@ -23,7 +23,7 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct import impacts
-from sandbox.physics.contacts.direct.constraint_impulses import hold
+from sandbox.physics.contacts.direct.constraint_impulses import Held, hold
 from sandbox.physics.contacts.direct.constraint_rows import Active
 from sandbox.physics.contacts.direct.convex_parts import Pair
 from sandbox.physics.contacts.direct.drift_subdivision import Divided, through
@@ -293,7 +293,7 @@ class Direct:
         self._given = Stage.of(landed.kick, 0.0, after, landed.impulse).normal(len(velocity))
         self._batch.set_velocity(after)
 
-    def _take(self, kick: Kick, rates: Array) -> Taken:
+    def _take(self, kick: Kick, rates: Array, *, placed: bool = False) -> Taken:
         """Return what becomes of a kick.
 
         Parameters
@@ -322,7 +322,7 @@ class Direct:
         else:
             lead = 0.0
         rest = self._joints.kick - lead
-        impulse, moved, active = self._hold(kick, begun + acceleration * rest, rest)
+        impulse, moved, active = self._hold(kick, begun + acceleration * rest, rest, placed)
         if stages:
             stages = *stages, Stage.of(kick, rest, moved[self._order], impulse)
         return Taken(kick, moved, impulse / rest, active, total + impulse, record, stages)
@@ -333,9 +333,10 @@ class Direct:
         values[:, self._order] = rates
         return values
 
-    def _hold(self, kick: Kick, motion: Array, length: float) -> tuple[Array, Array, Active]:
+    def _hold(self, kick: Kick, motion: Array, length: float, placed: bool) -> Held:
         """Return impulses with which all rows hold after the drift, and the velocities then."""
-        return hold(kick, motion, self._known.guess(kick, motion, length), driven=self._driven())
+        guess = self._known.guess(kick, motion, length)
+        return hold(kick, motion, guess, driven=self._driven(), placed=placed)
 
     def _driven(self) -> bool:
         """Whether surfaces that run, or kinematic bodies, may give energy."""

@@ -95,10 +95,10 @@ def in_two(monkeypatch: pytest.MonkeyPatch) -> None:
     """Let every drift be taken in two parts."""
     taken = Direct._take
 
-    def refuse(direct: Direct, kick: Kick, rates: Array) -> Taken:
+    def refuse(direct: Direct, kick: Kick, rates: Array, *, placed: bool = False) -> Taken:
         if direct._joints.drift == direct._dt and not direct._starts:
             raise NoForces(0, 1)
-        return taken(direct, kick, rates)
+        return taken(direct, kick, rates, placed=placed)
 
     def together(direct: Direct, _until: float) -> None:
         direct._solve_all()
