@@ -25,6 +25,7 @@ unexport VIRTUAL_ENV
 FOR_RUN := $(VENV)/.ready-to-run
 FOR_TEST := $(VENV)/.ready-to-test
 FOR_SITE := $(VENV)/.ready-for-the-site
+FOR_FUZZ := $(VENV)/.ready-to-fuzz
 # Present while the environment is being changed. Left behind by an interruption, it condemns the lot.
 UNFINISHED := $(VENV)/.unfinished
 
@@ -62,7 +63,7 @@ quick: $(FOR_TEST) ## hard cases and costs in short: do frontiers lie where they
 	$(HEADLESS) $(PY) -m validation stability --quick
 	$(HEADLESS) $(PY) -m validation cost --quick
 
-fuzz: $(FOR_TEST) ## three minutes of levels that nobody would write: is each of them answered
+fuzz: $(FOR_FUZZ) ## three minutes of levels that nobody would write: is each of them answered
 	$(HEADLESS) $(PY) -m validation fuzz --minutes 3 --seed $(SEED)
 
 soak: $(FOR_TEST) ## hours of the window by random events, and of levels: memory and time stay as they are
@@ -123,6 +124,12 @@ $(FOR_SITE): $(FOR_TEST)
 	@touch $(UNFINISHED)
 	$(PIP_INSTALL) --editable '.[site]'
 	@rm $(UNFINISHED) && touch $(FOR_SITE)
+
+# Led by the code that levels reach, where Atheris has a wheel for this Python; else at random.
+$(FOR_FUZZ): $(FOR_TEST)
+	@touch $(UNFINISHED)
+	$(PIP_INSTALL) --only-binary atheris --editable '.[fuzz]' || echo "Atheris cannot be installed here."
+	@rm $(UNFINISHED) && touch $(FOR_FUZZ)
 
 $(PY): ;
 

@@ -2,19 +2,26 @@
 
 import json
 import os
-from collections.abc import Iterator
+from collections.abc import Callable, Generator, Iterator
+from contextlib import closing
+from itertools import groupby, islice, takewhile
 from pathlib import Path
+from random import Random
 from typing import Any, get_args
 
 import pytest
 from typer.testing import CliRunner
 
 from sandbox.model.effects import Effects
+from sandbox.model.errors import SandboxError
 from sandbox.model.joints import Joint
 from tests.model.levels import bare, hanging
 from validation.cli import app
 from validation.fuzz import command, trial
 from validation.fuzz.command import Findings, made
+from validation.fuzz.explorer import Choices
+from validation.fuzz.grammar import Grammar
+from validation.fuzz.guided import guided
 from validation.fuzz.repair import mended
 from validation.fuzz.shrinking import shrunk
 from validation.fuzz.trial import (
@@ -27,6 +34,7 @@ from validation.fuzz.trial import (
     UNTOLD,
     Outcome,
     Trial,
+    Tried,
     attempt,
 )
 
@@ -112,6 +120,104 @@ def test_what_gets_no_time_to_compute_is_asked_again(monkeypatch: pytest.MonkeyP
     assert Trial().run("{}") == NO_ANSWER
 
 
+STAND_IN = """
+import os, sys, contextlib
+from pathlib import Path
+
+@contextlib.contextmanager
+def instrument_imports(include):
+    assert "sandbox.model.loading" not in sys.modules
+    yield
+
+def Setup(arguments, explore):
+    global inputs, one
+    inputs, one = sorted(Path(arguments[-1]).iterdir()), explore
+
+def Fuzz():
+    for each in inputs[:int(os.environ["INPUTS"])]:
+        one(each.read_bytes())
+    os._exit(1)
+"""
+"""What stands in for Atheris, which is not installed everywhere: it tries inputs, and ends."""
+
+
+@pytest.fixture
+def led(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[[int], Generator[Tried]]:
+    """What comes of levels if each process tries so many inputs."""
+    (tmp_path / "atheris.py").write_text(STAND_IN, encoding="utf-8")
+    monkeypatch.setenv("PYTHONPATH", str(tmp_path), prepend=os.pathsep)
+
+    def begin(inputs: int) -> Generator[Tried]:
+        monkeypatch.setenv("INPUTS", str(inputs))
+        return guided(7, Trial())
+
+    return begin
+
+
+@pytest.mark.sweep
+@pytest.mark.skipif(os.name == "nt", reason="Atheris is not made for it")
+def test_atheris_is_told_what_comes_of_the_levels_it_makes(
+    led: Callable[[int], Generator[Tried]],
+) -> None:
+    """Three inputs a process: the numbers go on in the next, and mended levels keep theirs."""
+    with closing(led(3)) as source:
+        found = list(takewhile(lambda tried: tried.number < 7, source))
+
+    assert [number for number, _ in groupby(found, lambda tried: tried.number)] == list(range(7))
+    for _, data, outcome in found:
+        assert attempt(json.dumps(data)) == outcome
+
+
+@pytest.mark.sweep
+@pytest.mark.skipif(os.name == "nt", reason="Atheris is not made for it")
+def test_atheris_that_tries_nothing_is_told(led: Callable[[int], Generator[Tried]]) -> None:
+    with pytest.raises(SandboxError, match="Atheris ended before it tried a level"):
+        next(led(0))
+
+
+def test_what_atheris_finds_counts_if_the_level_fails_by_itself(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """A process that ends, that is slow for its counting, or that has had enough of many levels."""
+    seen = [(0, "{}", Outcome(RUNS)), (0, "[1]", Outcome(SLOW)), (1, "[2]", None)]
+    monkeypatch.setattr("validation.fuzz.guided._explored", lambda *_: iter(seen))
+    monkeypatch.setattr(Trial, "run", lambda _, text: Outcome(ENDED if "2" in text else RUNS))
+
+    found = list(islice(guided(1, Trial()), 4))
+
+    assert [(number, outcome.kind) for number, _, outcome in found] == [
+        (0, RUNS), (0, RUNS), (1, ENDED), (2, RUNS),
+    ]  # fmt: skip
+
+
+def test_inputs_are_choices() -> None:
+    """The same bytes are the same level, and where there are none left each choice is the first."""
+    data, others = (Random(seed).randbytes(2000) for seed in (1, 2))
+    assert Grammar(Choices(data)).level() == Grammar(Choices(data)).level()
+    assert Grammar(Choices(data)).level() != Grammar(Choices(others)).level()
+    assert Choices(b"").choice("abc") == "a"
+    assert 0 <= Choices(b"\xff" * 4).random() < 1
+
+
+@pytest.mark.parametrize("ended", [KeyboardInterrupt, SystemExit])
+def test_what_was_found_is_told_if_somebody_interrupts_it(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, ended: type[BaseException]
+) -> None:
+    def some(*_: object) -> Generator[Tried]:
+        yield Tried(0, {}, Outcome(RUNS))
+        yield Tried(1, {}, Outcome(STOPPED))
+        raise ended
+
+    monkeypatch.setattr(command, "available", lambda: False)
+    monkeypatch.setattr(command, "drawn", some)
+    file = tmp_path / "out.json"
+
+    with pytest.raises(ended):
+        command.fuzz(None, 1, None, file, tmp_path)
+
+    assert json.loads(file.read_text(encoding="utf-8"))["answers"] == {RUNS: 1, STOPPED: 1}
+
+
 def test_what_is_wrong_is_taken_away() -> None:
     data = bare()
     data["bodies"]["ball"] |= {"radius": 3, "mass": -1}
@@ -136,7 +242,8 @@ def test_what_goes_wrong_is_kept(tmp_path: Path) -> None:
             return Outcome(ENDED, "with -6") if "bodies" in json.loads(text) else Outcome(RUNS)
 
     found = Findings()
-    command._try(Wrong(), 1, 0, found, tmp_path)
+    data = made(1, 0)
+    command._note(Tried(0, data, Outcome(ENDED, "with -6")), Wrong(), found, tmp_path)
 
     [sample] = tmp_path.iterdir()
     assert json.loads(sample.read_text(encoding="utf-8")) == {"bodies": {}}
@@ -157,6 +264,7 @@ def test_the_figures_are_written(tmp_path: Path) -> None:
     assert {
         "environment",
         "seed",
+        "guided",
         "count",
         "seconds",
         "answers",

@@ -27,8 +27,9 @@ def command(
 ) -> None:
     """Try levels that nobody would write, drawn from the schema or made from the project's own.
 
-    Each must be answered within two seconds of computing and 500 MB. A level that goes wrong is
-    shrunk as far as possible, and kept. Exit status 1 if there was one.
+    Where Atheris is installed, it leads from levels to others that reach more of the code. Each
+    must be answered within two seconds of computing and 500 MB. A level that goes wrong is shrunk
+    as far as possible, and kept. Exit status 1 if there was one.
     """
     from validation.fuzz import command  # what one command needs need not slow all
 

@@ -2,6 +2,8 @@
 
 import json
 from collections import Counter
+from collections.abc import Generator
+from contextlib import closing
 from dataclasses import dataclass, field
 from hashlib import sha256
 from itertools import count
@@ -16,10 +18,11 @@ from sandbox.model.files import check_writable, make_folder, write_atomically
 from validation import output
 from validation.environment import environment
 from validation.fuzz.grammar import Grammar
+from validation.fuzz.guided import available, guided
 from validation.fuzz.mutation import mutated
-from validation.fuzz.repair import ROUNDS, mended
+from validation.fuzz.repair import answered
 from validation.fuzz.shrinking import shrunk
-from validation.fuzz.trial import Trial
+from validation.fuzz.trial import Trial, Tried
 
 SAMPLES = Path("out") / "fuzz"
 """Where levels that go wrong are kept, if nothing else is said."""
@@ -35,16 +38,26 @@ class Findings:
         How many were answered, and how.
     failures
         Those that were not: the number of each, what happened, and the file of what is left of it.
+    guided
+        Whether Atheris led from one to the next.
     """
 
     answers: Counter[str] = field(default_factory=Counter)
     failures: list[dict[str, Any]] = field(default_factory=list)
+    guided: bool = False
 
 
 def made(seed: int, number: int) -> dict[str, Any]:
     """Return a level: the same for the same seed and number, whatever was tried before."""
     random = Random(f"{seed}-{number}")
     return mutated(random) if number % 2 else Grammar(random).level()
+
+
+def drawn(seed: int, trial: Trial) -> Generator[Tried]:
+    """Yield what comes of levels that are drawn at random, without end."""
+    for number in count():
+        for data, outcome in answered(made(seed, number), trial.run):
+            yield Tried(number, data, outcome)
 
 
 def fuzz(
@@ -73,42 +86,40 @@ def fuzz(
     if json_file:
         check_writable(json_file)
     start = monotonic()
-    found, trial = Findings(), Trial()
+    found, trial = Findings(guided=available()), Trial()
     try:
-        for tried in range(number) if number is not None else count():
-            if minutes is not None and monotonic() - start > 60 * minutes:
-                break
-            _try(trial, seed, tried, found, samples)
-    finally:
+        source = guided(seed, trial) if found.guided else drawn(seed, trial)
+        with closing(source):
+            for tried in source:
+                late = minutes is not None and monotonic() - start > 60 * minutes
+                if late or tried.number == number:
+                    break
+                _note(tried, trial, found, samples)
+    finally:  # what was found is told, too, if somebody interrupts it
         trial.close()
-    _report(found, seed, monotonic() - start, json_file)
+        _report(found, seed, monotonic() - start, json_file)
     return not found.failures
 
 
 def _report(found: Findings, seed: int, seconds: float, json_file: Path | None) -> None:
     """Print what was found, and write it to the file if one is wanted."""
     answers = ", ".join(f"{times:,} {kind}" for kind, times in sorted(found.answers.items()))
-    typer.echo(f"{found.answers.total():,} levels in {seconds:.0f} s: {answers or 'none'}.")
+    how = "led by Atheris" if found.guided else "drawn at random"
+    typer.echo(f"{found.answers.total():,} levels, {how}, in {seconds:.0f} s: {answers or 'none'}.")
     output.complain(f"{one['number']}: {one['what']} ({one['sample']})" for one in found.failures)
     if json_file:
         content = {
-            "environment": environment(), "seed": seed, "count": found.answers.total(),
-            "seconds": seconds, "answers": dict(found.answers), "failures": found.failures,
-            "passed": not found.failures,
+            "environment": environment(), "seed": seed, "guided": found.guided,
+            "count": found.answers.total(), "seconds": seconds, "answers": dict(found.answers),
+            "failures": found.failures, "passed": not found.failures,
         }  # fmt: skip
         output.write(content, json_file)
 
 
-def _try(trial: Trial, seed: int, number: int, found: Findings, samples: Path) -> None:
-    data = made(seed, number)
-    outcome = trial.run(json.dumps(data))
+def _note(tried: Tried, trial: Trial, found: Findings, samples: Path) -> None:
+    """Count what came of a level; if it went wrong, keep the least of it that does."""
+    number, data, outcome = tried
     found.answers[outcome.kind] += 1
-    for _ in range(ROUNDS):
-        if not outcome.mistakes:
-            break
-        data = mended(data, outcome.mistakes)
-        outcome = trial.run(json.dumps(data))
-        found.answers[outcome.kind] += 1
     if outcome.passed:
         return
     least = shrunk(data, lambda smaller: trial.run(json.dumps(smaller)).kind == outcome.kind)

@@ -1,11 +1,34 @@
 """Repairs a level that was refused, so that more than the rules are tried."""
 
-from collections.abc import Sequence
+import json
+from collections.abc import Callable, Iterator, Sequence
 from copy import deepcopy
 from typing import Any
 
+from validation.fuzz.trial import Outcome
+
 ROUNDS = 8
 """How often a level is mended at the most."""
+
+
+def answered(
+    data: dict[str, Any], run: Callable[[str], Outcome]
+) -> Iterator[tuple[dict[str, Any], Outcome]]:
+    """Yield a level with what comes of it, and again, mended, as long as it is refused.
+
+    Parameters
+    ----------
+    data
+        The level.
+    run
+        Returns what comes of a level's text.
+    """
+    for _ in range(ROUNDS + 1):
+        outcome = run(json.dumps(data))
+        yield data, outcome
+        if not outcome.mistakes:
+            return
+        data = mended(data, outcome.mistakes)
 
 
 def mended(data: dict[str, Any], mistakes: Sequence[tuple[str, str]]) -> dict[str, Any]:

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from multiprocessing import get_context
 from multiprocessing.connection import Connection
 from multiprocessing.context import SpawnProcess
+from typing import Any, NamedTuple
 
 from sandbox.model.errors import LevelError, SandboxError
 from sandbox.model.level import Stepping
@@ -60,6 +61,14 @@ class Outcome:
     def passed(self) -> bool:
         """Whether it is an answer."""
         return self.kind in ANSWERS
+
+
+class Tried(NamedTuple):
+    """A level, which of those that were made it comes from, and what came of it."""
+
+    number: int
+    data: dict[str, Any]
+    outcome: Outcome
 
 
 NO_ANSWER = Outcome(SLOW, f"no answer in {HANGS:g} s")
@@ -166,26 +175,27 @@ def _serve(line: Connection, seconds: float) -> None:
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     sys.stderr = open(os.devnull, "w", encoding="utf-8")  # noqa: SIM115 (as long as it lives)
     attempt("{}")
-    _limit_memory()
+    limit_memory()
     line.send(None)
     while True:
         try:
             text = line.recv()
         except (EOFError, OSError):
             return
-        _limit_time(seconds)
+        limit_time(seconds)
         outcome = attempt(text)
-        _limit_time(0)
+        limit_time(0)
         line.send(outcome)
 
 
-def _limit_time(seconds: float) -> None:
-    """Let the process end after so much computing; never, after 0."""
+def limit_time(seconds: float) -> None:
+    """Let this process end after so much computing; never, after 0."""
     if hasattr(signal, "ITIMER_PROF"):
         signal.setitimer(signal.ITIMER_PROF, seconds)
 
 
-def _limit_memory() -> None:
+def limit_memory() -> None:
+    """Let this process take no more memory than `BYTES` beside what it has."""
     if sys.platform == "linux":
         import resource
 

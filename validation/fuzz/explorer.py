@@ -1,0 +1,74 @@
+"""The process in which Atheris makes levels: what reaches new code is changed and tried further.
+
+Atheris (Google's libFuzzer for Python) counts which branches of the code an input reaches. Here the
+bytes of an input are the choices of the generators of levels. What is tried and what comes of it is
+told along a pipe, for nothing else is left of a process that is ended: first how many levels were
+before it and its text, then its `Outcome`.
+"""
+
+import importlib
+import sys
+from functools import partial
+from io import BytesIO
+from itertools import count
+from multiprocessing.connection import Connection
+from random import Random
+
+LONGEST = 4000
+"""Bytes of an input: a level takes some hundred choices."""
+
+SLOWER = 3.0
+"""How many times as long code takes whose branches are counted."""
+
+
+class Choices(Random):
+    """A generator whose numbers are the bytes of an input; zeros, once they are used up."""
+
+    def __init__(self, data: bytes) -> None:
+        super().__init__(0)
+        self._left = BytesIO(data)
+
+    def getrandbits(self, k: int, /) -> int:
+        """Return a number of k bits."""
+        return int.from_bytes(self._left.read(-(-k // 8)), "little") & ((1 << k) - 1)
+
+    def random(self) -> float:
+        """Return a number from 0 to 1, and below."""
+        return self.getrandbits(32) / 2**32
+
+
+def main() -> None:
+    """Explore until nobody listens: the arguments are a pipe, a seed and a folder of inputs."""
+    pipe, seed, folder = sys.argv[1:]
+    line = Connection(int(pipe))
+    atheris = importlib.import_module("atheris")
+    with atheris.instrument_imports(include=["sandbox"]):
+        from validation.fuzz import trial
+        from validation.fuzz.grammar import Grammar
+        from validation.fuzz.mutation import mutated
+        from validation.fuzz.repair import answered
+    trial.attempt("{}")
+    numbers = count()
+
+    def attempt(number: int, text: str) -> trial.Outcome:
+        line.send((number, text))
+        trial.limit_time(SLOWER * trial.SECONDS)
+        outcome = trial.attempt(text)
+        trial.limit_time(0)
+        line.send(outcome)
+        return outcome
+
+    def explore(data: bytes) -> None:
+        choices = Choices(data)
+        level = mutated(choices) if choices.random() < 0.5 else Grammar(choices).level()
+        for _ in answered(level, partial(attempt, next(numbers))):
+            pass
+
+    limits = ["-rss_limit_mb=0", "-timeout=0", f"-max_len={LONGEST}", "-len_control=0"]
+    trial.limit_memory()
+    atheris.Setup([sys.argv[0], f"-seed={seed}", *limits, folder], explore)
+    atheris.Fuzz()
+
+
+if __name__ == "__main__":
+    main()
