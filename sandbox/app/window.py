@@ -103,7 +103,6 @@ class Window(Workspace):
         if self.session is not None:
             self.advising.follow(self.session)
         self.panels.advise(self.advised)
-        self.panels.manager.spare(self.session is not None and self.session.playing)
         self.panels.update(seconds)
         self.banner.update(seconds)
         if self.session is not None:

@@ -10,10 +10,8 @@ from pygame_gui import PackageResource, UIManager
 from pygame_gui.core import UIAppearanceTheme, UIElement
 from pygame_gui.elements import UIButton, UIImage
 
+from sandbox.app.widgets.looks import Looks
 from sandbox.app.widgets.row import Row
-
-WAITING = 300
-"""So many looks may wait to be put away."""
 
 Ids = list[str | None] | None
 """What a widget and all that hold it are called, from the outermost inwards."""
@@ -24,12 +22,6 @@ class Manager(UIManager):
 
     _touched: Sequence[UIElement] = ()
     """the plain ones that the mouse was over in the last frame, or holds"""
-
-    def spare(self, wanted: bool) -> None:
-        """Leave to later what can wait, while something moves; or no more."""
-        theme = self.get_theme()
-        assert isinstance(theme, _Theme)
-        theme.spares = wanted
 
     def _handle_hovering(self, time_delta: float) -> None:
         """Tell the widgets under the mouse so, of which the uppermost is hovered, and no other.
@@ -56,6 +48,7 @@ class Manager(UIManager):
     ) -> UIAppearanceTheme:  # fmt: skip
         """Return the look of the widgets."""
         theme = _Theme(self.resource_loader, self._locale)
+        theme.shape_cache = Looks()
         if theme_path is not None:
             theme.load_theme(theme_path)
         return theme
@@ -71,14 +64,6 @@ class _Theme(UIAppearanceTheme):
     pygame_gui keeps them by a text that joins what the widget, and all that hold it, are called: it
     grows with the product of four lengths, and takes longer to write than the names to find.
     """
-
-    spares = False
-    """whether looks wait to be put away for good"""
-
-    def update_caching(self, time_delta: float) -> None:
-        """Put away a look that a widget was drawn in, to be found again: that takes up to 2 ms."""
-        if not self.spares or len(self._shape_cache.cache_short_term_lookup) > WAITING:
-            super().update_caching(time_delta)
 
     _names: ClassVar[dict[tuple[tuple[str | None, ...] | None, ...], list[str]]] = {}
 

@@ -83,9 +83,10 @@ class Studying:
 
     def _keep_to(self, session: Session, seconds: float, *, watched: bool) -> None:
         """Forget what is not of this session; while watched, find it out when that stays so."""
-        if self._scene_of(session) != self._scene:
+        before, self._scene = self._scene, self._scene_of(session)
+        if before != self._scene:  # the same objects are compared in no time the next time
             self._work.cancel()
-            self._scene, self._level = self._scene_of(session), session.level
+            self._level = session.level
             self.target = session.level.stepping.accuracy
             self._forget()
         elif session.level is not self._level:

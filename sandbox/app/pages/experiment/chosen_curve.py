@@ -87,8 +87,8 @@ class Exploring:
         scene = _scene(session, chosen)
         if scene != self._scene:
             self._work.cancel()
-            self._scene = scene
             self._forget()
+        self._scene = scene  # the same objects are compared in no time the next time
         self._waited += seconds
         if watched and chosen and not (self._begun or session.waiting) and self._waited > PATIENCE:
             self._begun = True
