@@ -93,17 +93,24 @@ def parts(folder: Path) -> int:
     return len(list((folder / PARTS).glob("*.parquet")))
 
 
+def killed_on_the_way(folder: Path, seed: int, wait: float) -> bool:
+    """Kill a command so long after its first part was there [s]; return whether it was at work."""
+    with started(folder, seed) as process:
+        assert until(lambda: parts(folder) > 0 or process.poll() is not None)
+        time.sleep(wait)
+        process.kill()
+    return parts(folder) > 0 and not (folder / RESULTS).exists()
+
+
 @pytest.mark.sweep
 @pytest.mark.parametrize("seed", [1, 2])
 def test_what_was_killed_at_any_moment_goes_on_to_the_same_table(tmp_path: Path, seed: int) -> None:
     moments = Random(seed)
     found = plan(DRAG, {"angle": "20:80:150"}, END, duration=0.3)
     table(found, tmp_path / "whole")
-    killed = tmp_path / "killed"
-    with started(killed, seed) as process:
-        assert until(lambda: parts(killed) > 0 or process.poll() is not None)
-        time.sleep(moments.random() * 0.5)
-        process.kill()
+    wait, killed = moments.random() * 0.5, tmp_path / "0"
+    while not killed_on_the_way(killed, seed, wait):  # it was done by then
+        wait, killed = wait / 2, tmp_path / f"{wait}"
     (killed / PARTS / "0-half.parquet").write_bytes(b"half")  # what no write leaves, and no name
     assert not (killed / RESULTS).exists()
     kept = sum(stop - start for start, stop in Store(killed, found).missing())
