@@ -1,6 +1,7 @@
 """The session: the level that is played, and how its runs begin. No window is needed."""
 
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 
 from sandbox.app.observing.selected_body import Looking
 from sandbox.app.runs.actions import Action
@@ -9,7 +10,7 @@ from sandbox.app.runs.companions import NONE, Changes, Variant
 from sandbox.app.runs.live_run import LiveRun
 from sandbox.app.runs.playback import Playback
 from sandbox.app.words.language import say
-from sandbox.model.errors import SandboxError
+from sandbox.model.errors import SandboxError, ValueRangeError
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level
 from sandbox.model.loading import choose
@@ -88,10 +89,13 @@ class Session(Playback):
     def values_for(self, level: Level) -> Values:
         """Return the parameters of a level: the present ones, as far as the run has them.
 
-        One that was changed on the way may have others than it began with.
+        One that was changed on the way may have others than it began with, or such as the level
+        does not allow: then they are those that it began with, or the level's own.
         """
-        known = {**level.defaults, **self.begun_with, **self.values}
-        return {name: known[name] for name in level.parameters}
+        for known in ({**self.begun_with, **self.values}, self.begun_with):
+            with suppress(ValueRangeError):
+                return choose(level, {n: known[n] for n in level.parameters if n in known})
+        return level.defaults
 
     @property
     def chosen(self) -> Values:

@@ -365,6 +365,23 @@ def test_a_run_with_parameters_of_its_own_begins_anew_in_any_form_of_its_level()
     assert session.values == session.original.defaults
 
 
+def test_a_run_with_a_value_that_its_level_does_not_allow_begins_anew_without_it() -> None:
+    """A run that is changed on the way may have other ranges: it left the window, too."""
+    session = Session(
+        load(catalog.find("newton/incline")), values={"angle": 40.0, "mass": 3.0, "g": 9.0}
+    )
+    session.step()
+    changed = json.loads(as_it_stands(session.world, anew=False))
+    changed["parameters"]["mass"] = {"value": 1e3, "min": 0.5, "max": 1e4}
+    session.alter(json.dumps(changed))
+    assert session.values["mass"] > session.original.parameters["mass"].max
+
+    session.restart()
+
+    assert session.failure is None
+    assert session.values == {"angle": 40.0, "mass": 3.0, "g": 9.0}
+
+
 def test_another_pace_takes_a_run_that_was_changed_from_the_start_of_its_level() -> None:
     """It began where the run had been changed, as if that were a level."""
     session = Session(load(catalog.find("newton/incline")))

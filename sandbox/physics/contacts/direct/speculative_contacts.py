@@ -13,6 +13,7 @@ Bodies that do not touch yet, but meet within the drift, are found here, too (se
 """
 
 from collections.abc import Iterator, Sequence
+from operator import attrgetter
 
 import numpy as np
 
@@ -119,7 +120,8 @@ class SpeculativeContacts:
             on_side: dict[tuple[int, complex], list[Spot]] = {}
             for spot in landing(here.both(pair, parts), there.both(pair, parts), self._least):
                 on_side.setdefault((spot.own, spot.normal), []).append(spot)
-            yield from on_side.values()
+            for spots in on_side.values():  # of what goes right through, the foremost corners
+                yield sorted(spots, key=attrgetter("gap"))[:2]
 
     def _touched(self, pair: Pair, spots: Sequence[Spot], origin: complex) -> Touched:
         """Return what is to be of one or two spots on one side."""

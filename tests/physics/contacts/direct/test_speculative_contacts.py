@@ -85,6 +85,17 @@ def test_what_falls_back_on_its_side_gains_no_energy(rate: int) -> None:
     assert grown(energies(rocking(10, rate), rate // 2)) <= 1e-7
 
 
+def test_what_would_go_right_through_lands_on_its_foremost_side() -> None:
+    """At 1000 g a box of 1 m falls 11 m in a step: four of its corners come through a side."""
+    heavy: Spec = {**DIRECT, "gravity": {"acceleration": [0, -9810.0]}}
+    boxes = {f"box{i}": box((0, y), size=(1, 1), friction=0.6) for i, y in enumerate((0.5, 33.5))}
+    world = build(level({"ground": GROUND, **boxes}, heavy, stepping={"rate": 60}))
+
+    seen = world.advance(8)
+
+    assert seen.position[2, 1] == pytest.approx(1.5, abs=1e-7)
+
+
 def test_what_bounces_is_left_to_its_impact() -> None:
     """A gap that closed before it would take from the approach that rebounds."""
     world = rocking(10, 240, e=0.9)
