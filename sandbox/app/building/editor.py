@@ -99,6 +99,8 @@ class Editor:
 
     def follow(self, session: Session, seconds: float, *, watched: bool) -> str | None:
         """Keep to the level that is shown, and let the session play what was changed."""
+        if not watched:
+            self.complete = bool  # or a page that is gone would stay, with its session
         if watched and session.original is not self._played:
             self._take_up(session)
         if self.running:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import pygame
 from pygame_gui import UI_BUTTON_PRESSED
 from pygame_gui.core import UIContainer
+from pygame_gui.core.utility import set_default_manager
 
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
@@ -89,6 +90,7 @@ class Panels:
             size, theme.widgets(self._pen.scale), enable_live_theme_updates=False,
             starting_language=language.used(),
         )  # fmt: skip
+        set_default_manager(self.manager)  # the first would stay for good, with all its widgets
         self.home.renew()
 
     def hide_or_show(self, column: str) -> None:

@@ -23,6 +23,14 @@ class Manager(UIManager):
     _touched: Sequence[UIElement] = ()
     """the plain ones that the mouse was over in the last frame, or holds"""
 
+    def update(self, time_delta: float) -> None:
+        """Let some time pass [s].
+
+        pygame_gui takes a note of where each widget was that has gone, and never looks at it.
+        """
+        super().update(time_delta)
+        self.get_sprite_group().lostsprites.clear()
+
     def _handle_hovering(self, time_delta: float) -> None:
         """Tell the widgets under the mouse so, of which the uppermost is hovered, and no other.
 
