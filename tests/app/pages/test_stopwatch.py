@@ -19,6 +19,8 @@ from sandbox.app.pages.table.stopwatch_triggers import (
 from sandbox.app.runs.live_run import LiveRun
 from sandbox.app.runs.session import Session
 from sandbox.model import catalog
+from sandbox.model.expressions import Expression
+from sandbox.model.level import ApexEvent, CrossingEvent
 from sandbox.model.loading import load
 from tests.app.person import Person
 from tests.app.test_time_travel import go_to
@@ -96,6 +98,18 @@ def test_a_hand_that_lifts_a_ball_does_not_keep_its_first_contact_from_being_tim
     stopwatch.choose(AT_ONCE, called(session, "ball meets ground"))
 
     assert 0 < stopwatch.reading(session).seconds < session.duration
+
+
+def test_what_a_changed_run_lacks_has_not_happened() -> None:
+    """A body that was thrown in and taken out again: the window ended when it was drawn."""
+    session, _ = opened("newton/incline")
+    session.step()
+    gone: list[Moment] = [
+        ApexEvent(event="apex", body="probe"),
+        CrossingEvent(event="crossing", quantity="t", value=Expression("2*F")),
+    ]
+
+    assert [find(at, session.run) for at in gone] == [None, None]
 
 
 def test_at_a_step_it_shows_the_same_whatever_way_led_there() -> None:

@@ -10,6 +10,8 @@ from sandbox.app.words.language import say
 from sandbox.model.expressions import Expression, Values
 from sandbox.model.level import ApexEvent, ContactEvent, CrossingEvent, LandingEvent, Level
 from sandbox.model.level_parts import measured
+from sandbox.model.quantities import QuantityError
+from sandbox.model.traversal import expressions
 from sandbox.physics.measuring.grading import time_of
 from sandbox.physics.measuring.recording import Trace, needed_at
 from sandbox.physics.metering.meter import Meter
@@ -97,11 +99,20 @@ def _occasion(at: Moment, values: Values) -> Occasion:
 
 
 def find(at: Moment, run: LiveRun) -> Found | None:
-    """Return when something happened in a run so far; None if it has not."""
+    """Return when something happened in a run so far; None if it has not.
+
+    Nor has it where the run was changed on the way, and lacks a body or parameter that it names.
+    """
     if isinstance(at, ContactEvent):
         met = run.contacts.met.get(frozenset(at.bodies))
         return met and Found(met.t, met.located)
-    t = time_of(at, _trace(at, run))
+    if any(named.names - run.world.values.keys() for _, named in expressions(at)):
+        return None
+    try:
+        trace = _trace(at, run)
+    except QuantityError:
+        return None
+    t = time_of(at, trace)
     return None if t is None else Found(t, between=True)
 
 
