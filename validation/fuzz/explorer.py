@@ -52,9 +52,7 @@ def main() -> None:
 
     def attempt(number: int, text: str) -> trial.Outcome:
         line.send((number, text))
-        trial.limit_time(SLOWER * trial.SECONDS)
-        outcome = trial.attempt(text)
-        trial.limit_time(0)
+        outcome = trial.attempt_within(SLOWER * trial.SECONDS, text)
         line.send(outcome)
         return outcome
 

@@ -182,13 +182,18 @@ def _serve(line: Connection, seconds: float) -> None:
             text = line.recv()
         except (EOFError, OSError):
             return
-        limit_time(seconds)
-        outcome = attempt(text)
-        limit_time(0)
-        line.send(outcome)
+        line.send(attempt_within(seconds, text))
 
 
-def limit_time(seconds: float) -> None:
+def attempt_within(seconds: float, text: str) -> Outcome:
+    """Try a level here; this process ends if that takes longer [s of computing]."""
+    _limit_time(seconds)
+    outcome = attempt(text)
+    _limit_time(0)
+    return outcome
+
+
+def _limit_time(seconds: float) -> None:
     """Let this process end after so much computing; never, after 0."""
     if hasattr(signal, "ITIMER_PROF"):
         signal.setitimer(signal.ITIMER_PROF, seconds)
