@@ -15,10 +15,6 @@ from sandbox.physics.joints.exact.constraints import MAX_ITERATIONS, QUADRATIC, 
 from sandbox.physics.joints.exact.shake import TAUT
 from sandbox.physics.state.errors import JointFailure, NoForces
 
-CIRCLES = 1
-"""How often what holds may be as before, with nothing gained, until it is taken for a circle: what
-converges has never been seen to do so once."""
-
 SOON = 5
 """Steps of Newton's method within which rows may contradict each other, if it is far from home."""
 
@@ -75,18 +71,21 @@ def newton(
 
 
 class _Rounds:
-    """Whether Newton's method goes in circles: rows hold that did before, and nothing is gained."""
+    """Whether Newton's method goes in circles: rows hold that did before, and nothing is gained.
+
+    What converges has never been seen to do so once.
+    """
 
     def __init__(self) -> None:
         self._least: dict[bytes, float] = {}
-        self._last, self._vain = b"", 0
+        self._last = b""
 
     def vain(self, held: Active, missed: float) -> bool:
         """Take note of which rows held and of what they missed; return whether it is in vain."""
         key, least = held.key, self._least.get(held.key, inf)
-        self._vain += key != self._last and missed >= least / 2
+        again = key != self._last and missed >= least / 2
         self._least[key], self._last = min(missed, least), key
-        return self._vain >= CIRCLES
+        return again
 
 
 def solve_rows(
