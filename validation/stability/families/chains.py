@@ -1,7 +1,6 @@
 """Chains of rods: heavy loads, whipping, long swings."""
 
 from collections.abc import Iterator
-from itertools import product
 from math import atan2, cos, sin
 
 import numpy as np
