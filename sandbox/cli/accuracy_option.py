@@ -19,6 +19,7 @@ class Choice(NamedTuple):
     """Hz"""
     scheme: str | None = None
     iterations: int | None = None
+    solver: str | None = None
 
     @property
     def given(self) -> dict[str, float | str]:

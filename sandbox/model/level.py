@@ -223,6 +223,9 @@ class Stepping(Model):
     """Hz, steps a second"""
     iterations: Annotated[int, Field(ge=1, le=1000)] = 10
     """sweeps of the solver over contacts and joints, a step"""
+    solver: Literal["direct"] | None = None
+    """`direct` solves contacts directly where the effect `contact` leaves that open; found along
+    with an accuracy"""
     scheme: Scheme = "leapfrog"
     """`fourth-order` is for smooth forces that depend on places and time alone;
     `symplectic-euler` is stock pymunk, `explicit-euler` deliberately bad"""
@@ -235,8 +238,7 @@ class Stepping(Model):
         ValidationError
             If no level may have that rate.
         """
-        chosen = {"iterations": self.iterations, "scheme": self.scheme, "rate": rate}
-        return Stepping.model_validate(chosen)
+        return Stepping.model_validate({**self.model_dump(), "accuracy": None, "rate": rate})
 
     def steps(self, duration: float) -> int:
         """Return how many steps reach a duration [s]; what is one but for rounding is no more."""
@@ -248,7 +250,7 @@ class Stepping(Model):
         said: dict[str, object] = serialize(self)
         if self.accuracy is not None:
             return {"accuracy": self.accuracy}
-        return {name: value for name, value in said.items() if name != "accuracy"}
+        return {name: value for name, value in said.items() if value is not None}
 
     @property
     def is_stock(self) -> bool:
@@ -358,21 +360,33 @@ class Level(Model):
         return {name: parameter.value for name, parameter in self.parameters.items()}
 
 
-def is_direct(level: Level) -> bool:
+def is_direct(level: Level, stepping: Stepping | None = None) -> bool:
     """Whether contacts are solved directly, together with the exact joints.
 
-    Where the level does not choose, that is so where it has exact joints, and nothing that needs
-    pymunk's solver: joints that are left to it, and slipping whose end is located.
+    Where the level does not choose, that is so where it has exact joints or its stepping, the
+    level's own if left out, says so, and where it may be.
     """
-    contact, friction = level.effects.contact, level.effects.friction
+    contact = level.effects.contact
     if contact is None:
         return False
     if contact.solver is not None:
         return contact.solver == "direct"
+    wanted = (stepping or level.stepping).solver or any(map(is_exact, level.joints.values()))
+    return bool(wanted) and may_be_direct(level)
+
+
+def may_be_direct(level: Level) -> bool:
+    """Whether contacts may be solved directly, and the level leaves that open.
+
+    It may not have what needs pymunk's solver: joints that are left to it, and slipping whose end
+    is located.
+    """
+    contact, friction = level.effects.contact, level.effects.friction
+    if contact is None or contact.solver is not None:
+        return False
     joints = level.joints.values()
     left = any(isinstance(joint, Own) and not joint.exact for joint in joints)
-    ends = friction is not None and friction.located is not None
-    return any(is_exact(joint) for joint in joints) and not (left or ends)
+    return not left and not (friction and friction.located)
 
 
 def is_alone(name: str, level: Level) -> bool:

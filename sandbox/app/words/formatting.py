@@ -13,6 +13,7 @@ from sandbox.model.level import (
     CrossingEvent,
     LandingEvent,
     SeparationEvent,
+    Stepping,
 )
 from sandbox.physics.accuracy.calibration import Setting
 from sandbox.physics.accuracy.candidates import Offer
@@ -225,11 +226,18 @@ def offer(setting: Setting) -> str:
     )
 
 
+def stepping(chosen: Stepping) -> str:
+    """Write how time advances: scheme and rate, and what solves contacts if that was chosen."""
+    name, rate = scheme(chosen.scheme), chosen.rate
+    if chosen.solver:
+        return say("{scheme} at {rate:g} Hz, contacts solved directly", scheme=name, rate=rate)
+    return say("{scheme} at {rate:g} Hz", scheme=name, rate=rate)
+
+
 def _offer(found: Offer) -> str:
     return say(
-        "{scheme} at {rate:g} Hz, error {error}, {cost:.3g} ms of computing for 1 s",
-        scheme=scheme(found.stepping.scheme),
-        rate=found.stepping.rate,
+        "{setting}, error {error}, {cost:.3g} ms of computing for 1 s",
+        setting=stepping(found.stepping),
         error=error(found.error),
         cost=1e3 * found.cost,
     )

@@ -67,6 +67,14 @@ IterationsOption = Annotated[
         " own.",
     ),
 ]
+SolverOption = Annotated[
+    str | None,
+    typer.Option(
+        metavar="NAME",
+        help="direct solves contacts directly, where the level leaves that open. Default: the"
+        " level's own.",
+    ),
+]
 AccuracyOption = Annotated[
     float | None,
     typer.Option(

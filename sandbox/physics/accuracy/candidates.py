@@ -42,7 +42,8 @@ class Offer:
     def __str__(self) -> str:
         s = self.stepping
         cost = f"{self.cost * 1e3:.3g} ms of computing for a second of the scene"
-        return f"{s.scheme} at {s.rate:g} Hz, estimated error {self.error:.1e}, {cost}"
+        solved = ", contacts solved directly" if s.solver else ""
+        return f"{s.scheme} at {s.rate:g} Hz{solved}, estimated error {self.error:.1e}, {cost}"
 
 
 class Candidate(NamedTuple):
@@ -113,7 +114,7 @@ class Offers:
     def _nearest(self, stepping: Stepping) -> Trace:
         """Return the finest run of a scheme."""
         last = (refinement.traces[-1] for refinement in self.refinements)
-        return next(trace for trace in last if trace.stepping.scheme == stepping.scheme)
+        return next(trace for trace in last if trace.stepping.at(stepping.rate) == stepping)
 
 
 def _candidate(work: float, refinement: Refinement, target: float) -> Candidate:

@@ -8,9 +8,10 @@ only the order promises is run, with a finer run beside it, as far as that is no
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
+from typing import Literal
 
 from sandbox.model.expressions import Values
-from sandbox.model.level import HIGHEST_RATE, Level, Stepping
+from sandbox.model.level import HIGHEST_RATE, Level, Stepping, is_direct, may_be_direct
 from sandbox.model.schemes import unsmooth
 from sandbox.physics.accuracy.candidates import Candidate, Offer, Offers
 from sandbox.physics.accuracy.compared_runs import Stop, Watched, never, record, scaled, stride
@@ -163,7 +164,9 @@ def with_scales(
     Cancelled
         If `stop` said so.
     """
-    own = Stepping(rate=level.stepping.rate, iterations=level.stepping.iterations)
+    solver: Literal["direct"] | None = "direct" if _may_pile(level) else level.stepping.solver
+    said = level.stepping
+    own = Stepping(rate=said.rate, iterations=said.iterations, solver=solver)
     with suppress(SimulationError):
         return scaled(wanted, record(level, values, own, wanted, stop))
     return wanted
@@ -180,16 +183,30 @@ def _candidates(level: Level, values: Values) -> Iterator[Stepping]:
     lowest, floor = rate, _floor(level, values)
     while rate < floor and rate * 2**FEWEST <= HIGHEST_RATE:
         rate *= 2
-    start = Stepping(rate=rate, iterations=level.stepping.iterations)
+    said = level.stepping
+    start = Stepping(rate=rate, iterations=said.iterations, solver=said.solver)
     if not unsmooth(level):
         yield start.model_copy(update={"scheme": "fourth-order", "rate": rate / 2})
     elif contact := level.effects.contact:
+        if _may_pile(level):
+            yield start.model_copy(update={"solver": "direct"})
         judge = start.model_copy(update={"iterations": min(MORE_SWEEPS * start.iterations, 1000)})
         yield judge
         if contact.located or level.effects.in_sequence:  # which has a cost, too
             naive = judge if level.effects.in_sequence else start  # rows at once are for sweeps
             yield naive.model_copy(update={"scheme": "symplectic-euler", "rate": lowest})
     yield start
+
+
+def _may_pile(level: Level) -> bool:
+    """Whether bodies may rest on others, and contacts might as well be solved directly.
+
+    What bounces off several others at once parts in another way there, and a single body that
+    rests on what does not move needs no more than some sweeps.
+    """
+    if is_direct(level) or not may_be_direct(level) or level.effects.restitution:
+        return False
+    return sum(body.type == "dynamic" for body in level.bodies.values()) > 1
 
 
 def _floor(level: Level, values: Values) -> float:

@@ -151,8 +151,10 @@ def held(refiners: Sequence[Refiner]) -> list[Refinement]:
     if not judges:
         return []
     best = min(judges, key=lambda refinement: refinement.errors[-1])
-    if refiners[0].level.effects.contact:
-        best = judges[0]  # only more sweeps of the solver show what it still owes
+    if refiners[0].level.effects.contact:  # what sweeps still owe, only more of them show, or none
+        plain = refiners[-1].stepping.at(HIGHEST_RATE)
+        able = [found for found in judges if found.traces[0].stepping.at(HIGHEST_RATE) != plain]
+        best = min(able or judges, key=lambda refinement: refinement.errors[-1])
     wanted = refiners[0].wanted
     others = [
         held_against(refinement, best, wanted) for refinement in found if refinement is not best

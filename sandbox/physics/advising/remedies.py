@@ -159,7 +159,7 @@ def _others(level: Level, stepping: Stepping) -> Iterator[Remedy]:
     contact = level.effects.contact
     held = {name: joint for name, joint in level.joints.items() if is_exact(joint)}
     own = any(isinstance(joint, Own) and not joint.exact for joint in level.joints.values())
-    if contact and not is_direct(level) and not own:
+    if contact and not is_direct(level, stepping) and not own:
         direct = contact.model_copy(update={"solver": "direct"})
         effects = level.effects.model_copy(update={"contact": direct})
         changed = level.model_copy(update={"effects": effects})

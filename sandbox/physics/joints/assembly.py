@@ -38,7 +38,7 @@ from sandbox.model.joints import (
     is_exact,
     points,
 )
-from sandbox.model.level import Level, is_alone, is_direct, span
+from sandbox.model.level import Level, is_alone, span
 from sandbox.model.shapes import XY, Point, evaluate
 from sandbox.model.wires import along
 from sandbox.physics.engine.batch import Batch
@@ -92,6 +92,8 @@ def assemble(
     batch: Batch,
     inverse_mass: Array,
     touches: Touches | None = None,
+    *,
+    direct: bool = False,
 ) -> Joints:
     """Make the joints of a scene.
 
@@ -105,8 +107,10 @@ def assemble(
         (n, 3), one over mass, mass and moment, 0 of what nothing moves or turns [1/kg, 1/(kg m²)].
     touches
         Tells which of the pairs that stick have met; None if none do.
+    direct
+        Whether contacts are solved together with the exact joints, of which there may be none.
     """
-    return _Assembly(level, values, bodies, inverse_mass, touches).joints(batch)
+    return _Assembly(level, values, bodies, inverse_mass, touches).joints(batch, direct=direct)
 
 
 class _Assembly:
@@ -140,13 +144,13 @@ class _Assembly:
             self._joints.latches = Latches(self._open, self._tie)
         self._origin = _origin(bodies)
 
-    def joints(self, batch: Batch) -> Joints:
+    def joints(self, batch: Batch, *, direct: bool) -> Joints:
         """Return all joints."""
         joints, level = self._joints, self._level
         self._take_own()
         rows, others = self._take_ours()
         later = bool(self._open - joints.springs.keys()) or any(bouncing(level.joints))
-        if rows or others or later or level.effects.sticking or is_direct(level):
+        if rows or others or later or level.effects.sticking or direct:
             inverse_mass = self._inverse_mass[:, 0], self._inverse_mass[:, 2]
             refuse_too_many((*rows, *others), inverse_mass[0])
             joints.together = ExactJoints(rows, others, batch, *inverse_mass, self._origin)

@@ -108,6 +108,8 @@ def _provenance(trace: Trace, source: str, change: Change | None) -> Iterator[tu
     yield "rate", f"{stepping.rate!r} Hz"
     yield "iterations", str(stepping.iterations)
     yield "scheme", stepping.scheme
+    if stepping.solver:
+        yield "solver", stepping.solver
     yield "effects", ", ".join(level.effects.declared) or "none"
     if trace.closing:
         yield "energy", trace.closing.text
@@ -140,6 +142,8 @@ def _again(
             command += ["--set", f"{name}={float(value)!r}"]
     command += ["--duration", repr(float(trace.t[-1])), "--rate", repr(stepping.rate)]
     command += ["--scheme", stepping.scheme, "--iterations", str(stepping.iterations)]
+    if stepping.solver:
+        command += ["--solver", stepping.solver]
     for name in columns:
         command += ["--record", name]
     text = shlex.join([*command, "--output", "FILE.csv"])

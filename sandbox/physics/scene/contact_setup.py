@@ -47,7 +47,7 @@ def make_contacts(
     if ours:
         skip_ids(space, level)
     sequence = level.effects.in_sequence and ours
-    direct = ours and is_direct(level)
+    direct = ours and is_direct(level, stepping)
     skin, shapes = _skin(ours=ours, direct=direct), {}
     for kind, (name, spec) in enumerate(level.bodies.items(), start=1):
         shapes[name] = make_surfaces(spec, bodies[name], level, values, skin, kind)
@@ -75,7 +75,7 @@ def make_contacts(
         pairs = Pairs(*given, None, reach, hollows, gates)
     if ours:
         reach_out(space)
-        _choose_solver(space, level, values, 1 / stepping.rate)
+        _choose_solver(space, level, values, 1 / stepping.rate, direct=direct)
     return pairs
 
 
@@ -90,9 +90,11 @@ def _make_gates(
     return Gates(level, values, bodies, skin)
 
 
-def _choose_solver(space: pymunk.Space, level: Level, values: Values, dt: float) -> None:
+def _choose_solver(
+    space: pymunk.Space, level: Level, values: Values, dt: float, *, direct: bool
+) -> None:
     """Leave contacts to what solves them directly, or say how pymunk is to take overlaps back."""
-    if is_direct(level):
+    if direct:
         leave_contacts(space)
     else:
         choose_correction(space, level, values, dt)
@@ -108,7 +110,7 @@ def _skin(*, ours: bool, direct: bool) -> float:
 def make_direct(made: Made, pairs: Pairs) -> "Direct | None":
     """Make what solves contacts and exact joints together, where the level wants it."""
     level, stepping = made.level, made.stepping
-    if stepping.is_stock or not is_direct(level):
+    if stepping.is_stock or not is_direct(level, stepping):
         return None
     from sandbox.physics.contacts.direct.solver import Direct
     from sandbox.physics.contacts.direct.surfaces import surfaces_of

@@ -12,7 +12,7 @@ import numpy as np
 import pymunk
 
 from sandbox.model.expressions import Array, Values
-from sandbox.model.level import Level, Stepping
+from sandbox.model.level import Level, Stepping, is_direct
 from sandbox.physics.engine.batch import Batch
 from sandbox.physics.engine.bodies import make_body
 from sandbox.physics.forces.declared_laws import Gravity, Law, Turn, gravity, laws, mass_share
@@ -124,7 +124,8 @@ def make_scene(level: Level, values: Values, stepping: Stepping) -> Scene:
     if field:
         space.gravity = field.acceleration
     batch = Batch(space, list(bodies.values()))
-    joints = _make_joints(level, values, bodies, batch, inverse_mass, pairs)
+    direct = is_direct(level, stepping)
+    joints = _make_joints(level, values, bodies, batch, inverse_mass, pairs, direct=direct)
     switches: Switches = {}
     if level.happens:
         from sandbox.physics.scene.switches import make_switches
@@ -133,7 +134,7 @@ def make_scene(level: Level, values: Values, stepping: Stepping) -> Scene:
     given = Given(level, values, list(bodies), mass, share, 1 / stepping.rate, switches)
     forces, turns = laws(level.effects, given)
     made = Made(level, values, stepping, bodies, batch, joints, inertia, inverse_mass)
-    direct, sequence = _solvers(made, pairs)
+    solver, sequence = _solvers(made, pairs)
     hooked = _hooked(made, forces, turns, share)
     return Scene(
         space=space,
@@ -149,7 +150,7 @@ def make_scene(level: Level, values: Values, stepping: Stepping) -> Scene:
         sticking=pairs.sticking,
         sequence=sequence,
         reach=pairs.reach,
-        direct=direct,
+        direct=solver,
         hollows=pairs.hollows,
         gates=pairs.gates,
         gravity=field,
@@ -202,6 +203,8 @@ def _make_joints(
     batch: Batch,
     inverse_mass: Array,
     pairs: Pairs,
+    *,
+    direct: bool,
 ) -> Joints:
     """Make the joints, if anything may ever hold bodies together."""
     contact = level.effects.contact
@@ -212,7 +215,8 @@ def _make_joints(
 
     space = next(iter(bodies.values())).space
     assert space
-    joints = assemble(level, values, bodies, batch, inverse_mass, touches_of(space, level))
+    touches = touches_of(space, level)
+    joints = assemble(level, values, bodies, batch, inverse_mass, touches, direct=direct)
     if contact and not contact.overlaps:
         from sandbox.physics.contacts.overlaps import refuse_overlaps
 

@@ -501,6 +501,34 @@ def test_a_rate_between_two_runs_is_where_the_error_would_be_as_asked_for() -> N
     assert refinement.between(2e-3) is None  # nothing is known of lower ones
 
 
+def boxes(count: int, **contact: object) -> Level:
+    """Boxes of 1 m on each other, for 4 s; as many sweeps as are usual leave them leaning."""
+    box = {"shape": {"type": "box", "width": 1, "height": 1}, "mass": 1, "friction": 0.6}
+    stack = {f"box{i}": {**box, "position": [0, i + 0.5]} for i in range(count)}
+    effects = {**GRAVITY, "contact": contact, "friction": {}, "rotation": {}}
+    return level({"floor": floor(friction=0.6), **stack}, effects, duration=4)
+
+
+@pytest.mark.sweep
+def test_a_pile_is_solved_directly_where_sweeps_do_not_reach_its_accuracy() -> None:
+    """Twenty boxes: to rounding at the lowest rate, and by sweeps alone not at all."""
+    found = calibrate(boxes(20), target=1e-9).chosen
+    top = "box19.position.x"
+    run = simulate(boxes(20), stepping=found.stepping, record=[top])
+
+    assert found.stepping.solver == "direct"
+    assert np.abs(run.columns[top]).max() < 1e-12  # m; 1e-13 seen
+    with pytest.raises(AccuracyError, match="cannot be had"):
+        calibrate(boxes(20, solver="iterative"), target=1e-9)
+
+
+def test_what_sweeps_reach_at_less_cost_is_left_to_them() -> None:
+    found = calibrate(boxes(5), target=1e-9).chosen
+
+    assert found.stepping.solver is None
+    assert found.error < 1e-9
+
+
 def test_an_accuracy_below_rounding_is_refused() -> None:
     with pytest.raises(AccuracyError, match="1e-15 is below rounding; 1e-14 is the least"):
         calibrate(oscillator(), target=1e-15)

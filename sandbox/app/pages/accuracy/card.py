@@ -39,8 +39,7 @@ def asked(
     if target is not None:
         wanted = say("Asked for: {error}", error=formatting.error(target))
     card.text(wanted, 14, bold=target is not None)
-    scheme = formatting.scheme(stepping.scheme)
-    message = say("now {scheme} at {rate:g} Hz", scheme=scheme, rate=stepping.rate)
+    message = say("now {setting}", setting=formatting.stepping(stepping))
     if here is not None:
         message = say(
             "{setting}, error {error}", setting=message, error=formatting.error(here.error)
