@@ -421,6 +421,7 @@ MENDED = {
     82400747: "a link whipped by a landing was held through the drift, as if by the impact itself",
     3909030039: "a landing's impact was booked with what joints held afterwards",
     1928214541: "a slack rope pulled with 6e-16 N, and when it was caught that was no jerk",
+    4060324513: "joints alone went on from the mean velocity of a drift in four parts",
     3743251257: "a drift in two parts was booked as a whole one, in which a body turned by a third",
 }
 """Scenes that failed once, and why."""

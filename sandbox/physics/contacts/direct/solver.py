@@ -207,6 +207,8 @@ class Direct:
 
     def _solve_joints(self, until: float) -> None:
         """Solve joints that nothing touches; ropes that come to no terms as contacts are."""
+        if self.drifted:  # pymunk knows only how far its parts led
+            self._batch.set_velocity(self._begun + self._acceleration * self._joints.kick)
         velocity = self._batch.velocity()
         try:
             self._joints.solve(until)
