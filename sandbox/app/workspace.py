@@ -27,6 +27,7 @@ from sandbox.model import catalog
 from sandbox.model.errors import SandboxError
 from sandbox.model.level import Level, Stepping
 from sandbox.model.loading import choose, load
+from sandbox.physics.measuring.recording import leans
 from sandbox.physics.state.errors import SimulationError
 
 TITLE = "Mechanics sandbox"
@@ -186,6 +187,9 @@ class Workspace:
         self.session, self._refused = session, None
         self.banner.tell("")
         self._remember(path)
+        if leans(session.world):
+            message = later("The solver's sweeps do not settle this pile: it may lean or fall")
+            self.banner.tell(say(message))
         self._world = session.world
         self.stage.use(session.world)
         self.stage.fit()

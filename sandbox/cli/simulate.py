@@ -16,7 +16,7 @@ from sandbox.model.loading import choose
 from sandbox.model.quantities import quantities, quantity
 from sandbox.physics import run as runs
 from sandbox.physics.accuracy.compared_runs import lasting
-from sandbox.physics.advising.remedies import tried
+from sandbox.physics.advising.remedies import leaning, tried
 from sandbox.physics.measuring.comparison import Difference, differences
 from sandbox.physics.measuring.csv_export import write_csv
 from sandbox.physics.measuring.grading import grade
@@ -91,7 +91,9 @@ def _say(output: Path, source: str, trace: Trace, names: Sequence[str]) -> None:
 
 
 def _close(trace: Trace) -> None:
-    """Say how the books of the run's energy closed."""
+    """Say how the books of the run's energy closed, and whether a pile may have leant."""
+    if trace.leans:
+        typer.echo(f"contacts: {leaning(trace.level, trace.values, trace.stepping)}")
     if trace.closing:
         typer.echo(f"energy: {trace.closing.text}")
 

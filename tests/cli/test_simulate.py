@@ -109,6 +109,25 @@ def test_a_scheme_that_is_not_for_the_level_is_said(run: Run, write: Write, tmp_
     assert "'fourth-order' is for smooth forces" in outcome.err
 
 
+def test_it_says_that_a_pile_may_lean(run: Run, write: Write, tmp_path: Path) -> None:
+    """Fifteen boxes, which no number of sweeps settles at 60 Hz."""
+    box = {"shape": {"type": "box", "width": 1, "height": 1}, "mass": 1, "friction": 0.6}
+    line = {"type": "segment", "start": [-9, 0], "end": [9, 0]}
+    boxes = {f"box{i}": {**box, "position": [0, i + 0.5]} for i in range(15)}
+    effects = {
+        "gravity": {"acceleration": [0, "-g"]},
+        "contact": {},
+        "friction": {},
+        "rotation": {},
+    }
+    bodies = {"floor": {"type": "static", "shape": line, "friction": 0.6}, **boxes}
+    level = write(effects=effects, bodies=bodies, checks=[], ghosts={})
+
+    outcome = run("simulate", level, "--output", tmp_path / "out.csv", "--duration", "0.1")
+
+    assert outcome.out.splitlines()[-2].startswith("contacts: sweeps of the solver did not settle")
+
+
 def test_it_says_steps_and_verdicts(run: Run, write: Write, tmp_path: Path) -> None:
     outcome = run("simulate", write(), "--output", tmp_path / "out.csv")
 

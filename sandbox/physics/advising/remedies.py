@@ -20,6 +20,8 @@ from sandbox.physics.run import build
 from sandbox.physics.state.errors import BreakdownError, SimulationError
 from sandbox.physics.stepping.world import World
 
+DIRECT = 'with "contact": {"solver": "direct"}'
+
 SECONDS = 2.0
 """How long trying may take in all, of the processor [s]: on a busy machine the same is found.
 
@@ -139,6 +141,26 @@ def _dismissed(failed: list[_Trial]) -> str:
     return f"a higher rate does not help ({' and '.join(rates)} Hz), but " if rates else ""
 
 
+def leaning(level: Level, values: Values, stepping: Stepping) -> str:
+    """Say of a level whose start did not settle what may come of it, and what was seen to help."""
+    text = "sweeps of the solver did not settle what rests at the start, so it may lean or fall"
+    try:
+        build(solved_directly(level), values, stepping)
+    except SandboxError:
+        return text
+    return f"{text}; {DIRECT} its forces are found"
+
+
+def solved_directly(level: Level) -> Level:
+    """Return a level with contact whose contacts are solved directly."""
+    contact = level.effects.contact
+    assert contact
+    direct = contact.model_copy(update={"solver": "direct"})
+    return level.model_copy(
+        update={"effects": level.effects.model_copy(update={"contact": direct})}
+    )
+
+
 Remedy = tuple[str, Level | None, Stepping, float | None]
 
 
@@ -160,10 +182,7 @@ def _others(level: Level, stepping: Stepping) -> Iterator[Remedy]:
     held = {name: joint for name, joint in level.joints.items() if is_exact(joint)}
     own = any(isinstance(joint, Own) and not joint.exact for joint in level.joints.values())
     if contact and not is_direct(level, stepping) and not own:
-        direct = contact.model_copy(update={"solver": "direct"})
-        effects = level.effects.model_copy(update={"contact": direct})
-        changed = level.model_copy(update={"effects": effects})
-        yield 'with "contact": {"solver": "direct"}', changed, stepping, None
+        yield DIRECT, solved_directly(level), stepping, None
     if contact and held and all(isinstance(joint, Own) for joint in held.values()):
         loose = {n: joint.model_copy(update={"exact": False}) for n, joint in held.items()}
         swept = contact.model_copy(update={"solver": "iterative"})

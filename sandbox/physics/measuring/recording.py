@@ -76,6 +76,8 @@ class Trace:
     meetings, partings
         For each pair of bodies that came to touch, and for each that parted: when, each time, but
         no more than `MOST_MEETINGS`. Those that touch from the start must part before.
+    leans
+        Whether the forces of what rests at its start were not found: a pile may lean then.
     closing
         How the books of its energy closed; None if none were kept.
     """
@@ -88,6 +90,7 @@ class Trace:
     units: Mapping[str, str]
     meetings: Mapping[Pair, Sequence[Meeting]]
     partings: Mapping[Pair, Sequence[int]]
+    leans: bool = False
     closing: Closing | None = None
 
     @property
@@ -149,6 +152,12 @@ class Trace:
         return Dataset(variables, {TIME.name: t}, {"title": self.level.title})
 
 
+def leans(world: World) -> bool:
+    """Whether sweeps of the solver did not settle what rests at the start of a run."""
+    settling = world.kicks.settling
+    return bool(settling and settling.unsettled and not world.scene.direct)
+
+
 class Recorder:
     """Watches a world and notes quantities, step by step; with a ledger where one asks for it."""
 
@@ -170,6 +179,7 @@ class Recorder:
         self._last: list[Snapshot] = []  # the last that was, from which integrals go on
         self._measured: list[tuple[Array, dict[str, Array]]] = []
         self._count = 0
+        self._leans = leans(world)
         self._meetings: dict[Pair, list[Meeting]] = {}
         self._partings: dict[Pair, list[int]] = {}
         self._touching: set[int] = set()  # pairs that do now, as numbers
@@ -285,6 +295,7 @@ class Recorder:
             units,
             self._meetings,
             self._partings,
+            self._leans,
         )
 
 

@@ -1,34 +1,20 @@
 """Kicks of bodies that are held in place: the first kick, and those that have to be found first.
 
-pymunk solves contacts, and strings after them, in turn: one kick leaves them a little at odds. So
-bodies are held where they are and kicked again and again from the same velocities, each time from
-the impulses found before, until nothing changes any more.
+Where bodies touch, each is repeated until contacts and strings have come to terms (`settling.py`).
 """
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from typing import TYPE_CHECKING
 
-import numpy as np
 import pymunk
 
 from sandbox.model.expressions import Array
 from sandbox.physics.scene.scene import Scene
 from sandbox.physics.state.kick import Kick
 
-MAX_KICKS = 500
-"""How often a kick is repeated while contacts and strings come to terms."""
-
-PATIENCE = 50
-"""After how many kicks that settle nothing each is given twice as many sweeps of the solver."""
-
-UNSETTLED = 1000
-"""How many times the rounding velocities must still change for that."""
-
-LULL = 10
-"""For how many kicks what changes must not halve, to be taken for rounding that goes in circles."""
-
-MAX_SWEEPS = 5000
-"""How many sweeps a kick may then have, times the pairs in contact: it bounds the time it takes."""
+if TYPE_CHECKING:
+    from sandbox.physics.stepping.settling import Settling
 
 
 class HeldKicks:
@@ -44,6 +30,11 @@ class HeldKicks:
         Whether there are contacts at all: without any, nothing has to settle.
     placed
         Whether contacts are solved for the places after the drift, not for velocities.
+
+    Attributes
+    ----------
+    settling
+        What repeats them; None where nothing has to settle.
     """
 
     def __init__(
@@ -51,8 +42,8 @@ class HeldKicks:
     ) -> None:
         self._space, self._batch, self._finish = scene.space, scene.batch, finish
         self._moving = [b for b in scene.bodies.values() if b.body_type != pymunk.Body.STATIC]
-        self._holding, self._placed = False, placed
-        self._most = MAX_KICKS if touching else 1
+        self._holding = False
+        self.settling = _settling(scene, placed=placed) if touching else None
 
     @contextmanager
     def held(self) -> Iterator[None]:
@@ -82,44 +73,22 @@ class HeldKicks:
         smooth
             (n, 3), about how strong gravity and force laws are [m/s², rad/s²].
         """
-        start, length = kick.start, kick.length
+        start = kick.start
         assert start is not None
-        swept = self._space.iterations
-        pulled = length * np.abs(smooth).max(initial=0.0)
-        close = 1e-15 * (pulled or np.abs(start).max(initial=0.0))  # the rounding of what changes
-        near = UNSETTLED * close
-        if self._placed:
-            from sandbox.physics.contacts.direct.rounding import left_of_places, spread
 
-            left = left_of_places(self._batch.state()[:, :3], self._moving, kick.drift)
-            near = max(near * spread(self._moving), left)
-        after = np.full_like(start, np.inf)  # at least two kicks are compared
-        if self._most > 1:
-            from sandbox.physics.state.cancellation import cancellation_point
-        changes: list[float] = []
-        for count in range(self._most):
-            if count:
-                cancellation_point()
-            previous = after
+        def once() -> Array:
             self._batch.set_velocity(start)
-            self._space.step(length)
+            self._space.step(kick.length)
             self._finish()
-            after = self._batch.velocity()
-            change = float(np.abs(after - previous).max(initial=0.0))
-            changes.append(change)
-            if change <= close or _circles(changes[-2 * LULL :], near):
-                break
-            if count % PATIENCE == PATIENCE - 1 and change > near:
-                most = MAX_SWEEPS // max(len(self._batch.contacts().bodies), 1)
-                self._space.iterations = max(min(2 * self._space.iterations, most), swept)
-        self._space.iterations = swept
-        return after
+            return self._batch.velocity()
+
+        return self.settling.repeat(once, kick, smooth) if self.settling else once()
 
 
-def _circles(changes: Sequence[float], near: float) -> bool:
-    """Whether what still changes is near rounding, and has ceased to grow less."""
-    before, now = changes[:LULL], changes[LULL:]
-    return len(now) == LULL and max(now) <= near and min(now) >= min(before) / 2
+def _settling(scene: Scene, *, placed: bool) -> "Settling":
+    from sandbox.physics.stepping.settling import Settling
+
+    return Settling(scene, placed=placed)
 
 
 def _stay(_body: pymunk.Body, _dt: float) -> None:

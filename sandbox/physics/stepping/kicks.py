@@ -48,6 +48,8 @@ class Kicks:
         The drifts and kicks of which a step is made; see `compose`.
     trail
         After each of these but the last, places and velocities: (n, 6) each; None unless kept.
+    settling
+        What lets contacts come to terms where bodies are held; None without any.
     """
 
     def __init__(self, scene: Scene, forces: Forces, dt: float, *, touching: bool) -> None:
@@ -58,6 +60,7 @@ class Kicks:
         self._hook: Hook | None = None
         placed = scene.direct is not None
         self._held = HeldKicks(scene, self.finish, touching=touching, placed=placed)
+        self.settling = self._held.settling
         self.compose([once(dt)])
 
     def compose(self, parts: Sequence[Substep]) -> None:
