@@ -21,9 +21,10 @@ from typing import NamedTuple
 
 import pymunk
 
+from sandbox.model.body import Body
 from sandbox.model.collision_filter import apart
 from sandbox.model.expressions import Values
-from sandbox.model.level import Body, Level
+from sandbox.model.level import Level
 from sandbox.model.shapes import Arc as ArcShape
 from sandbox.model.shapes import Curve, Polyline, Segment
 from sandbox.physics.contacts.hollow_shapes import line_of

@@ -12,10 +12,10 @@ from typing import ClassVar, NamedTuple
 
 import numpy as np
 
+from sandbox.model.body import Body
 from sandbox.model.effects import buoyancy as declared
 from sandbox.model.effects.contract import Effect
 from sandbox.model.expressions import Array, Values
-from sandbox.model.level import Body
 from sandbox.model.shapes import Area, Disc
 from sandbox.physics.engine.bodies import local_points
 from sandbox.physics.forces.law import Given, Law

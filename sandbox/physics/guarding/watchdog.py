@@ -12,8 +12,9 @@ from typing import NoReturn
 import numpy as np
 
 from sandbox.model import ledger_accounts
+from sandbox.model.body import Body
 from sandbox.model.expressions import Array, Values
-from sandbox.model.level import Body, Level, Stepping
+from sandbox.model.level import Level, Stepping
 from sandbox.model.shapes import Arc, Box, Curve, Disc, Hoop, Polygon, Polyline, Segment
 from sandbox.physics.contacts.pair_count import crowded, most_pairs
 from sandbox.physics.engine.batch import Contacts, Integers

@@ -5,7 +5,7 @@ from math import atan2, cos, sin
 
 import numpy as np
 
-from sandbox.model.level import span
+from sandbox.model.joint_ends import span
 from validation.stability.case import Frontier, HardCase
 from validation.stability.run_measures import Run, energy, separation
 from validation.stability.scene import (
