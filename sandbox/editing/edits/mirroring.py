@@ -3,7 +3,7 @@
 from collections.abc import Collection
 from typing import Literal
 
-from sandbox.editing.attached import attached
+from sandbox.editing.attached_bodies import attached
 from sandbox.editing.formulas import negative, shifted
 from sandbox.editing.layout import Json
 from sandbox.editing.placement import around, chosen

@@ -34,7 +34,6 @@ from sandbox.model.joints import (
 from sandbox.model.level import Level, is_alone
 from sandbox.model.shapes import evaluate
 from sandbox.physics.engine.batch import Batch
-from sandbox.physics.joints.composites import Solids, Touches
 from sandbox.physics.joints.exact.angles import (
     where,
 )
@@ -48,6 +47,7 @@ from sandbox.physics.joints.joints import Joints
 from sandbox.physics.joints.latches import Latches
 from sandbox.physics.joints.pymunk_joints import OwnJoint
 from sandbox.physics.joints.springs_and_strings import make_spring, make_string
+from sandbox.physics.joints.welded_bodies import Solids, Touches
 from sandbox.physics.state.anchor import Anchor
 from sandbox.physics.state.errors import JointFailure
 

@@ -26,7 +26,7 @@ from sandbox.physics.contacts.solver_coefficients import (
     take_bounces,
 )
 from sandbox.physics.engine.broadphase import choose_broad_phase
-from sandbox.physics.joints.composites import Touches
+from sandbox.physics.joints.welded_bodies import Touches
 from sandbox.physics.scene.build_context import Made, Pairs
 
 if TYPE_CHECKING:
@@ -128,9 +128,9 @@ def make_direct(made: Made, pairs: Pairs) -> "Direct | None":
     level, stepping = made.level, made.stepping
     if stepping.is_stock or not is_direct(level, stepping):
         return None
+    from sandbox.physics.contacts.contact_queries import Query
     from sandbox.physics.contacts.direct.solver import Direct
     from sandbox.physics.contacts.direct.surfaces import surfaces_of
-    from sandbox.physics.contacts.queries import Query
 
     assert made.joints.together
     bodies = list(made.bodies.values())
