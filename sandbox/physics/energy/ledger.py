@@ -7,14 +7,14 @@ So the kinetic energy changes by the sum of the works of all impulses, exactly, 
 by itself.
 
 A force with a potential is booked by what became of its potential energy, read in the middle of the
-drift, instead of by its work. The two differ by what a step is too coarse for. That difference, and
+drift, instead of by its work. The two differ where a step is too coarse. That difference, and
 whatever else has no cause, is `unexplained`: the numerical error. Nothing corrects it.
 
-A step of fourth order is several of those, of which the last kick is shared with the next step. It
-is read from step to step instead, each half of that kick booked on its own side.
+A step of fourth order has several drifts and kicks, and shares its last kick with the next step. It
+is read from step to step instead: half of that kick is booked before the step, and half after it.
 
-What cannot give energy is not believed to: surfaces that press on each other, impacts with e = 1, a
-joint that keeps its length. What they do all the same is left unexplained.
+Some things cannot give energy: surfaces that press on each other, impacts with e = 1, a joint that
+keeps its length. If they seem to, it is not booked, and stays unexplained.
 """
 
 from collections.abc import Iterable

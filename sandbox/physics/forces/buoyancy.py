@@ -1,9 +1,9 @@
 """Buoyancy in a liquid at rest: the weight of the displaced liquid, computed exactly.
 
 The area A of a polygon below the surface, its depth and its moment are sums over the edges, clipped
-at the surface: by Green's theorem ∬ f dA = −∮ ∫f dy dx over what lies below, for the surface itself
-adds nothing, y = 0 there. Nothing has to be cut, so that polygons need not be convex. That of a
-disc is a segment of a circle.
+at the surface: by Green's theorem ∬ f dA = −∮ ∫f dy dx over what lies below. The surface itself
+adds nothing, because y = 0 there. Nothing has to be cut, so polygons need not be convex. The area
+of a disc below the surface is a segment of a circle.
 """
 
 from collections.abc import Iterator

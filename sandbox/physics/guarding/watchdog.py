@@ -1,8 +1,8 @@
 """The watchdog: it stops a run that has gone wrong, says why, and at which rate it should hold.
 
-It looks at what is observed anyway, and changes nothing. What makes a look expensive, energies and
-the joints' lengths, it looks at every few observations only. Euler's schemes are deliberately bad:
-of them it asks only that everything is somewhere, and that their energy does not go on multiplying.
+It reads what is observed anyway, and changes nothing. Energies and the lengths of joints are
+expensive, so it looks at them only every few observations. Euler's schemes are deliberately bad: of
+them it asks only that numbers stay finite, and that their energy does not keep multiplying.
 """
 
 from collections.abc import Callable
