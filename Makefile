@@ -31,7 +31,7 @@ UNFINISHED := $(VENV)/.unfinished
 
 .DEFAULT_GOAL := help
 .NOTPARALLEL:
-.PHONY: help run test sweep lint check-levels pytest validate quick fuzz soak faults lock audit packages report format docs texts site clean
+.PHONY: help run test sweep lint check-levels pytest validate quick fuzz soak faults lock audit packages report format docs pictures texts site clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "make %-13s %s\n", $$1, $$2}' Makefile
@@ -95,6 +95,9 @@ docs: $(FOR_RUN) ## write anew what is generated: JSON Schemas, the reference, t
 	$(PY) -m sandbox.experiments.schema
 	$(PY) -m sandbox.cli.reference
 	$(PY) -m validation.chapter
+
+pictures: $(FOR_TEST) ## draw the pictures of the README anew, from the window as it is now
+	$(HEADLESS) $(PY) docs/pictures.py
 
 texts: $(FOR_TEST) ## bring the catalogues of the window's languages up to date with what the code says
 	$(HEADLESS) $(PY) -m sandbox.cli.texts

@@ -7,9 +7,17 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[1]
 PAGES = sorted([*ROOT.glob("*.md"), *(ROOT / "docs").rglob("*.md")])
+SOURCES = [
+    path
+    for folder in ("docs", "sandbox", "tests", "validation")
+    for path in (ROOT / folder).rglob("*")
+    if path.suffix in {".py", ".toml"}
+] + [ROOT / "pyproject.toml"]
 CODE = re.compile(r"^```[\s\S]*?^```$|^ {4}.*$|`[^`\n]*`", re.MULTILINE)
 LINK = re.compile(r"\]\(([^)\s]+)\)")
 NAMED = re.compile(r"docs/[\w./-]+\.(?:md|png|toml|py)")
+IMPORT = re.compile(r"^ *(from (?:sandbox|validation)[\w.]* import [\w, ]+)$", re.MULTILINE)
+FILE = re.compile(r"`([\w./-]+\.(?:py|toml))`")
 
 
 def named(page: Path) -> str:
@@ -72,3 +80,26 @@ def test_every_page_can_be_reached_from_the_readme() -> None:
             ahead += ((page.parent / link.partition("#")[0]).resolve() for link in links(page))
 
     assert {named(page) for page in PAGES} - {named(page) for page in reached} == set()
+
+
+@pytest.mark.parametrize("page", PAGES, ids=named)
+def test_what_a_page_imports_can_be_imported(page: Path) -> None:
+    for line in IMPORT.findall(page.read_text(encoding="utf-8")):
+        exec(line)
+
+
+@pytest.mark.parametrize("page", PAGES, ids=named)
+def test_every_source_file_that_a_page_names_is_there(page: Path) -> None:
+    """In full, or from the room that the page is about: `joints/assembly.py`."""
+    sources = [f"/{named(path)}" for path in SOURCES]
+
+    for name in FILE.findall(page.read_text(encoding="utf-8")):
+        assert any(source.endswith(f"/{name}") for source in sources), f"{named(page)}: {name}"
+
+
+def test_an_import_and_a_file_that_are_not_there_are_found() -> None:
+    assert IMPORT.findall("    from sandbox.app import theme\n") == [
+        "from sandbox.app import theme"
+    ]
+    assert FILE.findall("made in `joints/assembly.py`") == ["joints/assembly.py"]
+    assert not any(path.match("contacts/curved.py") for path in SOURCES)

@@ -36,6 +36,7 @@ from validation.formulas import (
     mechanisms,
     momentum,
     newton,
+    pulleys,
     rotation,
 )  # fmt: skip
 
@@ -43,7 +44,7 @@ FOLDER = Path(__file__).parent / "cases"
 
 MODULES = (
     document, energy, kinematics, lagrange, leapfrog, machines, mechanisms, momentum, newton,
-    rotation,
+    pulleys, rotation,
 )  # fmt: skip
 
 NAMES: Mapping[str, object] = {

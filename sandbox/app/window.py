@@ -6,10 +6,10 @@ from time import perf_counter
 
 import pygame
 
-from sandbox.app.allowance import Allowance
 from sandbox.app.command_table import CommandTable
 from sandbox.app.events import Events
 from sandbox.app.files.open_level_watch import FileWatch
+from sandbox.app.frame_budget import Allowance
 from sandbox.app.long_frames import HoldUp
 from sandbox.app.painting import paint
 from sandbox.app.runs.session import Session

@@ -17,7 +17,7 @@ from sandbox.app.pages.register import PAGES, opening
 from sandbox.app.pages.workers import Workers
 from sandbox.app.panels import messages
 from sandbox.app.panels.panels import Panels
-from sandbox.app.runs.advising import Advising
+from sandbox.app.runs.remedy_search import Advising
 from sandbox.app.runs.session import Session
 from sandbox.app.runs.undoing import Undoing
 from sandbox.app.stage.stage import Stage

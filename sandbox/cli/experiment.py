@@ -65,7 +65,7 @@ def experiment(asked: Asked, output: Path, jobs: int | None, address: str | None
 
 def _run(plan: "Plan", store: "Store", missing: int, jobs: int | None, address: str | None) -> None:
     """Run what is missing of a plan; however that ends, tell what is kept."""
-    from sandbox.experiments.conduct import conduct
+    from sandbox.experiments.batch_scheduling import conduct
 
     done = 0
     try:
@@ -99,8 +99,8 @@ def fit(asked: Asked, names: Sequence[str], data: Path | None, output: Path) -> 
             "--fit NAME and --data FILE.csv: both are needed, what to find and from what"
         )
     with needed_for("a fit", "experiment"):
-        from sandbox.experiments import data as measured
         from sandbox.experiments import fit_report
+        from sandbox.experiments import measured_data as measured
         from sandbox.experiments.fitting import fit
     source, level = argument_parsing.open_level(asked.argument)
     values = choose(level, argument_parsing.settings(asked.set))

@@ -58,17 +58,17 @@ def simulate(
         if varied:
             changed = _run(varied.level, values, duration, recorded, stepping)
             cost = costs((level, varied.level), values, stepping)
-    if not varied:
-        write_csv(output, trace, source, names)
-        _say(output, source, trace, names)
-        status = report(trace)
-        _close(trace)
-        return status
-    write_csv(output, changed, source, names, change=varied.change)
-    _say(output, f"{source} {varied.change.description}", changed, names)
-    _compare(varied, differences(trace, changed), cost[1] - cost[0])
-    _close(changed)
-    return 0
+    if varied:
+        write_csv(output, changed, source, names, change=varied.change)
+        _say(output, f"{source} {varied.change.description}", changed, names)
+        _compare(varied, differences(trace, changed), cost[1] - cost[0])
+        _close(changed)
+        return 0
+    write_csv(output, trace, source, names)
+    _say(output, source, trace, names)
+    status = report(trace)
+    _close(trace)
+    return status
 
 
 def _run(

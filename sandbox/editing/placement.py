@@ -9,9 +9,10 @@ from math import pi
 
 import numpy as np
 
+from sandbox.model.body import Body
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Values
-from sandbox.model.level import Body, Level
+from sandbox.model.level import Level
 from sandbox.model.shapes import (
     XY,
     Arc,

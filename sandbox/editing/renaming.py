@@ -4,9 +4,9 @@ import json
 import re
 from collections.abc import Iterator, Mapping
 
+from sandbox.editing.cleanup import accepted
 from sandbox.editing.formulas import renamed
 from sandbox.editing.json_spans import Spans
-from sandbox.editing.mending import accepted
 from sandbox.editing.text_patches import spliced
 from sandbox.model.arithmetic import RESERVED
 from sandbox.model.consistency.mentions import mentions

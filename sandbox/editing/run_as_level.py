@@ -9,15 +9,17 @@ import json
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
+from sandbox.editing.cleanup import without_meaning
 from sandbox.editing.formulas import renamed
 from sandbox.editing.layout import plain as rounded
-from sandbox.editing.mending import without_meaning
 from sandbox.editing.written_out import plain
 from sandbox.model import writing
+from sandbox.model.body import Body
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Expression, Values
+from sandbox.model.joint_ends import span
 from sandbox.model.joints import Pulley, Rod, Rope, Spring, Weld, Winding
-from sandbox.model.level import Body, Level, span
+from sandbox.model.level import Level
 from sandbox.model.level_parts import expressions, names_in
 from sandbox.model.live_parameters import obstacle
 from sandbox.model.loading import parse

@@ -12,8 +12,9 @@ from typing import Literal, NamedTuple
 
 from sandbox.editing.placement import Core, Placed, placed, xy
 from sandbox.model.expressions import Values
+from sandbox.model.joint_ends import place
 from sandbox.model.joints import body_of, ends_of
-from sandbox.model.level import Level, place
+from sandbox.model.level import Level
 from sandbox.model.shapes import XY, Arc, Box, Curve, Polygon, Polyline, Segment
 from sandbox.physics.geometry.distance import Gap, gap
 

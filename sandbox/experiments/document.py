@@ -11,7 +11,7 @@ from typing import Annotated, Any, Literal
 from pydantic import Field, ValidationError
 from pydantic_core import ErrorDetails
 
-from sandbox.experiments.draws import Method
+from sandbox.experiments.random_points import Method
 from sandbox.model import parse_messages
 from sandbox.model.arithmetic import MAX_LENGTH
 from sandbox.model.base import Model

@@ -8,8 +8,8 @@ from pathlib import Path
 import numpy as np
 from matplotlib.figure import Figure
 
-from sandbox.experiments.data import Data
 from sandbox.experiments.fitting import Fit, Fitted
+from sandbox.experiments.measured_data import Data
 from sandbox.model.files import write_atomically
 from sandbox.model.level import Level
 from sandbox.model.quantities import quantity

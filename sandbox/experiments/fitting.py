@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sandbox.experiments.data import Data
+from sandbox.experiments.measured_data import Data
 from sandbox.model.did_you_mean import suggestion
 from sandbox.model.errors import SandboxError, ValueRangeError, brief
 from sandbox.model.expressions import Array, Values

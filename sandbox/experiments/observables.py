@@ -9,7 +9,8 @@ import numpy as np
 from sandbox.model.arithmetic import ExpressionError
 from sandbox.model.did_you_mean import suggestion
 from sandbox.model.errors import brief
-from sandbox.model.expressions import Array, Formula, Values
+from sandbox.model.expressions import Array, Values
+from sandbox.model.formulas import Formula
 from sandbox.model.level import Level
 from sandbox.model.quantities import quantity
 

@@ -12,9 +12,9 @@ from pydantic import ValidationError
 from sandbox.experiments import axes, measures
 from sandbox.experiments.axes import Axis, AxisError, Drawn, Grid, Listed
 from sandbox.experiments.document import Experiment
-from sandbox.experiments.draws import MOST_IN_A_HYPERCUBE, points
 from sandbox.experiments.measures import Measure, MeasureError
 from sandbox.experiments.observables import Observable
+from sandbox.experiments.random_points import MOST_IN_A_HYPERCUBE, points
 from sandbox.model import effect_variants, parse_messages
 from sandbox.model.conditions.condition import Condition
 from sandbox.model.conditions.numbers import MAX_STEPS

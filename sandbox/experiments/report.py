@@ -7,8 +7,8 @@ from pathlib import Path
 from typing import NamedTuple
 
 from sandbox.experiments import analysis, figures, results
-from sandbox.experiments.draws import Method
 from sandbox.experiments.plan import Plan
+from sandbox.experiments.random_points import Method
 from sandbox.experiments.storage import DESCRIPTION, RESULTS, description
 from sandbox.experiments.table import axis_unit, closed_form, error
 from sandbox.model.errors import SandboxError

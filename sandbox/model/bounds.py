@@ -7,7 +7,8 @@ times masses, stay within the range of a float. Whether a rate is high enough fo
 question, and asked elsewhere.
 """
 
-from sandbox.model.expressions import Expression, Formula, Function, NonNegative, Positive
+from sandbox.model.expressions import Expression, NonNegative, Positive
+from sandbox.model.formulas import Formula, Function
 
 MOST_FORCES = 2000
 """How many forces, belts, rockets or centres of attraction a level may name, each."""

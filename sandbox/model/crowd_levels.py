@@ -4,9 +4,9 @@ from collections.abc import Callable, Mapping, Sequence
 from math import ceil, cos, pi, sin, sqrt
 from typing import Any, NamedTuple
 
+from sandbox.model.body import MAX_BODIES
 from sandbox.model.did_you_mean import suggestion
 from sandbox.model.errors import SandboxError, brief
-from sandbox.model.level import MAX_BODIES
 
 Document = dict[str, Any]
 """A level as it stands in its file."""

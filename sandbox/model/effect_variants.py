@@ -13,6 +13,7 @@ from pydantic_core import ErrorDetails
 
 from sandbox.model import parse_messages
 from sandbox.model.arithmetic import ExpressionError
+from sandbox.model.body import Body
 from sandbox.model.consistency import inconsistencies
 from sandbox.model.constants import define
 from sandbox.model.did_you_mean import suggestion
@@ -20,7 +21,7 @@ from sandbox.model.effects import EFFECTS, Effects
 from sandbox.model.effects.contract import Settings
 from sandbox.model.errors import SandboxError, brief
 from sandbox.model.expressions import Expression
-from sandbox.model.level import Body, Level
+from sandbox.model.level import Level
 from sandbox.model.level_parts import Fault
 from sandbox.model.rules import faults
 

@@ -3,7 +3,8 @@
 import numpy as np
 
 from sandbox.model.base import Model
-from sandbox.model.expressions import Array, Profile, Values
+from sandbox.model.expressions import Array, Values
+from sandbox.model.formulas import Profile
 from sandbox.model.reference_fields import BodyName
 from sandbox.model.shapes import Point
 

@@ -4,11 +4,10 @@ A `Level` is frozen: it describes a scene and never changes. What moves lives in
 `sandbox.physics` builds from it.
 """
 
-from cmath import rect
 from collections.abc import Mapping
-from itertools import chain, pairwise
+from itertools import chain
 from math import ceil
-from typing import Annotated, Literal, Self, cast
+from typing import Annotated, Literal, Self
 
 from pydantic import (
     BeforeValidator,
@@ -22,60 +21,26 @@ from pydantic_core import PydanticCustomError
 
 from sandbox.model.acting_events import MOST_EVENTS, Event, bouncing, breakable, cut, tied
 from sandbox.model.base import Model
-from sandbox.model.bounds import (
-    LARGEST_PARAMETER,
-    Angle,
-    AngleOverTime,
-    Coefficient,
-    Coordinate,
-    Duration,
-    Extent,
-    LengthOverTime,
-    Mass,
-    Moment,
-    Speed,
-    Spin,
-)
+from sandbox.model.body import MAX_BODIES, Body
+from sandbox.model.bounds import LARGEST_PARAMETER, Duration
 from sandbox.model.challenge import Challenge
 from sandbox.model.constants import define
 from sandbox.model.effects import Effects
-from sandbox.model.expressions import Expression, Formula, Fraction, Positive, Values
-from sandbox.model.joints import (
-    End,
-    Held,
-    Joint,
-    Own,
-    Pulley,
-    bodies_of,
-    body_of,
-    is_exact,
-    points,
-)
+from sandbox.model.expressions import Expression, Positive, Values
+from sandbox.model.formulas import Formula
+from sandbox.model.joints import Held, Joint, Own, Pulley, bodies_of, body_of, is_exact, points
 from sandbox.model.json_positions import Path
-from sandbox.model.landscape import Landscape
-from sandbox.model.measuring_instants import (
-    ApexEvent as ApexEvent,
-)
-from sandbox.model.measuring_instants import (
-    ContactEvent as ContactEvent,
-)
-from sandbox.model.measuring_instants import (
-    CrossingEvent as CrossingEvent,
-)
-from sandbox.model.measuring_instants import (
-    Instant as Instant,
-)
-from sandbox.model.measuring_instants import (
-    LandingEvent as LandingEvent,
-)
-from sandbox.model.measuring_instants import (
-    SeparationEvent as SeparationEvent,
-)
+from sandbox.model.measuring_instants import ApexEvent as ApexEvent
+from sandbox.model.measuring_instants import ContactEvent as ContactEvent
+from sandbox.model.measuring_instants import CrossingEvent as CrossingEvent
+from sandbox.model.measuring_instants import Instant as Instant
+from sandbox.model.measuring_instants import LandingEvent as LandingEvent
+from sandbox.model.measuring_instants import SeparationEvent as SeparationEvent
 from sandbox.model.naming import Name
 from sandbox.model.origin import Origin
 from sandbox.model.prose_fields import Prose
-from sandbox.model.reference_fields import BodyNames, Mention, QuantityName
-from sandbox.model.shapes import Point, Shape, Velocity, evaluate
+from sandbox.model.reference_fields import Mention, QuantityName
+from sandbox.model.view import View
 
 
 def _version(value: object) -> object:
@@ -83,15 +48,6 @@ def _version(value: object) -> object:
         raise PydanticCustomError("version", "must be 1")
     return value
 
-
-MAX_BODIES = 20_000
-"""How many bodies a level may have: ten thousand are in time at 60 Hz."""
-
-MAX_LABELS = 100
-"""How many labels a level may have."""
-
-MAX_POINTS = 100
-"""How many points of a body may have names."""
 
 MAX_CONSTANTS = 200
 """How many names for formulas a level may have."""
@@ -106,7 +62,6 @@ FINEST = 1e-14
 """The least accuracy that may be asked for: below it is rounding."""
 
 Finite = Annotated[float, Field(allow_inf_nan=False, ge=-LARGEST_PARAMETER, le=LARGEST_PARAMETER)]
-Hand = Literal["left", "right"]
 Scheme = Literal["leapfrog", "fourth-order", "symplectic-euler", "explicit-euler"]
 
 
@@ -123,74 +78,6 @@ class Parameter(Model):
     """as it is shown; a parameter in degrees is used as `angle*deg`"""
     label: Prose = ""
     """what the number is, in a few words"""
-
-
-class Motion(Model):
-    """How a kinematic body moves, whatever meets it: formulas of the time t, 0 at the start."""
-
-    displacement: tuple[LengthOverTime, LengthOverTime] = (LengthOverTime(0), LengthOverTime(0))
-    """[x, y] in m, from where it starts"""
-    turn: AngleOverTime = AngleOverTime(0)
-    """rad, counter-clockwise, from the angle at which it starts"""
-
-
-class Body(Model):
-    """Something that moves, or that others move against."""
-
-    type: Literal["dynamic", "kinematic", "static"] = "dynamic"
-    shape: Shape
-    mass: Mass | None = None
-    """kg; dynamic bodies have one, others do not"""
-    moment: Moment | None = None
-    """kg m², about the centre of mass; that of the uniform shape if left out"""
-    position: Point = (Coordinate(0), Coordinate(0))
-    """[x, y] in m, y up, at the start; of a dynamic body the position of its centre of mass"""
-    angle: Angle = Angle(0)
-    """rad, counter-clockwise, at the start; from degrees with `"30*deg"`"""
-    velocity: Velocity = (Speed(0), Speed(0))
-    """[x, y] in m/s, at the start"""
-    angular_velocity: Spin = Spin(0)
-    """rad/s, counter-clockwise, at the start"""
-    motion: Motion | None = None
-    """how a kinematic body moves, if not at a constant velocity"""
-    friction: Coefficient | None = None
-    """coefficient; a pair's is the product of its bodies' own"""
-    static_friction: Coefficient | None = None
-    """coefficient while it sticks, not less than `friction`; the same as that if left out"""
-    restitution: Fraction | None = None
-    """coefficient; a pair's is the product of its bodies' own"""
-    sensor: bool = False
-    """whether it is an area that others pass through; it tells how deep they are in it"""
-    one_way: Hand | None = None
-    """the side to which alone the line lets others through, as one goes along it from its start to
-    its end; there it holds them. An arc runs counter-clockwise, so its left is inside"""
-    points: Annotated[Mapping[Name, Point], Field(max_length=MAX_POINTS)] = {}
-    """points of it whose position and velocity can be measured, such as `stick.tip.velocity`;
-    [x, y] in m, from its position, along its own axes"""
-    color: Annotated[str, Field(pattern=r"^#[0-9a-fA-F]{6}$")] | None = None
-    """as it is drawn, such as "#4cc9f0"; chosen from a palette if left out"""
-    hidden: bool = False
-    """whether it is left out of pictures; it takes part in everything else"""
-    layer: Annotated[int, Field(ge=-100, le=100)] = 0
-    """what has a higher one is drawn over what has a lower one; bodies that never move lie behind
-    all that do, unless theirs is above 0"""
-
-
-def place(end: End, bodies: Mapping[str, Body], values: Values) -> complex:
-    """Return where an end of a joint is at the start, as x + iy [m]."""
-    body = body_of(end)
-    if body is None:
-        return complex(*evaluate(cast("Point", end), values))
-    center = complex(*evaluate(bodies[body].position, values))
-    if not isinstance(end, Held):
-        return center
-    return center + complex(*evaluate(end.at, values)) * rect(1, bodies[body].angle(values))
-
-
-def span(joint: Joint, bodies: Mapping[str, Body], values: Values) -> float:
-    """Return how far it is at the start from the first end of a joint to its second [m]."""
-    path = [place(end, bodies, values) for end in points(joint)]
-    return sum(abs(b - a) for a, b in pairwise(path))
 
 
 class Check(Model):
@@ -256,34 +143,6 @@ class Stepping(Model):
     def is_stock(self) -> bool:
         """Whether a run starts without half a kick, so that velocities are half a step old."""
         return self.scheme in ("symplectic-euler", "explicit-euler")
-
-
-class Label(Model):
-    """Words on the stage."""
-
-    text: Annotated[Prose, Field(min_length=1, max_length=80)]
-    """one short line"""
-    at: End
-    """the body, the point of a body or the fixed point [x, y] that they are written over"""
-
-
-class View(Model):
-    """What part of the plane is shown, and what is written on it."""
-
-    center: Point = (Coordinate(0), Coordinate(0))
-    """[x, y] in m, of the middle of the picture"""
-    width: Extent = Extent(10)
-    """m, of the picture"""
-    components: bool = False
-    """whether velocities are drawn with their components"""
-    labels: Annotated[tuple[Label, ...], Field(max_length=MAX_LABELS)] = ()
-    """words at points or on bodies, always written"""
-    together: Annotated[
-        tuple[Annotated[BodyNames, Field(min_length=2)], ...], Field(max_length=MAX_BODIES)
-    ] = ()
-    """groups of bodies that the editor selects with one click; no body is in two"""
-    landscape: Landscape | None = None
-    """a body's potential, drawn as a curve over the places that it can reach"""
 
 
 class Level(Model):

@@ -4,9 +4,9 @@ from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
 from sandbox.model.json_positions import Path
+from sandbox.model.last_result import of_the_last
 from sandbox.model.level import Check, Level
 from sandbox.model.measuring_instants import Instant
-from sandbox.model.remembering import of_the_last
 from sandbox.model.traversal import expressions as walk
 
 if TYPE_CHECKING:

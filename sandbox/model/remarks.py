@@ -8,7 +8,8 @@ from collections.abc import Iterator
 from contextlib import suppress
 
 from sandbox.model.arithmetic import ExpressionError
-from sandbox.model.expressions import Expression, Formula
+from sandbox.model.expressions import Expression
+from sandbox.model.formulas import Formula
 from sandbox.model.level import Level
 from sandbox.model.level_parts import Fault, expressions
 from sandbox.model.rules import corners

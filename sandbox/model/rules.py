@@ -16,7 +16,8 @@ from sandbox.model.conditions import conditions
 from sandbox.model.conditions.condition import Condition
 from sandbox.model.consistency import contradictions, dangling, inconsistencies, too_much
 from sandbox.model.errors import MAX_MISTAKES, brief
-from sandbox.model.expressions import Array, Expression, Formula, Values
+from sandbox.model.expressions import Array, Expression, Values
+from sandbox.model.formulas import Formula
 from sandbox.model.json_positions import Path
 from sandbox.model.level import Level
 from sandbox.model.level_parts import Fault, expressions, instants

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field
 
-from sandbox.model import expressions
+from sandbox.model import formulas
 from sandbox.model.base import Model
 from sandbox.model.bounds import Acceleration, Coordinate, Extent, Speed, Width
 from sandbox.model.expressions import Array, Expression, Values
@@ -123,7 +123,7 @@ class Curve(Model):
     """
 
     type: Literal["curve"]
-    curve: tuple[expressions.Curve, expressions.Curve]
+    curve: tuple[formulas.Curve, formulas.Curve]
     """[x, y] in m of its points, relative to the body, over the parameters and s"""
     s: tuple[Expression, Expression]
     """from where to where s runs"""

@@ -1,7 +1,7 @@
 """Building and running a level at the setting that it asks for, and timing its steps.
 
 A level may ask for an accuracy instead of a rate. The search for a setting runs worlds itself, so
-what takes such a level stands above it.
+this module stands above it.
 """
 
 from collections.abc import Callable, Iterable

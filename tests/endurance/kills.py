@@ -31,7 +31,7 @@ from sandbox.app import level_picture  # noqa: F401 (imported before anything is
 from sandbox.app.files.progress import Progress
 from sandbox.cli import commands as sandbox_commands
 from sandbox.cli import experiment, format, generate, migrate, new, render, simulate, tour  # noqa: A004, F401 (as above)
-from sandbox.experiments import conduct, storage  # noqa: F401 (as above)
+from sandbox.experiments import batch_scheduling, storage  # noqa: F401 (as above)
 from sandbox.model import catalog
 from sandbox.model.errors import SandboxError
 from sandbox.model.files import write_atomically

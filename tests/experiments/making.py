@@ -7,7 +7,7 @@ from pathlib import Path
 import pyarrow as pa
 import pyarrow.parquet as pq
 
-from sandbox.experiments.conduct import conduct
+from sandbox.experiments.batch_scheduling import conduct
 from sandbox.experiments.document import made
 from sandbox.experiments.executors import Executor, Here
 from sandbox.experiments.plan import Plan, make

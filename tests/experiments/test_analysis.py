@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from sandbox.experiments import analysis, report, results
-from sandbox.experiments.draws import points
+from sandbox.experiments.random_points import points
 from sandbox.experiments.storage import RESULTS
 from tests.experiments.making import plan, table
 

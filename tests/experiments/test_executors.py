@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from distributed import Client
 
-from sandbox.experiments.conduct import conduct
+from sandbox.experiments.batch_scheduling import conduct
 from sandbox.experiments.executors import Here, cluster
 from sandbox.experiments.plan import Plan
 from sandbox.experiments.storage import RESULTS, Store

@@ -10,7 +10,7 @@ from random import Random
 
 import pytest
 
-from sandbox.experiments.conduct import conduct
+from sandbox.experiments.batch_scheduling import conduct
 from sandbox.experiments.executors import Cores, Here
 from sandbox.experiments.plan import Plan
 from sandbox.experiments.running import Task, pack, run

@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 from sandbox.model.effect_variants import including
-from sandbox.model.expressions import Expression, Formula
+from sandbox.model.expressions import Expression
+from sandbox.model.formulas import Formula
 from sandbox.model.level import Level
 from sandbox.physics.run import build
 from tests.model.levels import Data, bare, level, mistakes

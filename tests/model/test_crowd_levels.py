@@ -4,8 +4,8 @@ import json
 
 import pytest
 
+from sandbox.model.body import MAX_BODIES
 from sandbox.model.crowd_levels import CROWDS, CrowdError, crowd
-from sandbox.model.level import MAX_BODIES
 from sandbox.model.loading import MAX_BYTES, parse
 from sandbox.model.writing import text
 from sandbox.physics.measuring.grading import grade

@@ -6,7 +6,8 @@ import sys
 from sandbox.model.base import Model
 from sandbox.model.effects import Effects
 from sandbox.model.field_docs import docs
-from sandbox.model.level import Level, Stepping, View
+from sandbox.model.level import Level, Stepping
+from sandbox.model.view import View
 
 UNBUILT = """
 from sandbox.model.base import Model

@@ -48,6 +48,20 @@ def test_the_table_shows_errors_side_by_side() -> None:
     assert "2 of 2 cases hold." in result.stdout
 
 
+def test_the_cases_of_one_level_can_be_run_alone() -> None:
+    result = CliRunner().invoke(cli.app, ["run", "free-fall"])
+
+    assert "1 of 1 cases hold." in result.stdout
+    assert "Atwood" not in result.stdout
+
+
+def test_a_level_that_does_not_exist_is_told_with_what_was_meant() -> None:
+    result = CliRunner().invoke(cli.app, ["run", "fre-fall"])
+
+    assert result.exit_code == 1
+    assert "free-fall" in result.output
+
+
 def test_a_missed_bound_is_exit_status_1(monkeypatch: pytest.MonkeyPatch) -> None:
     def wrong() -> Iterator[Case]:
         case = read("free_fall")[0]

@@ -1,29 +1,23 @@
 """The judge of compositions: its scenes are the same every time, and each judgement can fail."""
 
-import json
 from collections.abc import Callable
 from dataclasses import replace
 from functools import cache
-from math import cos, hypot, inf, sin
-from pathlib import Path
+from math import cos, sin
 
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from typer.testing import CliRunner
 
 from sandbox.model.expressions import Array
-from sandbox.model.loading import load
 from sandbox.physics.run import build
-from validation import cli
-from validation.compose import invariants, outcome
+from validation.compose import invariants
 from validation.compose.families import FAMILIES
 from validation.compose.invariants import MARGIN, Case, Judge, Judgement, judge
 from validation.compose.joint_constraints import Keeping, Places
-from validation.compose.outcome import Outcome, judge_scene, judged
+from validation.compose.outcome import judge_scene, judged
 from validation.compose.recorded_run import Course, Refused, led, run, start
-from validation.compose.report import complaints
 from validation.compose.scene_builder import Draft
 from validation.compose.scenes import Scene, scene, seeds
 from validation.compose.separation import Couple, couples, gap
@@ -476,62 +470,3 @@ def test_a_level_with_mistakes_is_refused() -> None:
     found.document["bodies"]["bob0"]["mass"] = -1
 
     assert judge_scene(found).refused
-
-
-def outcome_of(seed: int, *, passed: bool) -> Outcome:
-    judgement = Judgement("joints", 0.0 if passed else inf, 1e-9, passed)
-    return Outcome(seed, "table", 4, 2, (judgement,), passed, False, "", 60.0, 0.1)
-
-
-def judged_by_parity(seed: int) -> Outcome:
-    return outcome_of(seed, passed=seed % 2 == 0)
-
-
-def test_the_command_writes_what_failed_as_json_and_as_levels(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr("validation.compose.command.spread", _in_turn)
-    monkeypatch.setattr("validation.compose.command.judged", judged_by_parity)
-    file, folder = tmp_path / "found.json", tmp_path / "levels"
-    args = ["compose", "--scene", "2", "--scene", "3", "--json", str(file), "--output", str(folder)]
-
-    result = CliRunner().invoke(cli.app, args)
-
-    assert result.exit_code == 1
-    found = json.loads(file.read_text(encoding="utf-8"))
-    assert set(found) == {"environment", "scenes"}
-    assert set(found["scenes"][0]) >= FIELDS
-    assert [s["passed"] for s in found["scenes"]] == [True, False]
-    told = found["scenes"][1]["judgements"]
-    assert told == [{"name": "joints", "figure": None, "bound": 1e-9, "passed": False}]
-    (level,) = folder.iterdir()
-    assert load(level).summary.startswith("joints inf")
-
-
-def _in_turn(work: Callable[[int], Outcome], items: list[int], jobs: int) -> object:
-    assert jobs >= 1
-    return enumerate(map(work, items))
-
-
-def test_of_many_scenes_that_fail_only_the_first_are_named() -> None:
-    told = list(complaints([outcome_of(seed, passed=False) for seed in range(30)]))
-
-    assert len(told) == 21
-    assert told[-1] == "and 10 more"
-
-
-@pytest.mark.sweep
-def test_a_scene_is_judged_by_its_seed_alone() -> None:
-    seed = next(s for s in seeds(0, 200) if scene(s).family == "machine")
-    first, second = judged(seed), judged(seed)
-
-    assert first.judgements == second.judgements
-    assert outcome.playable(first)["stepping"]["rate"] == first.rate
-
-
-def test_a_case_knows_how_far_its_bodies_reach() -> None:
-    box = of("wedged").document["bodies"]["box"]["shape"]
-
-    assert Case(course("wedged")).extents[1] == pytest.approx(
-        hypot(box["width"], box["height"]) / 2
-    )

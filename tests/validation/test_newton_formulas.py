@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from validation.formulas import newton
+from validation.formulas import newton, pulleys
 
 positive = st.floats(0.01, 100)
 angles = st.floats(0.05, pi / 2 - 0.05)
@@ -15,16 +15,16 @@ angles = st.floats(0.05, pi / 2 - 0.05)
 
 @given(positive, positive, positive)
 def test_atwoods_two_bodies_obey_newton(m1: float, m2: float, g: float) -> None:
-    a, tension = newton.atwood_acceleration(m1, m2, g), newton.atwood_tension(m1, m2, g)
+    a, tension = pulleys.atwood_acceleration(m1, m2, g), pulleys.atwood_tension(m1, m2, g)
 
     assert tension - m1 * g == pytest.approx(m1 * a, abs=1e-9 * m1 * g)
     assert tension - m2 * g == pytest.approx(-m2 * a, abs=1e-9 * m2 * g)
 
 
 def test_atwoods_limits() -> None:
-    assert newton.atwood_acceleration(3, 3, 9.81) == 0
-    assert newton.atwood_tension(3, 3, 9.81) == pytest.approx(3 * 9.81)
-    assert newton.atwood_acceleration(1e-9, 1, 9.81) == pytest.approx(9.81)
+    assert pulleys.atwood_acceleration(3, 3, 9.81) == 0
+    assert pulleys.atwood_tension(3, 3, 9.81) == pytest.approx(3 * 9.81)
+    assert pulleys.atwood_acceleration(1e-9, 1, 9.81) == pytest.approx(9.81)
 
 
 def test_an_incline_is_flat_ground_at_0_and_a_drop_at_90_degrees() -> None:
@@ -48,8 +48,8 @@ def test_a_point_of_an_incline_is_turned_with_it() -> None:
 
 @given(positive, positive, positive, st.floats(0, 1))
 def test_table_and_weight_obey_newton(m1: float, m2: float, g: float, mu: float) -> None:
-    a = newton.table_pulley_acceleration(m1, m2, g, mu)
-    tension = newton.table_pulley_tension(m1, m2, g, mu)
+    a = pulleys.table_pulley_acceleration(m1, m2, g, mu)
+    tension = pulleys.table_pulley_tension(m1, m2, g, mu)
 
     assert m2 * g - tension == pytest.approx(m2 * a, abs=1e-9 * m2 * g)
     if a > 0:
@@ -93,16 +93,16 @@ def test_drag_ends_at_its_terminal_velocity_and_begins_as_a_free_fall() -> None:
 
 def test_an_atwood_machine_on_an_atwood_machine_weighs_less_than_at_rest() -> None:
     """As 4 m2 m3 / (m2 + m3) and its wheel: 11/3 kg, where 4 kg hang."""
-    left, first, second = newton.double_atwood_accelerations(4, 1, 1, 2, 9.81)
-    balanced = newton.double_atwood_accelerations(1 + 8 / 3, 1, 1, 2, 9.81)
+    left, first, second = pulleys.double_atwood_accelerations(4, 1, 1, 2, 9.81)
+    balanced = pulleys.double_atwood_accelerations(1 + 8 / 3, 1, 1, 2, 9.81)
 
-    assert left == pytest.approx(newton.atwood_acceleration(4, 11 / 3, 9.81))
+    assert left == pytest.approx(pulleys.atwood_acceleration(4, 11 / 3, 9.81))
     assert (first + second) / 2 == pytest.approx(-left)
     assert balanced[0] == pytest.approx(0, abs=1e-14)
 
 
 def test_a_movable_pulley_is_balanced_by_half_its_weight() -> None:
-    assert newton.movable_pulley_acceleration(1, 2, 9.81) == 0
+    assert pulleys.movable_pulley_acceleration(1, 2, 9.81) == 0
     assert newton.resultant((3, 4), (-1, 2)) == (2, 6)
 
 
@@ -161,16 +161,16 @@ def test_a_belt_drives_a_block_up_to_its_own_speed() -> None:
 
 
 def test_a_light_wheel_leaves_atwoods_machine_and_a_heavy_one_holds_it() -> None:
-    light = newton.massive_pulley_tensions(1, 2, 0, 9.81)
+    light = pulleys.massive_pulley_tensions(1, 2, 0, 9.81)
 
-    assert light == pytest.approx([newton.atwood_tension(1, 2, 9.81)] * 2)
-    assert newton.massive_pulley_tensions(1, 2, 1e12, 9.81) == pytest.approx((9.81, 19.62))
+    assert light == pytest.approx([pulleys.atwood_tension(1, 2, 9.81)] * 2)
+    assert pulleys.massive_pulley_tensions(1, 2, 1e12, 9.81) == pytest.approx((9.81, 19.62))
 
 
 def test_a_movable_pulley_hangs_on_twice_its_tension() -> None:
-    a = newton.movable_pulley_acceleration(2.0, 3.0, 9.81)
+    a = pulleys.movable_pulley_acceleration(2.0, 3.0, 9.81)
 
-    assert 2 * newton.movable_pulley_tension(2.0, 3.0, 9.81) == pytest.approx(3.0 * (9.81 + a))
+    assert 2 * pulleys.movable_pulley_tension(2.0, 3.0, 9.81) == pytest.approx(3.0 * (9.81 + a))
 
 
 def test_a_block_that_slips_is_held_by_less_than_one_that_sticks() -> None:

@@ -4,7 +4,7 @@ import numpy as np
 
 from sandbox.model.expressions import Array, Values
 from validation.case import Expected
-from validation.formulas import newton, rotation
+from validation.formulas import newton, pulleys, rotation
 
 RING = 2.0  # m
 
@@ -28,7 +28,7 @@ def accelerated(index: int) -> Expected:
 def lifted(times: float) -> Expected:
     """Return the closed form of a way, so many times that of the wheel [m]."""
     return lambda p, t: (
-        times * newton.movable_pulley_acceleration(p["m"], p["M"], p["g"]) * t**2 / 2
+        times * pulleys.movable_pulley_acceleration(p["m"], p["M"], p["g"]) * t**2 / 2
     )
 
 
@@ -37,7 +37,7 @@ def height(index: int, start: float) -> Expected:
 
     def expected(p: Values, t: Array) -> Array:
         masses = p["m1"], p["M"], p["m2"], p["m3"]
-        return start + newton.double_atwood_accelerations(*masses, p["g"])[index] * t**2 / 2
+        return start + pulleys.double_atwood_accelerations(*masses, p["g"])[index] * t**2 / 2
 
     return expected
 

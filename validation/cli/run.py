@@ -1,14 +1,23 @@
 """The command `run`."""
 
+from collections.abc import Sequence
+from typing import Annotated
+
 import typer
 
+from sandbox.model import catalog
 from sandbox.model.files import check_writable
 from validation import output, suite
+from validation.case import Case
 from validation.cases import all_cases
 from validation.cli.options import FAILED, Jobs, JsonFile, reported_errors
 
 
 def command(
+    levels: Annotated[
+        list[str] | None,
+        typer.Argument(metavar="[LEVEL]...", help="Only the cases of these levels."),
+    ] = None,
     json_file: JsonFile = None,
     jobs: Jobs = None,
 ) -> None:
@@ -19,7 +28,7 @@ def command(
     with reported_errors():
         if json_file:
             check_writable(json_file)
-        cases = list(all_cases())
+        cases = of_levels(levels or [])
         outcomes = suite.outcomes(cases, jobs)
         output.show(suite.table(cases, outcomes))
         if json_file:
@@ -29,3 +38,15 @@ def command(
     typer.echo(f"{len(cases) - len(failed)} of {len(cases)} cases hold.")
     if failed:
         raise typer.Exit(FAILED)
+
+
+def of_levels(names: Sequence[str]) -> list[Case]:
+    """Return the cases of some levels, all cases if there are no names.
+
+    Raises
+    ------
+    SandboxError
+        If there is no such level.
+    """
+    chosen = {catalog.find(name) for name in names}
+    return [case for case in all_cases() if not chosen or catalog.find(case.level) in chosen]

@@ -52,8 +52,6 @@ class Outcome:
         Where the frontier lay when it was last written down.
     rate, naive_rate
         Of the steps at the two frontiers [Hz].
-    naive_cost
-        As `cost`, of pymunk alone [s].
     seconds
         How long all of this took [s].
     failure
@@ -77,7 +75,6 @@ class Outcome:
     previous: float | None = None
     rate: float | None = None
     naive_rate: float | None = None
-    naive_cost: float | None = None
     seconds: float = 0.0
     failure: str = ""
 
@@ -180,7 +177,7 @@ def run_frontier(name: str, *, quick: bool) -> Outcome:
         passed, here.figure, cost=here.cost, axis=frontier.axis, unit=frontier.unit,
         frontier=here.difficulty, naive_frontier=alone.difficulty,
         previous=before["figure"] if before else None, rate=here.rate, naive_rate=alone.rate,
-        naive_cost=alone.cost, seconds=perf_counter() - begin,
+        seconds=perf_counter() - begin,
     )  # fmt: skip
 
 

@@ -4,8 +4,9 @@ import pymunk
 from pymunk import Vec2d
 
 from sandbox.model.expressions import Values
+from sandbox.model.joint_ends import span
 from sandbox.model.joints import End, Held, Joint, Pivot, Rail, Rod, Rope, Spring, points
-from sandbox.model.level import Level, Stepping, span
+from sandbox.model.level import Level, Stepping
 from sandbox.model.shapes import evaluate
 from sandbox.physics.run import build
 from sandbox.physics.stepping.world import World

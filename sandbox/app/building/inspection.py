@@ -17,11 +17,12 @@ from sandbox.editing.edits.fields import make_parameter, parameter_name, set_fie
 from sandbox.editing.renaming import rename
 from sandbox.editing.suggest.scene import Suggestion
 from sandbox.editing.text_patches import put
+from sandbox.model.body import Body
 from sandbox.model.effect_variants import DEFAULTS
 from sandbox.model.errors import LevelError, SandboxError
 from sandbox.model.joints import Joint
 from sandbox.model.json_positions import Path
-from sandbox.model.level import Body, Level
+from sandbox.model.level import Level
 from sandbox.model.level_parts import expressions
 
 NAMED = later("what it is called: a letter, then letters, digits or _; all mentions of it follow")

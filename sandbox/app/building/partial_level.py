@@ -22,12 +22,14 @@ from sandbox.app.drawing.camera import Camera
 from sandbox.app.drawing.text import Pen
 from sandbox.app.stage import bodies, grid, joints
 from sandbox.app.stage.outline import Outline, outlined
+from sandbox.model.body import Body
 from sandbox.model.constants import let_use
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Expression, Values
+from sandbox.model.joint_ends import place
 from sandbox.model.joints import AngleStop, Joint, Rail, Stop, Winding, Wire, body_of, points
-from sandbox.model.level import Body, View, place
 from sandbox.model.shapes import XY, evaluate
+from sandbox.model.view import View
 from sandbox.model.wires import along
 
 SIDEWAYS = 2000.0

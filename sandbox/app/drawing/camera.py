@@ -3,8 +3,8 @@
 from collections.abc import Iterable
 
 from sandbox.model.expressions import Values
-from sandbox.model.level import View
 from sandbox.model.shapes import XY, evaluate
+from sandbox.model.view import View
 
 ASPECT = 16 / 9
 """Width over height of the part of the plane that a level's view promises to show."""

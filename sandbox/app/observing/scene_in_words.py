@@ -5,8 +5,8 @@ from math import hypot
 
 from sandbox.app.observing.forces_in_words import forces, way
 from sandbox.app.words import formatting
+from sandbox.model.body import Body
 from sandbox.model.joints import End, Held, Joint, Pulley, Wire, points
-from sandbox.model.level import Body
 from sandbox.model.shapes import Box, Disc, Hoop, Shape, evaluate
 from sandbox.physics.measuring.grading import Result
 from sandbox.physics.stepping.world import World

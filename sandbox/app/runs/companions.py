@@ -6,7 +6,6 @@ worlds but the time to which they have come.
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
-from time import perf_counter
 
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.theme import Color
@@ -105,14 +104,11 @@ class Companion:
             self._advance()
 
     def _advance(self) -> None:
-        begun = perf_counter()
         try:
-            with self._patience.within_steps():
-                snapshot = self._patience.advance(self.world)
+            snapshot = self.clock.take_step(self.world, self._patience)
         except SandboxError as error:
             self.failure = error
             return
-        self.clock.note(perf_counter() - begun)
         self.trail.add(snapshot.position)
         if self.world.steps <= self._end:
             self._recorder.note()

@@ -2,7 +2,6 @@
 
 import json
 from collections.abc import Mapping, Sequence
-from time import perf_counter
 from typing import TYPE_CHECKING, Literal
 
 from sandbox.app.observing import milestones
@@ -133,14 +132,11 @@ class LiveRun:
         self.catch_up()
         if self.world.steps % 2:  # whoever comes second finds the caches warm: take turns
             self._follow(self.t + self.world.dt)
-        begun = perf_counter()
         try:
-            with self._patience.within_steps():
-                snapshot = self._patience.advance(self.world)
+            snapshot = self.clock.take_step(self.world, self._patience)
         except SandboxError as error:
             self.failure = error
             return
-        self.clock.note(perf_counter() - begun)
         self.books.note()
         self.blows.note()
         self.contacts.note()

@@ -16,7 +16,8 @@ from sandbox.app.stage.outline import Outline
 from sandbox.app.words.formatting import nice, number
 from sandbox.app.words.level_words import Say
 from sandbox.model.arithmetic import ExpressionError
-from sandbox.model.expressions import Array, Formula, Values
+from sandbox.model.expressions import Array, Values
+from sandbox.model.formulas import Formula
 from sandbox.model.shapes import XY
 from sandbox.physics.stepping.world import World
 

@@ -10,8 +10,9 @@ import numpy as np
 
 from sandbox.app.drawing import lines, theme
 from sandbox.app.drawing.theme import Color
+from sandbox.model.body import Body
 from sandbox.model.expressions import Values
-from sandbox.model.level import Body, Level
+from sandbox.model.level import Level
 from sandbox.model.shapes import XY, Arc, Curve, Disc, Hoop, Polyline, Segment
 from sandbox.physics.engine.bodies import local_points
 from sandbox.physics.geometry.depth import depth

@@ -10,7 +10,7 @@ from pygame_gui import PackageResource, UIManager
 from pygame_gui.core import UIAppearanceTheme, UIElement
 from pygame_gui.elements import UIButton, UIImage
 
-from sandbox.app.widgets.looks import Looks
+from sandbox.app.widgets.appearance_cache import Looks
 from sandbox.app.widgets.row import Row
 
 Ids = list[str | None] | None

@@ -9,9 +9,9 @@ from math import pi
 
 import numpy as np
 
+from sandbox.editing.cleanup import COEFFICIENTS, first_that_loads, without_meaning
 from sandbox.editing.edits.edit_result import Made, new_name
 from sandbox.editing.layout import Json, plain
-from sandbox.editing.mending import COEFFICIENTS, first_that_loads, without_meaning
 from sandbox.editing.outlines import centroid, simplified
 from sandbox.editing.text_patches import put, put_all, remove
 from sandbox.model.errors import SandboxError

@@ -7,9 +7,9 @@ from typing import Any, cast
 
 from pydantic import ValidationError
 
-from sandbox.editing.attached import shifted_point
+from sandbox.editing.attached_bodies import shifted_point
+from sandbox.editing.cleanup import without_meaning
 from sandbox.editing.edits.edit_result import Made, new_name
-from sandbox.editing.mending import without_meaning
 from sandbox.editing.text_patches import Changes, put_all
 from sandbox.model.consistency.mentions import mentions
 from sandbox.model.errors import SandboxError

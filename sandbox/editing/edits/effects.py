@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from typing import Any, get_args, get_origin
 
-from sandbox.editing.mending import COEFFICIENTS, accepted, without_meaning
+from sandbox.editing.cleanup import COEFFICIENTS, accepted, without_meaning
 from sandbox.editing.text_patches import Changes, put, put_all, remove
 from sandbox.model.did_you_mean import suggestion
 from sandbox.model.effect_variants import DEFAULTS, including, without

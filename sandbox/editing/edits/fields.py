@@ -6,8 +6,8 @@ from collections.abc import Iterator
 from contextlib import suppress
 from math import floor, isfinite, log10
 
+from sandbox.editing.cleanup import accepted, without_meaning
 from sandbox.editing.layout import Json, plain
-from sandbox.editing.mending import accepted, without_meaning
 from sandbox.editing.text_patches import PatchError, put, put_all, remove, shown, type_in, value_at
 from sandbox.model.errors import LevelError, Mistake, SandboxError
 from sandbox.model.expressions import Expression, Fraction

@@ -7,7 +7,7 @@ drawn with keeps its density; any other keeps its mass.
 
 from collections.abc import Sequence
 
-from sandbox.editing.attached import attached, shifted_point
+from sandbox.editing.attached_bodies import attached, shifted_point
 from sandbox.editing.edits.bodies import SMALLEST, drawn_mass
 from sandbox.editing.formulas import scaled, towards
 from sandbox.editing.placement import Placed, placed, xy

@@ -7,9 +7,9 @@ from collections.abc import Callable, Mapping, Sequence
 from math import pi
 from typing import NamedTuple
 
+from sandbox.editing.cleanup import accepted
 from sandbox.editing.edits.edit_result import Made, new_name
 from sandbox.editing.layout import Json, plain
-from sandbox.editing.mending import accepted
 from sandbox.editing.placement import Placed, placed, xy
 from sandbox.editing.text_patches import put
 from sandbox.model.did_you_mean import suggestion

@@ -3,11 +3,12 @@
 from collections.abc import Collection
 from typing import Literal
 
-from sandbox.editing.attached import attached
+from sandbox.editing.attached_bodies import attached
 from sandbox.editing.formulas import negative, shifted
 from sandbox.editing.layout import Json
 from sandbox.editing.placement import around, chosen
 from sandbox.editing.text_patches import Changes, put_all
+from sandbox.model.body import Body
 from sandbox.model.expressions import Expression, Values
 from sandbox.model.joints import (
     AngleStop,
@@ -23,7 +24,7 @@ from sandbox.model.joints import (
     ends_of,
 )
 from sandbox.model.json_positions import Path
-from sandbox.model.level import Body, Level
+from sandbox.model.level import Level
 from sandbox.model.shapes import Arc, Curve, Polygon, Polyline, Segment, points_of
 
 Pair = tuple[Expression, Expression]

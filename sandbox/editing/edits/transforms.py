@@ -8,7 +8,7 @@ from cmath import rect
 from collections.abc import Callable, Collection, Mapping, Sequence
 from typing import Literal
 
-from sandbox.editing.attached import attached, pinned, shifted_point
+from sandbox.editing.attached_bodies import attached, pinned, shifted_point
 from sandbox.editing.formulas import turned
 from sandbox.editing.placement import around, chosen
 from sandbox.editing.text_patches import Changes, put_all

@@ -4,8 +4,8 @@ from collections.abc import Iterator
 from math import sqrt
 
 from sandbox.editing.suggest.scene import SAFE, Scene, Suggestion, check, instant, opposite
+from sandbox.model.joint_ends import place
 from sandbox.model.joints import Pulley, body_of
-from sandbox.model.level import place
 
 EXACT = 1e-9
 """Of the closed form: string and gravity are exact to rounding."""

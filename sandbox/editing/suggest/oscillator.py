@@ -7,9 +7,10 @@ import numpy as np
 
 from sandbox.editing.layout import plain
 from sandbox.editing.suggest.scene import TOUCHING, Scene, Suggestion, check, rate_of, said
-from sandbox.model.expressions import Expression, Formula
+from sandbox.model.expressions import Expression
+from sandbox.model.formulas import Formula
+from sandbox.model.joint_ends import place
 from sandbox.model.joints import End, Spring, body_of
-from sandbox.model.level import place
 from sandbox.physics.geometry.distance import dot
 
 NEAR = 1e-4

@@ -20,8 +20,8 @@ from sandbox.editing.suggest.scene import (
     rate_of,
     said,
 )
+from sandbox.model.joint_ends import place
 from sandbox.model.joints import Joint, Rod, Rope, body_of
-from sandbox.model.level import place
 from sandbox.model.level_parts import names_in
 
 NEAR = 1e-4

@@ -6,13 +6,15 @@ from functools import partial
 import numpy as np
 
 from sandbox.model.arithmetic import ExpressionError
+from sandbox.model.body import Body
 from sandbox.model.conditions.condition import Condition
 from sandbox.model.effects.field import Field
 from sandbox.model.effects.potential import Potential
 from sandbox.model.errors import brief
-from sandbox.model.expressions import Function, Values
+from sandbox.model.expressions import Values
+from sandbox.model.formulas import Function
 from sandbox.model.json_positions import Path
-from sandbox.model.level import Body, Level
+from sandbox.model.level import Level
 from sandbox.model.level_parts import names_in
 from sandbox.model.shapes import evaluate
 

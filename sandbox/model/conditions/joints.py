@@ -11,6 +11,7 @@ from sandbox.model.bounds import Extent
 from sandbox.model.conditions.condition import Condition
 from sandbox.model.errors import brief
 from sandbox.model.expressions import Values
+from sandbox.model.joint_ends import place, span
 from sandbox.model.joints import (
     AngleStop,
     Gear,
@@ -29,7 +30,7 @@ from sandbox.model.joints import (
     bodies_of,
     body_of,
 )
-from sandbox.model.level import Level, place, span
+from sandbox.model.level import Level
 from sandbox.model.level_parts import names_in
 from sandbox.model.shapes import evaluate
 

@@ -8,7 +8,8 @@ import numpy as np
 from sandbox.model.arithmetic import ExpressionError
 from sandbox.model.conditions.condition import Condition
 from sandbox.model.errors import brief
-from sandbox.model.expressions import Array, Formula, Values
+from sandbox.model.expressions import Array, Values
+from sandbox.model.formulas import Formula
 from sandbox.model.joints import Rod
 from sandbox.model.json_positions import Path
 from sandbox.model.level import Level

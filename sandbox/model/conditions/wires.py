@@ -9,8 +9,9 @@ from numpy.typing import NDArray
 from sandbox.model.bounds import Coordinate
 from sandbox.model.conditions.condition import Condition
 from sandbox.model.expressions import Array, Values
+from sandbox.model.joint_ends import place
 from sandbox.model.joints import Wire, bodies_of
-from sandbox.model.level import Level, place
+from sandbox.model.level import Level
 from sandbox.model.level_parts import names_in
 from sandbox.model.shapes import Curve
 from sandbox.model.wires import NEAR, PIECES, Points, along, is_closed, places

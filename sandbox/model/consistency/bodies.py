@@ -2,8 +2,9 @@
 
 from collections.abc import Iterator, Mapping
 
+from sandbox.model.body import Body
 from sandbox.model.errors import brief
-from sandbox.model.level import ApexEvent, Body, LandingEvent, Level
+from sandbox.model.level import ApexEvent, LandingEvent, Level
 from sandbox.model.level_parts import Fault, instants
 from sandbox.model.quantities import ATTRIBUTES_OF_BODIES
 from sandbox.model.shapes import Area, Line, Polygon, Polyline, Shape

@@ -9,9 +9,9 @@ from sandbox.model.effects.friction import Friction
 from sandbox.model.effects.restitution import Restitution
 from sandbox.model.field_marks import marked
 from sandbox.model.json_positions import Path
+from sandbox.model.last_result import of_the_last
 from sandbox.model.level import Level
 from sandbox.model.reference_fields import Mention
-from sandbox.model.remembering import of_the_last
 
 
 class Mentioned(NamedTuple):

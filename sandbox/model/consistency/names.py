@@ -8,7 +8,7 @@ from sandbox.model.consistency.mentions import couples, named_bodies, named_quan
 from sandbox.model.constants import circle
 from sandbox.model.did_you_mean import suggestion
 from sandbox.model.errors import brief
-from sandbox.model.expressions import VARIABLES, Curve, Formula
+from sandbox.model.formulas import VARIABLES, Curve, Formula
 from sandbox.model.level import Level
 from sandbox.model.level_parts import Fault, expressions
 from sandbox.model.quantities import QuantityError, quantity

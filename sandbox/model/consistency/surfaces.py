@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 
+from sandbox.model.body import Body
 from sandbox.model.bounds import MOST_PAIRS
 from sandbox.model.collision_filter import apart
 from sandbox.model.consistency.bodies import given
@@ -15,7 +16,7 @@ from sandbox.model.effects.pair import Pair
 from sandbox.model.errors import brief
 from sandbox.model.joints import Own, bodies_of, is_exact
 from sandbox.model.json_positions import Path
-from sandbox.model.level import Body, ContactEvent, Level, SeparationEvent, is_alone
+from sandbox.model.level import ContactEvent, Level, SeparationEvent, is_alone
 from sandbox.model.level_parts import Fault
 from sandbox.model.shapes import Arc, Curve, Disc, Hoop
 

@@ -21,7 +21,8 @@ from sandbox.model.bounds import (
     Width,
 )
 from sandbox.model.effects.contract import Effect
-from sandbox.model.expressions import Curve, Expression
+from sandbox.model.expressions import Expression
+from sandbox.model.formulas import Curve
 from sandbox.model.joints.contract import FIXED, Kind, kinds
 from sandbox.model.joints.ends import ENDS as ENDS
 from sandbox.model.joints.ends import End as End

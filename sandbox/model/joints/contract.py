@@ -1,10 +1,10 @@
 """The contract of a kind of joint: what it declares once (see `docs/how-to/add-a-joint.md`).
 
 A joint is a frozen model beside the others in `sandbox/model/joints/__init__.py`, a member of the
-union `Joint` there, with a `kind` as below; `sandbox/physics/joints/assembly.py` makes it. From
-these follow the JSON Schema, the messages about unknown types and bodies, the quantities that can
-be measured of it, the accounts of the ledger, the schemes that a level may have, and the tests that
-go through all joints.
+union `Joint` there, with a `kind` as below; `sandbox/physics/joints/joint_equations.py` makes it.
+From these follow the JSON Schema, the messages about unknown types and bodies, the quantities that
+can be measured of it, the accounts of the ledger, the schemes that a level may have, and the tests
+that go through all joints.
 
 Which fields name bodies is not said here, but by their type: `End` or `BodyName`. Whether it
 changes with time follows from its formulas.

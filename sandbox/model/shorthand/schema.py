@@ -6,7 +6,8 @@ from typing import Annotated, Any
 from pydantic import Field, create_model
 
 from sandbox.model.base import Model
-from sandbox.model.level import Body, Level
+from sandbox.model.body import Body
+from sandbox.model.level import Level
 from sandbox.model.naming import Name
 from sandbox.model.shorthand.groups import Copy, Group
 from sandbox.model.shorthand.indices import MOST_TIMES

@@ -1,8 +1,9 @@
 """The cheapest setting, found by short runs.
 
-Each scheme that is for the level runs at a sequence of rates, each twice the one before, until the
-cheapest run that will do is seen. A rate between that run and the one before is tried, and what
-only the order promises is run, with a finer run beside it, as far as that is not too much work.
+Each scheme that the level can use runs at a sequence of rates, each twice the one before, until
+the cheapest run that is accurate enough is known. A rate between that run and the one before is
+tried next. If no run is accurate enough yet, the order of the scheme promises a rate. This rate is
+run, and a finer one beside it, unless that is too much work.
 """
 
 from collections.abc import Iterator, Sequence

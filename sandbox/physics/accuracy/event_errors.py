@@ -1,9 +1,9 @@
 """Errors from sudden events between two steps: impacts, and forces that set in or end.
 
-An impact that is not located is found at a step, up to one late. A run with half the step may find
-it at the same instant: the two then agree to the last digit on what is wrong, and every other time
-so does a third run with half of that. An instant is known to a step of the finest run, and no
-agreement makes that better.
+An impact that is not located is found at a step, up to one step late. A run with half the step may
+find it at the same instant. Then both are wrong by the same amount, and their difference does not
+show it; every other time a third run, with half of that step, agrees with them. So an instant is
+known to a step of the finest run, however well the runs agree.
 
 Where a force sets in or ends, the velocity that is read at that one step is the mean of two between
 which it changed.

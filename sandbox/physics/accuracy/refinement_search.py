@@ -1,8 +1,8 @@
 """The search over schemes and steps: which run comes next, as far as the work allows.
 
-Whichever next run takes least is taken, so that no scheme spends the time of the others, and what
-cannot be the cheapest any more is left. Work is counted, so the same request takes the same runs;
-a clock ends only what is far more work than the count tells.
+The next run is always the one that is the least work, so that no scheme spends the time of the
+others. A scheme that cannot be the cheapest any more is dropped. Work is counted, so the same
+request takes the same runs; a clock ends only what takes far longer than its count.
 """
 
 from collections.abc import Callable, Sequence

@@ -1,7 +1,7 @@
 """The work of a step, counted and not timed: the same on every machine, however busy.
 
-What a search finds depends on what runs cost. Were that timed, the same request would be answered
-one way now and another way later.
+What a search finds depends on what runs cost. If that were timed, the same request could have
+different answers.
 """
 
 import sys

@@ -1,8 +1,8 @@
 """Remedies for a run that had to stop, each tried before it is suggested.
 
-Whoever shows why a run stopped asks for it; the run itself only says what it suspects. Each remedy
-is tried in a world of its own, from the start, by far enough that the stop would have come, and all
-of them together within a bounded time and number of steps.
+The run itself only says what it suspects. The window and the commands ask here for a remedy before
+they show why it stopped. Each remedy is tried in a world of its own, from the start to well beyond
+the stop. All of them together have a bounded time and number of steps.
 """
 
 from collections.abc import Iterator

@@ -5,8 +5,8 @@ from typing import NamedTuple
 
 import pymunk
 
+from sandbox.model.body import Body
 from sandbox.model.expressions import Values
-from sandbox.model.level import Body
 from sandbox.model.shapes import Curve, Polyline, Segment
 from sandbox.physics.geometry.distance import FEELER
 

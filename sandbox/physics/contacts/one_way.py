@@ -1,15 +1,14 @@
 """Surfaces that let bodies through from one side, and hold them from the other.
 
-A body is held by such a line if it was on the side to which the line lets through when the two were
-last clear of each other, and is let through until they are clear again otherwise. So nothing is
-pushed out of a line in which it is half way, neither forwards nor back: what is let through feels
-nothing, whatever becomes of its velocity on the way. The side is looked at where the step before
-the first touch ended, however fast a body comes, and by the point of it that is nearest to the
-line. What overlaps a line at the start is let through.
+What counts is where a body was when it was last clear of the line. If it was on the side to which
+the line lets through, it is held. Otherwise it passes, and feels nothing until it is clear again,
+whatever becomes of its velocity on the way. So a body that is half way through is never pushed out,
+neither forwards nor back. The side is read at the end of the step before the first touch, at the
+point of the body that is nearest to the line. What overlaps a line at the start passes.
 
-A held body whose middle a step has put behind the line is not there for pymunk, either: it would be
-pushed out on the wrong side. It has gone through as one does that goes through a wall in a step;
-where that may be, its impacts are to be located.
+A fast body may be held, and yet have its middle behind the line at the next step. pymunk would push
+it out on the wrong side, so it passes, too, like a body that goes through a wall in one step. Where
+that may happen, its impacts are to be located.
 """
 
 from cmath import nan, rect
@@ -21,9 +20,10 @@ from typing import NamedTuple
 
 import pymunk
 
+from sandbox.model.body import Body
 from sandbox.model.collision_filter import apart
 from sandbox.model.expressions import Values
-from sandbox.model.level import Body, Level
+from sandbox.model.level import Level
 from sandbox.model.shapes import Arc as ArcShape
 from sandbox.model.shapes import Curve, Polyline, Segment
 from sandbox.physics.contacts.hollow_shapes import line_of

@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING
 
 import pymunk
 
+from sandbox.physics.contacts.contact_queries import touched
 from sandbox.physics.contacts.hollow_contacts import Hollows
-from sandbox.physics.contacts.queries import touched
 from sandbox.physics.state.errors import SimulationError
 
 if TYPE_CHECKING:

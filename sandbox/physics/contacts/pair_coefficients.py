@@ -4,8 +4,9 @@ from typing import Literal
 
 import numpy as np
 
+from sandbox.model.body import Body
 from sandbox.model.expressions import Array, NonNegative, Values
-from sandbox.model.level import Body, Level
+from sandbox.model.level import Level
 
 Rub = Literal["friction", "restitution"]
 

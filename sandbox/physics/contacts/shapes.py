@@ -6,8 +6,9 @@ import numpy as np
 import pymunk
 from pymunk import Vec2d
 
+from sandbox.model.body import Body
 from sandbox.model.expressions import Values
-from sandbox.model.level import Body, Level
+from sandbox.model.level import Level
 from sandbox.model.shapes import (
     XY,
     Arc,

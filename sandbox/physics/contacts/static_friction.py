@@ -4,9 +4,9 @@ A contact that sticks may need up to the static coefficient times the normal for
 more it slips, and the kinetic coefficient holds until the slip has stopped. pymunk knows one
 coefficient a contact: it is given the right one before each solve.
 
-When a contact breaks loose is found between two steps, by the line through the loads of the last
-two: for what is left of that step from there on, the friction of the step is taken down to the
-kinetic. So the velocity after it is of second order.
+The instant at which a contact breaks loose is found between two steps, on the line through the
+loads of the last two. For the rest of that step its friction is lowered to the kinetic one. So the
+velocity after the step is of second order.
 """
 
 from dataclasses import dataclass

@@ -1,17 +1,17 @@
 """Whether the energy books of a run close, and how well they can.
 
-Leapfrog keeps another energy than the one that is read, to rounding: with a drift in the middle of
-which it is read, the two differ by
+Leapfrog keeps an energy to rounding, but not quite the one that is read. Read in the middle of a
+drift, the two differ by
 
     dt² (v · V'' v / 12 − a · M a / 24),
 
-or a part of it (Hairer, Lubich and Wanner 2006, IX.3), V'' the slopes of the forces, a the
-accelerations. So the energy that is read swings by no more than twice the most of that, and is
-unexplained by as much: a spring's by (ω dt)² / 4 of it. What joints hold is off its way
-there, by a dt² / 8 across it, and that is a · M a dt² / 8 more. Where forces are constant all of it
-stays as it is, and the books close to rounding. What is more than that, the scheme does not
-explain: overlaps that were taken back, steps too coarse for an orbit or a bend, a scheme that is
-not leapfrog. A scheme of fourth order leaves less than that.
+or a part of it (Hairer, Lubich and Wanner 2006, IX.3). V'' are the slopes of the forces, a the
+accelerations. So the energy that is read swings by at most twice the largest value of that, and as
+much of it is unexplained: of a spring's energy (ω dt)² / 4. A body that joints hold leaves its path
+in the middle of a drift, by a dt² / 8 across it; this adds a · M a dt² / 8. Where forces are
+constant the difference stays the same, and the books close to rounding. The scheme does not explain
+more than that. The rest comes from overlaps that were taken back, from steps that are too coarse
+for an orbit or a bend, or from a scheme that is not leapfrog. A scheme of fourth order leaves less.
 """
 
 from math import isnan

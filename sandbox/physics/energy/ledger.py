@@ -7,14 +7,14 @@ So the kinetic energy changes by the sum of the works of all impulses, exactly, 
 by itself.
 
 A force with a potential is booked by what became of its potential energy, read in the middle of the
-drift, instead of by its work. The two differ by what a step is too coarse for. That difference, and
+drift, instead of by its work. The two differ where a step is too coarse. That difference, and
 whatever else has no cause, is `unexplained`: the numerical error. Nothing corrects it.
 
-A step of fourth order is several of those, of which the last kick is shared with the next step. It
-is read from step to step instead, each half of that kick booked on its own side.
+A step of fourth order has several drifts and kicks, and shares its last kick with the next step. It
+is read from step to step instead: half of that kick is booked before the step, and half after it.
 
-What cannot give energy is not believed to: surfaces that press on each other, impacts with e = 1, a
-joint that keeps its length. What they do all the same is left unexplained.
+Some things cannot give energy: surfaces that press on each other, impacts with e = 1, a joint that
+keeps its length. If they seem to, it is not booked, and stays unexplained.
 """
 
 from collections.abc import Iterable
@@ -22,7 +22,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from sandbox.model import ledger_accounts
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.contact_work import Kick
 from sandbox.physics.contacts.direct.kick_parts import Stage
@@ -30,6 +29,7 @@ from sandbox.physics.energy.balance import Balance
 from sandbox.physics.energy.divided_drifts import kicks_within
 from sandbox.physics.energy.impulse_attribution import Attribution
 from sandbox.physics.energy.ledger_entries import Entries
+from sandbox.physics.energy.mechanical_energy import MechanicalEnergy, velocity_of
 from sandbox.physics.energy.step_record import Recorded
 from sandbox.physics.engine.batch import Contacts
 from sandbox.physics.events.drift_events import Acted
@@ -37,7 +37,7 @@ from sandbox.physics.events.impact_response import Collided
 from sandbox.physics.events.slip_phases import Stop
 from sandbox.physics.forces.variable_mass import MassFlows
 from sandbox.physics.joints.joint_forces import pulls_of
-from sandbox.physics.state.motion import Instant, Motion, momentum
+from sandbox.physics.state.motion import Instant, Motion
 
 if TYPE_CHECKING:
     from sandbox.physics.contacts.direct.drift_subdivision import Divided
@@ -71,7 +71,7 @@ class Ledger:
         scene, level = run.scene, run.level
         self._run, self._scene, self._step = run, scene, run.last
         self._laws: tuple[Law, ...] = (*([scene.gravity] if scene.gravity else []), *scene.laws)
-        self._mass = scene.inertia
+        self._mechanics = MechanicalEnergy(level, self._laws, scene.inertia, scene.share)
         self._entries = Entries(level)
         self._causes = Attribution(run, self._laws, self._entries)
         self._composed = self._step.composed
@@ -81,16 +81,15 @@ class Ledger:
         self._back = begun is not None
         self.steps = self._step.steps - self._back
         self._velocity = self._left() if begun is None else begun
-        pulls = pulls_of(scene.joints, len(self._mass))
+        pulls = pulls_of(scene.joints, len(scene.inertia))
         self._pulls = pulls, pulls  # of the last kick, and of that before it
         self._slack = pulls.tension <= 0
         self._overlaps = 0.0
         start = self._middle(-0.5 if self._back else 0.5 / self._parts(), self._velocity)
         if self._composed:
             start = Instant.of(self._step.snapshot)
-        self._stores = dict.fromkeys(ledger_accounts.potentials(level), 0.0)
-        energy = self._kinetic(start) + sum(self._stored_by(start).values())
-        self._start = energy, self._momentum(start)
+        energy = self._mechanics.kinetic(start) + sum(self._mechanics.stored_by(start).values())
+        self._start = energy, self._mechanics.momentum(start)
         self._end = start
         self._seen: Motion = self._step.seen or start  # by the laws in the last kick
 
@@ -119,9 +118,9 @@ class Ledger:
         after = self._left()
         t = step.t if step.seen is None else float(step.seen.t)
         seen = step.seen or self._middle(0.0, before)
-        moment = Kick(t, step.dt, seen, step.snapshot.position, before, self._inertia(t))
+        moment = Kick(t, step.dt, seen, step.snapshot.position, before, self._mechanics.inertia(t))
         self._carry(t, before, after)
-        pulls = pulls_of(self._scene.joints, len(self._mass))
+        pulls = pulls_of(self._scene.joints, len(self._scene.inertia))
         begun, slack = before, pulls.slack_before(*self._pulls)
         stuck = not step.acted and bool(pulls.new(self._pulls[0]).any())
         for lasts, ended, tension, contacts in self._stages(after, pulls.tension):
@@ -159,7 +158,7 @@ class Ledger:
             self._push(t, part.kick, before, velocity)
         self._end = Instant.of(step.snapshot)
         before = self._end._replace(velocity=velocity[:, :2], angular_velocity=velocity[:, 2])
-        self._push(float(self._end.t), half, before, _velocity(self._end))
+        self._push(float(self._end.t), half, before, velocity_of(self._end))
         self._velocity = self._scene.batch.velocity()
 
     def _change_over(self) -> None:
@@ -170,7 +169,7 @@ class Ledger:
 
     def _push(self, t: float, length: float, seen: Instant, after: Array) -> None:
         """Book a kick in which only laws and joints act, from velocities to others: (n, 3)."""
-        before, inertia = _velocity(seen), self._inertia(t)
+        before, inertia = velocity_of(seen), self._mechanics.inertia(t)
         kick = Kick(t, length, seen, seen.position, (before + after) / 2, inertia)
         laws = sum((self._causes.force(law, kick) for law in self._laws), np.zeros_like(after))
         if self._scene.joints.together:
@@ -179,8 +178,8 @@ class Ledger:
     @property
     def balance(self) -> Balance:
         """How the books stand."""
-        kinetic, entries = self._kinetic(self._end), self._entries
-        potential = self._stored_by(self._end)
+        kinetic, entries = self._mechanics.kinetic(self._end), self._entries
+        potential = self._mechanics.stored_by(self._end)
         (begun, begun_with), given = self._start, sum(entries.impulses.values(), np.zeros(3))
         return Balance(
             kinetic,
@@ -189,7 +188,7 @@ class Ledger:
             {name: -work for name, work in entries.losses.items()},
             kinetic + sum(potential.values()) - begun - entries.explained,
             {name: impulse.copy() for name, impulse in entries.impulses.items()},
-            self._momentum(self._end) - begun_with - given,
+            self._mechanics.momentum(self._end) - begun_with - given,
             self._overlaps,
         )
 
@@ -203,31 +202,6 @@ class Ledger:
             velocity[:, :2],
             velocity[:, 2],
         )
-
-    def _inertia(self, t: float | Array) -> Array:
-        """Return masses, masses and moments at a time: (n, 3) [kg, kg m²]."""
-        share = np.asarray(self._scene.share(np.asarray(t)))
-        return self._mass * (share[:, None] if share.ndim else share)
-
-    def _kinetic(self, motion: Instant) -> float:
-        velocity = _velocity(motion)
-        return float(np.sum(self._inertia(motion.t) * velocity * velocity) / 2)
-
-    def _stored(self, motion: Instant) -> float:
-        """Return what is stored somewhere [J]."""
-        stores = (law for law in self._laws if law.effect.book == "potential")
-        return sum(float(law.potential_energy(motion).sum()) for law in stores)
-
-    def _stored_by(self, motion: Instant) -> dict[str, float]:
-        """Return what is stored, by account [J]."""
-        stored = dict(self._stores)
-        for law in self._laws:
-            if law.effect.book == "potential":
-                stored[law.effect.booked] += float(law.potential_energy(motion).sum())
-        return stored
-
-    def _momentum(self, motion: Instant) -> Array:
-        return momentum(self._inertia(motion.t) * _velocity(motion), motion.position)
 
     def _drifted(self) -> Array:
         """Book what cut the last drift, and return the velocities that it ended with: (n, 3)."""
@@ -259,7 +233,7 @@ class Ledger:
         """
         last = self._pulls[0]
         for kick, change, impulses, jacobian, contacts in kicks_within(
-            divided, self._end, self._seen, self._inertia
+            divided, self._end, self._seen, self._mechanics.inertia
         ):
             pulls = last._replace(tension=impulses, jacobian=jacobian)
             self._causes.book(self._step, kick, change, pulls, contacts, self._slack)
@@ -288,7 +262,7 @@ class Ledger:
         before = self._end
         self._go_on(stop.begun, stop.lifted)
         for law in self._laws:
-            wrench = np.zeros_like(self._mass)
+            wrench = np.zeros_like(self._scene.inertia)
             law.add(before, wrench)
             self._entries.do(law, float(np.sum(wrench * stop.way)))
         self._entries.put_in(stop.works)
@@ -332,20 +306,22 @@ class Ledger:
         moved = np.abs(now.position - ended.position).max()
         if moved > SEEN * (1 + np.abs(now.position).max()):
             there = ended._replace(position=now.position, angle=now.angle)
-            self._overlaps += self._stored(there) - self._stored(ended)
+            self._overlaps += self._mechanics.stored(there) - self._mechanics.stored(ended)
 
     def _carry(self, t: float, before: Array, after: Array) -> None:
         """Book what matter brings, or takes along, that is not a force."""
         flows = self._scene.share
         if not isinstance(flows, MassFlows):
             return
-        earlier, now, later = (self._inertia(t + h * self._step.dt) for h in (-0.5, 0, 0.5))
+        earlier, now, later = (
+            self._mechanics.inertia(t + h * self._step.dt) for h in (-0.5, 0, 0.5)
+        )
         brought = (later - now) * after + (now - earlier) * before
         energy = np.sum((later - now) * after * after + (now - earlier) * before * before, axis=1)
         energy = (
             energy / 2
-            + self._stored_with(self._end, t)
-            - self._stored_with(self._middle(0.5, after), t)
+            + self._mechanics.stored_with(self._end, t)
+            - self._mechanics.stored_with(self._middle(0.5, after), t)
         )
         for name, bodies in _carriers(flows).items():
             share = np.zeros_like(brought)
@@ -353,21 +329,10 @@ class Ledger:
             self._entries.give(name, share, self._step.snapshot.position)
             self._entries.works[name] += float(energy[bodies].sum())
 
-    def _stored_with(self, motion: Instant, t: float) -> Array:
-        """Return by how much each body stores more with its mass at another time: (n,) [J]."""
-        other = motion._replace(t=np.asarray(t))
-        stores = [law for law in self._laws if law.effect.book == "potential"]
-        more = [law.potential_energy(other) - law.potential_energy(motion) for law in stores]
-        return sum(more, np.zeros(len(self._mass)))
-
     def _kicked(self) -> Contacts:
         """Return the contacts of the kick, without the impacts that cut the drift before it."""
         collided = self._step.impacts
         return self._step.contacts.after(len(collided.impacts) if collided else 0)
-
-
-def _velocity(motion: Instant) -> Array:
-    return np.column_stack((motion.velocity, motion.angular_velocity))
 
 
 def _carriers(flows: MassFlows) -> dict[str, list[int]]:

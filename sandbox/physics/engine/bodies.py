@@ -7,8 +7,9 @@ from math import ceil, inf, pi, sin
 import numpy as np
 import pymunk
 
+from sandbox.model.body import Body
 from sandbox.model.expressions import Values
-from sandbox.model.level import Body, Level
+from sandbox.model.level import Level
 from sandbox.model.shapes import (
     XY,
     Arc,

@@ -4,8 +4,8 @@ from collections.abc import Mapping
 
 import numpy as np
 
+from sandbox.model.body import Body, Motion
 from sandbox.model.expressions import Array, Values
-from sandbox.model.level import Body, Motion
 from sandbox.model.shapes import XY
 from sandbox.physics.engine.batch import Batch
 

@@ -1,9 +1,10 @@
 """Python inside a step: force laws before the kick, strings after the solver.
 
-pymunk drifts the positions, finds the contacts, kicks the velocities and lets the solver have its
-way. Forces belong between drift and kick, where they see the new positions: that makes the step
-leapfrog instead of explicit Euler. A motor without strength offers that moment. Joints of our own
-need the end of the step, after pymunk's. A level that needs neither has no hook at all.
+pymunk drifts the positions, finds the contacts, kicks the velocities and runs its solver. Forces
+belong between drift and kick, where they see the new positions: that makes the step leapfrog
+instead of explicit Euler. A motor without strength is called at that moment. The sandbox's own
+joints are solved at the end of the step, after pymunk's. A level that needs neither has no hook at
+all.
 """
 
 from collections.abc import Callable, Sequence

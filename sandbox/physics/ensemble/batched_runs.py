@@ -3,7 +3,7 @@
 Each run starts as a world of its own, with its first kick. From there on all step together: the
 drift and the kick are pymunk's own arithmetic, the joints those of `ManyJoints`, and what is
 measured is measured by each world's own `Meter`. On x86-64 each ends in the bits of the same run
-alone. What a run alone would be stopped for, or nearly, is left to be run alone.
+alone. A run that would be stopped, or is close to it, is taken out and run alone.
 """
 
 from collections.abc import Callable, Mapping, Sequence

@@ -1,9 +1,9 @@
 """Buoyancy in a liquid at rest: the weight of the displaced liquid, computed exactly.
 
 The area A of a polygon below the surface, its depth and its moment are sums over the edges, clipped
-at the surface: by Green's theorem ∬ f dA = −∮ ∫f dy dx over what lies below, for the surface itself
-adds nothing, y = 0 there. Nothing has to be cut, so that polygons need not be convex. That of a
-disc is a segment of a circle.
+at the surface: by Green's theorem ∬ f dA = −∮ ∫f dy dx over what lies below. The surface itself
+adds nothing, because y = 0 there. Nothing has to be cut, so polygons need not be convex. The area
+of a disc below the surface is a segment of a circle.
 """
 
 from collections.abc import Iterator
@@ -12,10 +12,10 @@ from typing import ClassVar, NamedTuple
 
 import numpy as np
 
+from sandbox.model.body import Body
 from sandbox.model.effects import buoyancy as declared
 from sandbox.model.effects.contract import Effect
 from sandbox.model.expressions import Array, Values
-from sandbox.model.level import Body
 from sandbox.model.shapes import Area, Disc
 from sandbox.physics.engine.bodies import local_points
 from sandbox.physics.forces.law import Given, Law

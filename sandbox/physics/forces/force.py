@@ -8,7 +8,8 @@ import numpy as np
 
 from sandbox.model.effects import force as declared
 from sandbox.model.effects.contract import Effect
-from sandbox.model.expressions import Array, Formula, Values
+from sandbox.model.expressions import Array, Values
+from sandbox.model.formulas import Formula
 from sandbox.model.shapes import XY, evaluate
 from sandbox.physics.forces.law import Given, Law
 from sandbox.physics.state.motion import Motion

@@ -9,7 +9,8 @@ import numpy as np
 from sandbox.model.bounds import EnergyInField
 from sandbox.model.effects import potential as declared
 from sandbox.model.effects.contract import Effect
-from sandbox.model.expressions import Array, Function, Values
+from sandbox.model.expressions import Array, Values
+from sandbox.model.formulas import Function
 from sandbox.physics.forces.field import Weight
 from sandbox.physics.forces.law import Given, Law
 from sandbox.physics.state.motion import Motion

@@ -5,13 +5,13 @@ forces give in the kick, then a rotation, then the other half,
 
     v₊ = R(ω h) (v₋ + a h/2) + a h/2.
 
-The rotation is that by the whole angle, so a velocity in a uniform field turns as fast as it should
-at any step, and keeps its size to rounding. Places follow it in straight drifts, so that a circle
-is wider than it should be by (ω h)² / 24 of it: second order, as all of leapfrog.
+The rotation is by the whole angle. So in a uniform field a velocity turns at the right rate
+whatever the step is, and keeps its size to rounding. Positions follow in straight drifts, and
+therefore a circle is too wide by (ω h)² / 24 of it: second order, like all of leapfrog.
 
 At a step, half-way through the kick, the velocity is (v₋ + v₊) / (2 cos(ω h / 2)), for v₋ + v₊ is
-the chord of an arc. And v₊ − v₋ − a h = 2 tan(ω h / 2) J (v₋ + v₊)/2, J the quarter turn: at right
-angles to the mean velocity, by which the work of an impulse is told. It is nothing, exactly.
+the chord of an arc. The impulse is v₊ − v₋ − a h = 2 tan(ω h / 2) J (v₋ + v₊)/2, where J is the
+quarter turn. It is at right angles to the mean velocity, so its work is zero, exactly.
 """
 
 from collections.abc import Sequence

@@ -1,9 +1,9 @@
 """Where curves touch other shapes, at points of the curve itself and from both sides.
 
 To pymunk each stretch of a curve is a filled circle around it, so that whatever may touch it is
-found. What is round touches it where it is nearest to the middle of that, and a corner where it is
-nearest to the corner. A straight side touches it from outside, where the curve runs along it.
-Points of the plane are complex numbers here.
+found. A round body touches the curve at the point that is nearest to its centre, and a corner at
+the point that is nearest to the corner. A straight side touches it from outside, where the curve
+runs along the side. Points of the plane are complex numbers here.
 """
 
 from collections.abc import Iterator

@@ -1,8 +1,8 @@
 """Unexplained energy in scenes whose energy may grow for a reason.
 
-What the reason is only the ledger knows, and it costs more than a step. So the books are opened
-when a step changes the kinetic energy by much, as whatever blows up does in every step, and closed
-when none does any more. The step that was the first to do so is booked as well.
+Only the ledger knows the reason, and it costs more than a step. So the books are opened when a step
+changes the kinetic energy by much, as every step does in a run that blows up. They are closed when
+steps no longer do so. The step with which it began is booked as well.
 """
 
 from math import isfinite

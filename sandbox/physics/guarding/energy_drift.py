@@ -1,8 +1,8 @@
 """Unexplained energy in scenes to which nothing gives any.
 
-There energy can only grow by what the steps are too coarse for, and by what taking back overlaps
-lifts. The second is seen: a body that goes another way than its velocity had it go in a drift was
-moved. So the books stay open at no cost, and what is left has no cause.
+There energy can grow for two reasons only: the steps are too coarse, or the correction of overlaps
+has lifted a body. The second can be seen: the body has not gone where its velocity led in the
+drift. So the books stay open at no cost, and what they do not explain has no cause.
 """
 
 from typing import TYPE_CHECKING

@@ -1,7 +1,7 @@
 """The rate that a scene needs in its present state, from known limits.
 
-Who looks for a rate begins with what the start asks for; what stops a run that goes wrong asks what
-was too strong for it.
+The search for an accuracy begins with the rate that the start needs. The watchdog asks which limit
+a run that went wrong had passed.
 
 Leapfrog is stable up to ω dt = 2, for springs and for what swings between taut strings alike; what
 moves further than its own width in a step may pass through what it should hit.

@@ -1,8 +1,8 @@
 """The watchdog: it stops a run that has gone wrong, says why, and at which rate it should hold.
 
-It looks at what is observed anyway, and changes nothing. What makes a look expensive, energies and
-the joints' lengths, it looks at every few observations only. Euler's schemes are deliberately bad:
-of them it asks only that everything is somewhere, and that their energy does not go on multiplying.
+It reads what is observed anyway, and changes nothing. Energies and the lengths of joints are
+expensive, so it looks at them only every few observations. Euler's schemes are deliberately bad: of
+them it asks only that numbers stay finite, and that their energy does not keep multiplying.
 """
 
 from collections.abc import Callable
@@ -12,8 +12,9 @@ from typing import NoReturn
 import numpy as np
 
 from sandbox.model import ledger_accounts
+from sandbox.model.body import Body
 from sandbox.model.expressions import Array, Values
-from sandbox.model.level import Body, Level, Stepping
+from sandbox.model.level import Level, Stepping
 from sandbox.model.shapes import Arc, Box, Curve, Disc, Hoop, Polygon, Polyline, Segment
 from sandbox.physics.contacts.pair_count import crowded, most_pairs
 from sandbox.physics.engine.batch import Contacts, Integers

@@ -13,13 +13,13 @@ from sandbox.physics.state.snapshot import Snapshot
 
 if TYPE_CHECKING:
     from sandbox.physics.forces.spring import SpringForce
-    from sandbox.physics.joints.composites import Solids, Touches
     from sandbox.physics.joints.exact.joint_system import JointSystem
     from sandbox.physics.joints.exact.shake import ExactJoints
     from sandbox.physics.joints.exact.wire import WireEquation
     from sandbox.physics.joints.latches import Latches
     from sandbox.physics.joints.pulley import PulleyString
     from sandbox.physics.joints.pymunk_joints import OwnJoint
+    from sandbox.physics.joints.welded_bodies import Solids, Touches
     from sandbox.physics.state.anchor import Anchor
 
 NO_PAIRS: Integers = np.empty((0, 2), dtype=np.intp)

@@ -11,13 +11,13 @@ arm r is written without a difference of lengths,
 
     |r + d| − |r| = (2 r + d) · d / (|r + d| + |r|),
 
-so that it is known to the rounding of d, not of r: a length of 6 m, known to 1e-15, twice
-differenced at 60 Hz is 4e-12 m/s². What the length is off by already is the rounding of places, and
-would be as noisy: a share of it is taken back a step.
+so that it is known to the rounding of d, not of r: a length of 6 m, known to 1e-15, gives
+4e-12 m/s² when it is differenced twice at 60 Hz. The present error of the length is the rounding of
+places, and would be as noisy if it were taken back at once. Each step takes back a share of it.
 
-The impulse only ever pulls: where the equation asks for a push the string is slack. Where there are
-contacts, last step's pull acts from the start of the kick, so that their solver, which takes turns
-with the string, knows of it.
+The impulse only ever pulls: where the equation asks for a push, the string is slack. The solver of
+contacts takes turns with the string. Where there are contacts, last step's pull therefore acts from
+the start of the kick, so that the solver knows of it.
 """
 
 from itertools import pairwise

@@ -1,10 +1,11 @@
 """pymunk's own joints: springs, and joints that levels declare as not exact.
 
-pymunk's solver takes turns between its constraints: it holds velocities as well as its iterations
-go, and corrects places later, by a share of what they are off.
+pymunk's solver takes turns between its constraints. How well it holds velocities depends on its
+iterations; positions it corrects later, by a share of their error.
 
-A spring without a damper is no constraint to it. It pulls once a step, between drift and kick, as
-far as it is stretched there: leapfrog, to the last digit, at a hundredth of what a force law costs.
+A spring without a damper is not solved as a constraint. It pulls once a step, between drift and
+kick, by its extension there: this is leapfrog to the last digit, at a hundredth of what a force law
+costs.
 """
 
 from collections.abc import Iterable, Sequence

@@ -12,12 +12,13 @@ step, and what matter brings or takes along is a force (Meshchersky). Joints in 
 order have forces at the step itself, and so has the acceleration there (see `ExactJoints.motion`).
 
 An impact within the kick is a force, too: its impulse over h, which says as much about the step as
-about the impact, and is marked. There the sum is not promised: of a pair that parted and closes
-again within three steps pymunk tells more than it gave. An impact that cuts the drift before the
-kick, at its own time, is not in it.
+about the impact, and is marked. There the sum is not promised: for a pair that parted and closes
+again within three steps, pymunk reports more than it gave. An impact that cuts the drift before the
+kick, at its own time, is not included.
 
-Of two things pymunk tells no direction: the pull of a hand, and of joints with `"exact": false`.
-They are what is left of m a, and where they act the sum proves nothing: that is marked as well.
+pymunk reports no direction for the pull of a hand, and for joints with `"exact": false`. Their
+force is what remains of m a. Where they act the sum therefore proves nothing, and the diagram is
+marked.
 """
 
 from collections.abc import Iterator, Sequence

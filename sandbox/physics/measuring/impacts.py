@@ -5,8 +5,9 @@ touch already, as the balls of a Newton's cradle do, are struck in turn (`sequen
 together (`contacts.direct`). Impacts in turn are reported body by body; the impulse of a pair is
 then at most the lesser of its bodies' two.
 
-What rests is given an impulse in every step, too. It changes a velocity by about as much as gravity
-and force laws do in a step, in the opposite direction; an impact changes it by more.
+A body at rest is given an impulse in every step, too. That impulse changes its velocity by about as
+much as gravity and force laws do in a step, in the opposite direction. An impact changes it by
+more.
 """
 
 from typing import NamedTuple

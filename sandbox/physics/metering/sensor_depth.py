@@ -4,8 +4,8 @@ from collections.abc import Callable
 
 import numpy as np
 
+from sandbox.model.body import Body
 from sandbox.model.expressions import Array, Values
-from sandbox.model.level import Body
 from sandbox.model.shapes import Disc
 from sandbox.physics.engine.bodies import local_points
 from sandbox.physics.geometry.depth import depth

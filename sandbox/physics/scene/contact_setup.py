@@ -26,7 +26,7 @@ from sandbox.physics.contacts.solver_coefficients import (
     take_bounces,
 )
 from sandbox.physics.engine.broadphase import choose_broad_phase
-from sandbox.physics.joints.composites import Touches
+from sandbox.physics.joints.welded_bodies import Touches
 from sandbox.physics.scene.build_context import Made, Pairs
 
 if TYPE_CHECKING:
@@ -48,16 +48,9 @@ def make_contacts(
         skip_ids(space, level)
     sequence = level.effects.in_sequence and ours
     direct = ours and is_direct(level, stepping)
-    skin, shapes = _skin(ours=ours, direct=direct), {}
-    for kind, (name, spec) in enumerate(level.bodies.items(), start=1):
-        shapes[name] = make_surfaces(spec, bodies[name], level, values, skin, kind)
-    if pairs_apart := sorted(apart(level)):
-        from sandbox.physics.contacts.collision_filter import keep_apart
-
-        keep_apart(space, bodies, pairs_apart)
-    refuse_crowd(shapes, most_pairs(stepping.iterations, direct=direct))
-    for made in shapes.values():  # pymunk looks for pairs at once
-        space.add(*made)
+    skin = _skin(ours=ours, direct=direct)
+    most = most_pairs(stepping.iterations, direct=direct)
+    shapes = _make_shapes(space, bodies, level, values, skin, most)
     follows = ours and not (sequence or direct)
     drift = 1 / stepping.rate if follows else None
     hollows = make_hollow(space, level, values, shapes, skin, drift)
@@ -77,6 +70,29 @@ def make_contacts(
         reach_out(space)
         _choose_solver(space, level, values, 1 / stepping.rate, direct=direct)
     return pairs
+
+
+def _make_shapes(
+    space: pymunk.Space,
+    bodies: dict[str, pymunk.Body],
+    level: Level,
+    values: Values,
+    skin: float,
+    most: int,
+) -> dict[str, list[pymunk.Shape]]:
+    """Put into a space what bodies touch each other with, unless that makes too many pairs."""
+    shapes = {
+        name: make_surfaces(spec, bodies[name], level, values, skin, kind)
+        for kind, (name, spec) in enumerate(level.bodies.items(), start=1)
+    }
+    if pairs_apart := sorted(apart(level)):
+        from sandbox.physics.contacts.collision_filter import keep_apart
+
+        keep_apart(space, bodies, pairs_apart)
+    refuse_crowd(shapes, most)
+    for made in shapes.values():  # pymunk looks for pairs at once
+        space.add(*made)
+    return shapes
 
 
 def _make_gates(
@@ -112,9 +128,9 @@ def make_direct(made: Made, pairs: Pairs) -> "Direct | None":
     level, stepping = made.level, made.stepping
     if stepping.is_stock or not is_direct(level, stepping):
         return None
+    from sandbox.physics.contacts.contact_queries import Query
     from sandbox.physics.contacts.direct.solver import Direct
     from sandbox.physics.contacts.direct.surfaces import surfaces_of
-    from sandbox.physics.contacts.queries import Query
 
     assert made.joints.together
     bodies = list(made.bodies.values())

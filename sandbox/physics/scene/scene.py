@@ -116,8 +116,7 @@ def make_scene(level: Level, values: Values, stepping: Stepping) -> Scene:
     bodies = {name: make_body(name, level, values) for name in level.bodies}
     space.add(*bodies.values())
     pairs = _touching(space, bodies, level, values, stepping)
-    mass, moment = _inertia(list(bodies.values()))
-    inertia = np.stack((mass, mass, moment), axis=1)
+    mass, moment, inertia = _inertia(list(bodies.values()))
     inverse_mass = np.divide(1.0, inertia, out=np.zeros_like(inertia), where=inertia > 0)
     share = mass_share(level.effects, values, list(bodies), mass)
     field = gravity(level.effects, values, mass, share)
@@ -126,11 +125,7 @@ def make_scene(level: Level, values: Values, stepping: Stepping) -> Scene:
     batch = Batch(space, list(bodies.values()))
     direct = is_direct(level, stepping)
     joints = _make_joints(level, values, bodies, batch, inverse_mass, pairs, direct=direct)
-    switches: Switches = {}
-    if level.happens:
-        from sandbox.physics.scene.switches import make_switches
-
-        switches = make_switches(level, joints)
+    switches = _make_switches(level, joints)
     given = Given(level, values, list(bodies), mass, share, 1 / stepping.rate, switches)
     forces, turns = laws(level.effects, given)
     made = Made(level, values, stepping, bodies, batch, joints, inertia, inverse_mass)
@@ -173,12 +168,16 @@ def _hooked(
     return (*forces, *hooked_springs(made, share))
 
 
-def _inertia(bodies: Sequence[pymunk.Body]) -> tuple[Array, Array]:
-    """Return masses and moments: (n,) each, 0 where nothing moves or turns [kg, kg m²]."""
+def _inertia(bodies: Sequence[pymunk.Body]) -> tuple[Array, Array, Array]:
+    """Return masses and moments, 0 where nothing moves or turns [kg, kg m²].
+
+    (n,) and (n,), and side by side for the coordinates x, y, θ: (n, 3).
+    """
     dynamic = [body.body_type == pymunk.Body.DYNAMIC for body in bodies]
     moment = np.array([body.moment for body in bodies])
     mass = np.where(dynamic, [body.mass for body in bodies], 0.0)
-    return mass, np.where(np.isfinite(moment) & dynamic, moment, 0.0)
+    moment = np.where(np.isfinite(moment) & dynamic, moment, 0.0)
+    return mass, moment, np.stack((mass, mass, moment), axis=1)
 
 
 def _touching(
@@ -222,6 +221,15 @@ def _make_joints(
 
         refuse_overlaps(space, bodies, pairs.hollows, pairs.gates)
     return joints
+
+
+def _make_switches(level: Level, joints: Joints) -> "Switches":
+    """Make what events switch on and off, if anything ever happens."""
+    if not level.happens:
+        return {}
+    from sandbox.physics.scene.switches import make_switches
+
+    return make_switches(level, joints)
 
 
 def _solvers(made: Made, pairs: Pairs) -> "tuple[Direct | None, Sequential | None]":

@@ -1,8 +1,8 @@
 """Cancellation points: places in a long computation where it can be broken off.
 
 The loops that can make one step last for seconds come to a `cancellation_point` each time round.
-pymunk's own step has none, nor has a call of LAPACK: they are over before anybody is asked. Nobody
-is, and nothing else happens, unless somebody has asked for it by `cancellable`.
+pymunk's own step and a call of LAPACK have none, and always run to their end. A cancellation point
+does nothing unless somebody has asked for it by `cancellable`.
 """
 
 from collections.abc import Callable, Iterator

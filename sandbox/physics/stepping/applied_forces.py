@@ -14,7 +14,7 @@ from sandbox.physics.state.kick import Kick
 from sandbox.physics.state.motion import Reading
 
 if TYPE_CHECKING:
-    from sandbox.physics.engine.grab import Hand
+    from sandbox.physics.engine.grab_spring import Hand
     from sandbox.physics.joints.exact.shake import ExactJoints
 
 

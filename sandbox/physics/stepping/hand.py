@@ -6,7 +6,7 @@ from math import isfinite
 import numpy as np
 
 from sandbox.model.shapes import XY
-from sandbox.physics.engine.grab import Hand
+from sandbox.physics.engine.grab_spring import Hand
 from sandbox.physics.scene.stability_limits import check_springs
 from sandbox.physics.scene.substeps import once
 from sandbox.physics.state.snapshot import Snapshot

@@ -1,8 +1,8 @@
 """The observer: the state at a step, from the velocities half a kick before and after it.
 
 The velocity at a step is the mean of the two, and the acceleration their difference over the kick.
-Where something hits there is no such mean (see `post_impact_velocity` and `sequential_impacts`).
-Where a step has several kicks, the joints know better (see `shake`).
+Where bodies collide there is no such mean (see `post_impact_velocity` and `sequential_impacts`).
+Where a step has several kicks, the joints give velocity and acceleration (see `rattle`).
 """
 
 from typing import TYPE_CHECKING, NamedTuple

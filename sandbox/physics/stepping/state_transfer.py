@@ -2,9 +2,9 @@
 
 What is handed on is the state *at* the step: places, angles, and the velocities there, the mean of
 those half a kick before and after. From there the new world is started like any other, with half a
-kick of its own forces (see `start.py`): leapfrog's velocities are half a step ahead, and those of
-the old world have half a kick of the old forces in them, so to hand these on would be wrong by
-Δa h/2. The warm start of solvers, and whether a contact sticks, are computed again.
+kick of its own forces (see `initial_state.py`). Leapfrog's velocities are half a step ahead: those
+of the old world have half a kick of the old forces in them, and would be wrong by Δa h/2. The warm
+start of solvers, and whether a contact sticks, are computed again.
 """
 
 from collections.abc import Mapping

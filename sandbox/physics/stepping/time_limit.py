@@ -1,7 +1,7 @@
 """The limit on computing time: stops a run whose steps take too long to wait for.
 
-What a step takes is counted before it is taken wherever that can be; this is for what is left. A
-step is broken off at a cancellation point; where it has none, the run ends after the step.
+Most work is counted, and refused, before a step is taken; this limit is for what cannot be counted.
+A step is broken off at a cancellation point; where it has none, the run ends after the step.
 """
 
 from contextlib import AbstractContextManager

@@ -12,13 +12,13 @@ import numpy as np
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level, Stepping
 from sandbox.physics.engine.batch import Contacts
-from sandbox.physics.guarding.choose_watch import make_watch
+from sandbox.physics.guarding.watch_choice import make_watch
 from sandbox.physics.scene.scene import make_scene
 from sandbox.physics.state.snapshot import Snapshot
+from sandbox.physics.stepping.initial_state import start
 from sandbox.physics.stepping.observer import Observer
 from sandbox.physics.stepping.stage import Begin, Stages, set_up
 from sandbox.physics.stepping.stages.register import declared
-from sandbox.physics.stepping.start import start
 
 if TYPE_CHECKING:
     from sandbox.physics.energy.step_record import StepRecord

@@ -6,9 +6,9 @@ import pytest
 
 from sandbox.app.building import fields
 from sandbox.app.building.fields import Section
+from sandbox.model.body import Body
 from sandbox.model.effects import EFFECTS
 from sandbox.model.joints import Joint
-from sandbox.model.level import Body
 from tests.app.building.builder import Builder
 from tests.sample import thinned
 

@@ -8,7 +8,7 @@ from sandbox.app.building.drafts import Drafts
 from sandbox.app.building.parsed_parts import Readings
 from sandbox.app.building.partial_level import Sketch, _body
 from sandbox.model import catalog
-from sandbox.model.level import Body
+from sandbox.model.body import Body
 from sandbox.model.loading import load
 
 LEVELS = catalog.textbook()[:5]

@@ -3,7 +3,7 @@
 import pytest
 
 from sandbox.app.drawing.camera import Camera
-from sandbox.model.level import View
+from sandbox.model.view import View
 
 
 @pytest.fixture

@@ -14,7 +14,7 @@ from sandbox.app.pages.experiment.chosen_curve import Exploring
 from sandbox.app.pages.experiment.panel import ExperimentPage
 from sandbox.app.pages.experiment.sampling import COUNT, Point, Refused, coarse_first, sample
 from sandbox.app.pages.graph.choice import offered
-from sandbox.experiments import suggested
+from sandbox.experiments import suggested_measures
 from sandbox.experiments.measures import parse
 from sandbox.model import catalog
 from sandbox.model.loading import load
@@ -70,7 +70,7 @@ def test_a_measure_that_cannot_be_is_told() -> None:
 def test_what_a_level_suggests_can_be_measured(name: str) -> None:
     level = load(catalog.find(name))
 
-    for text in suggested.measures(level, offered(level)[:3]):
+    for text in suggested_measures.measures(level, offered(level)[:3]):
         assert parse(text, level, until=False).quantities
 
 

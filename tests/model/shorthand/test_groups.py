@@ -10,9 +10,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from sandbox.model.errors import LevelError
+from sandbox.model.joint_ends import place
 from sandbox.model.joints import Joint, bodies_of, ends_of
 from sandbox.model.joints.stops import AngleStop
-from sandbox.model.level import Level, place
+from sandbox.model.level import Level
 from sandbox.model.loading import parse
 from sandbox.model.shorthand.groups import TURNED
 from tests.model.levels import Data, bare

@@ -1,14 +1,11 @@
 """An accuracy that is asked for is delivered, and what cannot be had is said."""
 
-import json
-import os
 import time
 from collections.abc import Callable, Iterator
 from contextlib import suppress
 from functools import partial
 from itertools import count
 from math import cos, pi, sin, sqrt
-from pathlib import Path
 from random import Random
 
 import numpy as np
@@ -22,23 +19,15 @@ from sandbox.model.expressions import Values
 from sandbox.model.level import HIGHEST_RATE, Level, Stepping
 from sandbox.model.loading import load
 from sandbox.model.quantities import QuantityError
-from sandbox.physics.accuracy import (
-    cache,
-    calibration,
-    candidates,
-    cheapest_setting,
-    refinement_search,
-)
-from sandbox.physics.accuracy.cache import calibrated
-from sandbox.physics.accuracy.calibration import Setting, calibrate
+from sandbox.physics.accuracy import calibration, candidates, cheapest_setting, refinement_search
+from sandbox.physics.accuracy.calibration import calibrate
 from sandbox.physics.accuracy.chaos import chaotic
-from sandbox.physics.accuracy.compared_runs import apart, checked, never, record
-from sandbox.physics.accuracy.error_estimate import estimate
+from sandbox.physics.accuracy.compared_runs import never
 from sandbox.physics.accuracy.errors import AccuracyError, Cancelled
 from sandbox.physics.accuracy.refinement import Refinement
 from sandbox.physics.measuring import step_timing
 from sandbox.physics.measuring.grading import grade
-from sandbox.physics.run import build, simulate
+from sandbox.physics.run import simulate
 from sandbox.physics.state.errors import SimulationError
 from tests.physics.scenes import GRAVITY, G, Spec, atwood, disc, fixed, floor, level, orbit
 
@@ -108,86 +97,7 @@ def delivered(scene: Level, stepping: Stepping) -> float:
 # Estimates
 
 
-@pytest.mark.parametrize("rate", [30, 60, 200])
-def test_an_estimate_is_the_error_against_the_closed_form(rate: float) -> None:
-    scene, stepping = oscillator(), Stepping(rate=rate)
-    [found] = estimate(scene, stepping=stepping)
-
-    assert found is not None
-    assert found.error == pytest.approx(delivered(scene, stepping), rel=0.03)  # 0.4 % to 1.9 %
-    assert found.difference == pytest.approx(1.5 * found.error, rel=0.01)  # 1.5 m at the most
-    assert found.order == pytest.approx(2, abs=0.02)
-    assert (found.quantity, found.unit) == ("ball.position.x", "m")
-
-
-def test_what_is_exact_is_off_by_rounding_and_shows_no_order() -> None:
-    scene = level({"ball": disc(velocity=[3, 8])}, GRAVITY, duration=1)
-    found = estimate(scene)
-
-    assert len(found) == 4  # places and velocities
-    for each in found:
-        assert each is not None
-        assert each.error < 1e-12
-        assert each.order is None
-
-
-def test_an_instant_that_never_comes_has_no_error() -> None:
-    never = {"event": "landing", "body": "ball", "height": -99}
-    scene = level({"ball": disc()}, GRAVITY, duration=1, checks=[check("ball.speed", "1", never)])
-
-    assert estimate(scene) == (None,)
-
-
-def test_what_comes_back_to_zero_is_off_by_its_own_value() -> None:
-    """No error is relative to a place that is zero but for the error itself."""
-    scene = level(
-        {"planet": disc((1, 0), radius=0.05, velocity=[0, 1])},
-        {"attraction": [{"mu": 1}]},
-        checks=[check("planet.position.y", "0", 2 * pi)],
-        duration=6.4,
-    )
-    [found] = estimate(scene, stepping=Stepping(rate=60))
-
-    assert found is not None
-    assert found.error == found.difference
-    assert found.error == pytest.approx(delivered(scene, Stepping(rate=60)), rel=0.03)
-
-
-@pytest.mark.sweep
-def test_an_instant_near_the_end_is_read_off_equal_steps() -> None:
-    """A run that is looked at every second step does not end with half a look: 8e-5 it was off."""
-    scene = catalog_level("energy/figure-eight")
-    wanted = [item for item in checked(scene, scene.defaults) if item.at is not None]
-    stepping = Stepping(rate=600, scheme="fourth-order")
-    seldom = record(scene, scene.defaults, stepping, wanted, seen=240)
-    always = record(scene, scene.defaults, stepping, wanted, seen=600)
-
-    assert wanted
-    for item in wanted:
-        assert apart(seldom, always, item) == pytest.approx(0, abs=1e-8)
-    assert np.ptp(np.diff(seldom.t)) < 1e-12
-
-
 # Calibration
-
-
-@pytest.mark.sweep
-@pytest.mark.parametrize("target", [1e-3, 1e-5, 1e-7])
-@pytest.mark.parametrize("damping", [0, 1])
-def test_an_accuracy_is_delivered_and_not_much_more(damping: float, target: float) -> None:
-    """A quarter of the rate would not do, or it is the lowest that is ever taken.
-
-    A third of it may do for the place that is checked here: the velocity is further off.
-    """
-    scene = oscillator(c=damping)
-    setting = calibrate(scene, target=target)
-    stepping = setting.chosen.stepping
-    coarser = stepping.at(stepping.rate / 4)
-
-    assert delivered(scene, stepping) <= target
-    assert setting.chosen.error <= target
-    assert delivered(scene, coarser) > target or coarser.rate < 30
-    assert stepping.scheme == "leapfrog" or not damping
 
 
 @pytest.mark.sweep
@@ -627,185 +537,7 @@ def test_progress_is_told() -> None:
 # Memory
 
 
-@pytest.fixture
-def counted(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> list[float]:
-    """Keep settings in a folder of the test's own, and count how often one is found out."""
-    calls: list[float] = []
-    real: Callable[..., Setting] = calibrate
-
-    def counting(scene: Level, values: Values, target: float, **rest: object) -> Setting:
-        calls.append(target)
-        return real(scene, values, target, **rest)
-
-    monkeypatch.setattr(cache, "calibrate", counting)
-    monkeypatch.setattr(cache, "folder", lambda: tmp_path / "cache" / "accuracy")
-    monkeypatch.setattr(cache, "_unkept", {})
-    return calls
-
-
-def kept() -> list[Path]:
-    return sorted(cache.folder().glob("*.json"))
-
-
-def test_a_setting_is_found_out_once(counted: list[float]) -> None:
-    first = calibrated(oscillator(), target=1e-3)
-    again = calibrated(oscillator(), target=1e-3)
-
-    assert first == again
-    assert counted == [1e-3]
-
-
-@pytest.mark.sweep
-def test_another_level_or_target_or_code_is_another_setting(
-    counted: list[float], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    calibrated(oscillator(), target=1e-3)
-    calibrated(oscillator(k=11), target=1e-3)
-    calibrated(oscillator(), target=2e-3)
-    monkeypatch.setattr(cache, "_code", lambda: "other")
-    calibrated(oscillator(), target=1e-3)
-
-    assert len(counted) == len(kept()) == 4
-
-
-@pytest.mark.sweep
-@pytest.mark.parametrize(
-    "mangle",
-    [
-        lambda _: "",
-        lambda text: text[:-20],
-        lambda text: text.replace('"cost":', '"coast":'),
-        lambda text: text.replace('"target":0.001', '"target":0'),
-        lambda text: text.replace(text[2:10], "00000000"),
-        lambda text: text.replace('"leapfrog"', '"magic"').replace('"fourth-order"', '"magic"'),
-        lambda _: "[" * 100_000,
-    ],
-)
-def test_a_spoilt_file_is_not_used(counted: list[float], mangle: Callable[[str], str]) -> None:
-    found = calibrated(oscillator(), target=1e-3)
-    [file] = kept()
-    file.write_text(mangle(file.read_text()))
-
-    again = calibrated(oscillator(), target=1e-3)
-
-    assert found.chosen.error <= again.target
-    assert again.chosen.error <= again.target
-    assert len(counted) == 2
-    assert calibrated(oscillator(), target=1e-3) == again  # mended
-    assert len(counted) == 2
-
-
-def _edited(text: str) -> str:
-    """Let an entry say 1 Hz and explicit Euler, at the error that was found for something else."""
-    entry = json.loads(text)
-    entry[2]["chosen"]["stepping"] |= {"rate": 1.0, "scheme": "explicit-euler"}
-    return json.dumps(entry)
-
-
-@pytest.mark.parametrize("edit", [_edited, lambda text: text.replace('"rate":', '"rate":1')])
-def test_a_setting_that_a_hand_has_changed_is_not_believed(
-    counted: list[float], edit: Callable[[str], str]
-) -> None:
-    found = calibrated(oscillator(), target=1e-3)
-    [file] = kept()
-    assert edit(file.read_text()) != file.read_text()
-    file.write_text(edit(file.read_text()))
-
-    assert calibrated(oscillator(), target=1e-3).chosen.stepping == found.chosen.stepping
-    assert len(counted) == 2
-
-
-@pytest.mark.skipif(os.name == "nt", reason="links need a privilege there")
-def test_a_setting_is_not_written_through_a_link(counted: list[float], tmp_path: Path) -> None:
-    other = tmp_path / "another's file"
-    calibrated(oscillator(), target=1e-3)
-    [file] = kept()
-    content = file.read_bytes()
-    other.write_bytes(content)
-    file.unlink()
-    file.symlink_to(other)
-
-    calibrated(oscillator(), target=1e-3)
-
-    assert len(counted) == 2  # nor is it read through one
-    assert other.read_bytes() == content
-    assert not file.is_symlink()
-
-
-@pytest.mark.skipif(os.name == "nt", reason="links need a privilege there")
-def test_a_setting_is_not_written_into_a_folder_that_is_a_link(
-    counted: list[float], tmp_path: Path
-) -> None:
-    (tmp_path / "elsewhere").mkdir()
-    (tmp_path / "cache").mkdir()
-    cache.folder().symlink_to(tmp_path / "elsewhere")
-    told: list[str] = []
-
-    calibrated(oscillator(), target=1e-3, tell=told.append)
-
-    assert "is a link, which may lead anywhere" in told[0]
-    assert list((tmp_path / "elsewhere").iterdir()) == []
-    assert len(counted) == 1
-
-
-@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="there are no such pipes there")
-def test_a_pipe_in_the_place_of_a_setting_is_not_waited_for(counted: list[float]) -> None:
-    calibrated(oscillator(), target=1e-3)
-    [file] = kept()
-    file.unlink()
-    os.mkfifo(file)
-
-    assert calibrated(oscillator(), target=1e-3).chosen.error <= 1e-3
-    assert len(counted) == 2
-
-
-def test_a_folder_that_cannot_be_written_costs_only_the_memory(
-    counted: list[float], tmp_path: Path
-) -> None:
-    (tmp_path / "cache").write_text("no folder")
-    told: list[str] = []
-
-    setting = calibrated(oscillator(), target=1e-3, tell=told.append)
-
-    assert setting.chosen.error <= 1e-3
-    assert "not kept for the next time" in told[0]
-    assert calibrated(oscillator(), target=1e-3) == setting  # while the process lives
-    assert len(counted) == len(told) == 1
-
-
-@pytest.mark.usefixtures("counted")
-def test_a_full_disk_costs_only_the_memory(monkeypatch: pytest.MonkeyPatch) -> None:
-    def full(*_: object, **__: object) -> None:
-        raise OSError(28, os.strerror(28))
-
-    monkeypatch.setattr(cache, "write_atomically", full)
-    told: list[str] = []
-
-    assert calibrated(oscillator(), target=1e-3, tell=told.append).chosen.error <= 1e-3
-    assert "No space left" in told[0]
-
-
-@pytest.mark.usefixtures("counted")
-def test_what_is_cancelled_is_not_kept() -> None:
-    with pytest.raises(Cancelled):
-        calibrated(oscillator(), stop=lambda: True)
-
-    assert kept() == []
-
-
 # Levels that ask
-
-
-@pytest.mark.sweep
-def test_a_level_may_ask_for_its_accuracy(counted: list[float]) -> None:
-    scene = oscillator(stepping={"accuracy": 1e-5})
-    world = build(scene)
-
-    assert world.stepping == calibrated(scene, target=1e-5).chosen.stepping
-    assert world.stepping.accuracy is None
-    assert len(counted) == 1
-    assert np.isfinite(world.advance(10).position).all()
-    assert delivered(scene, world.stepping) <= 1e-5
 
 
 @pytest.mark.parametrize("chosen", [{"rate": 60}, {"iterations": 4}, {"scheme": "leapfrog"}])
@@ -829,3 +561,22 @@ def test_asking_survives_a_round_trip() -> None:
     assert said.model_dump(mode="json") == {"accuracy": 1e-5}
     assert Stepping.model_validate_json(said.model_dump_json()) == said
     assert "accuracy" not in Stepping().model_dump()
+
+
+@pytest.mark.sweep
+@pytest.mark.parametrize("target", [1e-3, 1e-5, 1e-7])
+@pytest.mark.parametrize("damping", [0, 1])
+def test_an_accuracy_is_delivered_and_not_much_more(damping: float, target: float) -> None:
+    """A quarter of the rate would not do, or it is the lowest that is ever taken.
+
+    A third of it may do for the place that is checked here: the velocity is further off.
+    """
+    scene = oscillator(c=damping)
+    setting = calibrate(scene, target=target)
+    stepping = setting.chosen.stepping
+    coarser = stepping.at(stepping.rate / 4)
+
+    assert delivered(scene, stepping) <= target
+    assert setting.chosen.error <= target
+    assert delivered(scene, coarser) > target or coarser.rate < 30
+    assert stepping.scheme == "leapfrog" or not damping

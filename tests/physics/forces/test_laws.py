@@ -8,7 +8,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from sandbox.model.expressions import Array, Formula
+from sandbox.model.expressions import Array
+from sandbox.model.formulas import Formula
 from sandbox.model.level import Level
 from sandbox.physics.forces.accretion import Accretion
 from sandbox.physics.forces.attraction import Attraction

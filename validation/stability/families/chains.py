@@ -5,7 +5,7 @@ from math import atan2, cos, sin
 
 import numpy as np
 
-from sandbox.model.level import span
+from sandbox.model.joint_ends import span
 from validation.stability.case import Frontier, HardCase
 from validation.stability.run_measures import Run, energy, separation
 from validation.stability.scene import (
@@ -156,10 +156,30 @@ def net(count: int = 20, load: float = 100, rate: float = 1000) -> Document:
     Its rods are pymunk's own: the upper row is taut between the corners, which exact ones refuse.
     """
     last, middle, link = count - 1, count // 2, 0.5
+    return level(
+        f"A net of {count} by {count} joints",
+        "A net hangs by two of its corners, and a load of 100 knots pulls at its lower edge.",
+        LAGRANGE,
+        effects=GRAVITY,
+        bodies=_knots(count, load, link),
+        joints=_links(count),
+        stepping={"rate": rate, "iterations": 20},
+        duration=min(2, WATCHED / rate),
+        checks=[
+            check("down1_0.length", link, 0.01, "the rod at the corner"),
+            check(f"down{last}_{middle}.length", link, 0.01, "the rod above the load"),
+        ],
+        view={"center": [0.5 * count * link, -0.5 * count * link], "width": 1.5 * count * link},
+    )
+
+
+def _knots(count: int, load: float, link: float) -> Document:
+    """Return the knots of a net: its upper corners stand still, the load is one of its lowest."""
+    last, middle = count - 1, count // 2
     knot = {"shape": {"type": "disc", "radius": 0.1}, "mass": 1.0}
     corner = {"type": "static", "shape": knot["shape"]}
     lower = {**knot, "position": ["{j}*0.5", -link * last]}
-    knots = {
+    return {
         "knot0_0": corner,
         "knot0_{j}": {"repeat": {"j": [1, last - 1]}, **knot, "position": ["{j}*0.5", 0]},
         f"knot0_{last}": {**corner, "position": [link * last, 0]},
@@ -176,7 +196,12 @@ def net(count: int = 20, load: float = 100, rate: float = 1000) -> Document:
             "position": ["{k}*0.5", -link * last],
         },
     }
-    rods = {
+
+
+def _links(count: int) -> Document:
+    """Return the rods of a net, down and across."""
+    last = count - 1
+    return {
         "down{i}_{j}": {
             "repeat": {"i": [1, last], "j": count},
             **rod("knot{i - 1}_{j}", "knot{i}_{j}"),
@@ -188,21 +213,6 @@ def net(count: int = 20, load: float = 100, rate: float = 1000) -> Document:
             "exact": False,
         },
     }
-    return level(
-        f"A net of {count} by {count} joints",
-        "A net hangs by two of its corners, and a load of 100 knots pulls at its lower edge.",
-        LAGRANGE,
-        effects=GRAVITY,
-        bodies=knots,
-        joints=rods,
-        stepping={"rate": rate, "iterations": 20},
-        duration=min(2, WATCHED / rate),
-        checks=[
-            check("down1_0.length", link, 0.01, "the rod at the corner"),
-            check(f"down{last}_{middle}.length", link, 0.01, "the rod above the load"),
-        ],
-        view={"center": [0.5 * count * link, -0.5 * count * link], "width": 1.5 * count * link},
-    )
 
 
 def of_link(run: Run) -> float:

@@ -7,7 +7,7 @@ from sandbox.app.pages.experiment.sampling import COUNT, Point, Refused, sample
 from sandbox.app.pages.graph.choice import offered
 from sandbox.app.runs.session import Session
 from sandbox.app.words.language import say
-from sandbox.experiments import suggested
+from sandbox.experiments import suggested_measures
 from sandbox.model.level import Level
 
 PATIENCE = 0.5  # s without a change, before the runs begin
@@ -121,7 +121,7 @@ class Exploring:
 
 def measures(session: Session) -> list[str]:
     """Return what can be measured of a run."""
-    return suggested.measures(session.original, offered(session.level))
+    return suggested_measures.measures(session.original, offered(session.level))
 
 
 def _scene(session: Session, chosen: Chosen | None) -> object:

@@ -10,10 +10,10 @@ import pymunk
 
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.collision_filter import meets
+from sandbox.physics.contacts.contact_queries import Query, pairs_of
 from sandbox.physics.contacts.direct.convex_parts import Pair, Shapes
 from sandbox.physics.contacts.direct.corner_contacts import LEAST
 from sandbox.physics.contacts.direct.row_layout import Surfaces
-from sandbox.physics.contacts.queries import Query, pairs_of
 from sandbox.physics.engine.batch import Booleans, Contacts, Integers
 from sandbox.physics.joints.exact.constraints import Coordinates, planes
 

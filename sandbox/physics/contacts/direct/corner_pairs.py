@@ -1,10 +1,11 @@
 """Corners that meet corners keep their normal.
 
-Where a corner touches a corner, outlines have no normal, but a cone of them. pymunk has the line
-between the middles of two roundings, of 1e-8 m: it turns by as much as places are off, and flips to
-a side's where the roundings overlap. The forces go with it, and what they bend moves on. Any normal
-of the cone will do, so the one that was there first stays, as if it were that of a side of the
-first body, until the corners slip or turn against each other.
+Where a corner touches a corner, the outlines have no single normal, but a cone of them. pymunk
+takes the line between the centres of the two roundings, of 1e-8 m. This line turns with the
+smallest error of a place, and flips to the normal of a side where the roundings overlap. Forces
+would turn with it, and move what rests there. Any normal of the cone will do. So the first one is
+kept, as if it were that of a side of the first body, until the corners slip or turn against each
+other.
 """
 
 from typing import NamedTuple

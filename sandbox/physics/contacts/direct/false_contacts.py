@@ -9,7 +9,7 @@ from collections.abc import Callable
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.contacts.queries import Query, pairs_of
+from sandbox.physics.contacts.contact_queries import Query, pairs_of
 from sandbox.physics.engine.batch import Booleans, Contacts, Integers
 from sandbox.physics.joints.exact.constraints import QUADRATIC
 

@@ -6,13 +6,13 @@ from math import nan
 import numpy as np
 
 from sandbox.model.expressions import Array
+from sandbox.physics.contacts.contact_queries import Query
 from sandbox.physics.contacts.direct.corner_pairs import CornerPairs
 from sandbox.physics.contacts.direct.false_contacts import FalseContacts
 from sandbox.physics.contacts.direct.kick_system import Kick
 from sandbox.physics.contacts.direct.overlap_correction import OverlapCorrection
 from sandbox.physics.contacts.direct.row_layout import Layouts, Surfaces
 from sandbox.physics.contacts.direct.warm_start import WarmStart
-from sandbox.physics.contacts.queries import Query
 from sandbox.physics.engine.batch import NO_CONTACTS, Batch, Booleans, Contacts
 from sandbox.physics.joints.exact.constraints import Coordinates, order
 from sandbox.physics.joints.exact.shake import ExactJoints

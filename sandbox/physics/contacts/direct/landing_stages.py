@@ -2,9 +2,9 @@
 
 The forces of a kick act equally before and after its step, and an impact acts at the step. Thus
 energy books that are read in the middle of the drifts close. The impulses that were found for a
-landing hold until the end of the drift. What comes down turns otherwise afterwards, so joints hold
-it with another force from then on, and what it throws off is pressed by nothing any more. These
-differences are no part of the impact itself.
+landing hold until the end of the drift. After the landing a body turns at another rate, so its
+joints hold it with another force; and a body that it throws off is no longer pressed. These
+differences are not part of the impact itself.
 """
 
 from collections.abc import Sequence

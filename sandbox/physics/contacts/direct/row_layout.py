@@ -9,9 +9,9 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.constraint_rows import Friction, Problem, TooMuch
-from sandbox.physics.contacts.direct.gap_functions import Touching
 from sandbox.physics.contacts.direct.islands import islands
 from sandbox.physics.contacts.direct.outlines import Figures
+from sandbox.physics.contacts.direct.touching import Touching
 from sandbox.physics.engine.batch import Booleans, Contacts, Integers
 from sandbox.physics.joints.exact.shake import ExactJoints
 

@@ -22,6 +22,7 @@ from functools import partial
 import numpy as np
 
 from sandbox.model.expressions import Array
+from sandbox.physics.contacts.contact_queries import Query
 from sandbox.physics.contacts.direct import impacts
 from sandbox.physics.contacts.direct.constraint_impulses import Held, hold
 from sandbox.physics.contacts.direct.constraint_rows import Active
@@ -35,7 +36,6 @@ from sandbox.physics.contacts.direct.landing_stages import halves, with_landing
 from sandbox.physics.contacts.direct.row_layout import Surfaces
 from sandbox.physics.contacts.direct.speculative_contacts import LOOKS, SpeculativeContacts
 from sandbox.physics.contacts.direct.warm_start import WarmStart
-from sandbox.physics.contacts.queries import Query
 from sandbox.physics.contacts.sequential_impacts import Impacts
 from sandbox.physics.engine.batch import Batch, Booleans, Contacts
 from sandbox.physics.joints.exact.constraints import order

@@ -18,6 +18,7 @@ from operator import attrgetter
 import numpy as np
 
 from sandbox.model.expressions import Array
+from sandbox.physics.contacts.contact_queries import Query, Touched, contacts_of, pairs_of
 from sandbox.physics.contacts.direct.approaching_pairs import ApproachingPairs
 from sandbox.physics.contacts.direct.convex_parts import Pair, Placed, Shapes
 from sandbox.physics.contacts.direct.corner_contacts import (
@@ -30,7 +31,6 @@ from sandbox.physics.contacts.direct.corner_contacts import (
 )
 from sandbox.physics.contacts.direct.kick_system import Kick
 from sandbox.physics.contacts.direct.row_layout import Surfaces
-from sandbox.physics.contacts.queries import Query, Touched, contacts_of, pairs_of
 from sandbox.physics.engine.batch import Booleans, Contacts
 from sandbox.physics.joints.exact.constraints import Coordinates, angles
 

@@ -7,8 +7,9 @@ import numpy as np
 import pymunk
 
 from sandbox.model.acting_events import breakable
+from sandbox.model.body import Body
 from sandbox.model.expressions import Values
-from sandbox.model.level import Body, Level
+from sandbox.model.level import Level
 from sandbox.model.shapes import Arc, Curve, Disc, Hoop, Polygon, Polyline, Segment
 from sandbox.physics.contacts.direct.outlines import Figure, Figures
 from sandbox.physics.contacts.direct.row_layout import Surfaces

@@ -6,9 +6,9 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.constraint_rows import Active
-from sandbox.physics.contacts.direct.gap_functions import Touching
 from sandbox.physics.contacts.direct.kick_system import Kick
 from sandbox.physics.contacts.direct.row_layout import Layout
+from sandbox.physics.contacts.direct.touching import Touching
 from sandbox.physics.engine.batch import Booleans, Integers
 
 AT_REST = 1e-9

@@ -1,9 +1,9 @@
 """The reactions of exact joints between two kicks, where impacts change them.
 
-A rod turns with the ball that hangs on it, and an impact makes it pull otherwise at once: one that
-stops the ball leaves nothing of v² / l. So the force of a joint is taken along where it is, not
-along where it was at the last kick; and after an impact it is that with which the joints hold from
-there.
+A rod turns with the ball that hangs on it, so the force of a joint is taken along its present
+direction, not along that of the last kick. An impact changes the force at once: if it stops the
+ball, nothing is left of m v² / l. So after an impact the force is found anew, as the one with which
+the joints hold from there.
 """
 
 from functools import cached_property

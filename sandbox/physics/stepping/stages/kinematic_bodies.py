@@ -1,7 +1,8 @@
 """The stage of kinematic bodies, which follow formulas of time.
 
-What solves contacts directly knows the velocities before a kick, and what acts in it; so there
-bodies are led after pymunk's solver, and what they are led by is told before as an acceleration.
+The direct solver of contacts starts from the velocities before a kick and the accelerations in it.
+So for it the motion of these bodies is told as an acceleration before the kick, and their
+velocities are set after pymunk's solver.
 """
 
 from sandbox.physics.engine.kinematic_bodies import Motions

@@ -7,6 +7,7 @@ from sandbox.editing.layout import Json
 from sandbox.editing.placement import Placed, placed, xy
 from sandbox.editing.text_patches import Changes, put_all
 from sandbox.model.expressions import Expression, Values
+from sandbox.model.joint_ends import place
 from sandbox.model.joints import (
     End,
     Held,
@@ -19,7 +20,7 @@ from sandbox.model.joints import (
     ends_of,
 )
 from sandbox.model.json_positions import Path
-from sandbox.model.level import Level, place
+from sandbox.model.level import Level
 from sandbox.model.shapes import evaluate
 
 APART = 1e-12

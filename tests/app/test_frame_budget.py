@@ -2,7 +2,7 @@
 
 import pytest
 
-from sandbox.app.allowance import LEAST, MEMORY, MOST, SPARE, Allowance
+from sandbox.app.frame_budget import LEAST, MEMORY, MOST, SPARE, Allowance
 from sandbox.app.frame_load import FRAME
 
 

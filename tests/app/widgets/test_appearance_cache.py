@@ -3,8 +3,8 @@
 import pygame
 import pytest
 
-from sandbox.app.widgets import looks
-from sandbox.app.widgets.looks import Looks
+from sandbox.app.widgets import appearance_cache
+from sandbox.app.widgets.appearance_cache import Looks
 from tests.app.person import Person
 
 
@@ -13,7 +13,7 @@ def picture(side: int) -> pygame.Surface:
 
 
 def test_what_nobody_has_wanted_for_longest_goes_first(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(looks, "MOST", 3 * 100)
+    monkeypatch.setattr(appearance_cache, "MOST", 3 * 100)
     kept = Looks()
     for name in ("first", "second", "third"):
         kept.add_surface_to_cache(picture(5), name)
@@ -29,7 +29,7 @@ def test_what_nobody_has_wanted_for_longest_goes_first(monkeypatch: pytest.Monke
 def test_a_look_that_is_drawn_anew_takes_the_place_of_the_old_one(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    monkeypatch.setattr(looks, "MOST", 3 * 100)
+    monkeypatch.setattr(appearance_cache, "MOST", 3 * 100)
     kept = Looks()
     for _ in range(9):
         kept.add_surface_to_cache(picture(5), "same")

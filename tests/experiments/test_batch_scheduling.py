@@ -4,7 +4,7 @@ from collections.abc import Callable
 
 import pytest
 
-from sandbox.experiments.conduct import LAST, LONGEST, Pace
+from sandbox.experiments.batch_scheduling import LAST, LONGEST, Pace
 from sandbox.experiments.running import Done
 from tests.experiments.making import RANGE, plan
 

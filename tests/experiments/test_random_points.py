@@ -5,7 +5,7 @@ from typing import get_args
 import numpy as np
 import pytest
 
-from sandbox.experiments.draws import Method, points
+from sandbox.experiments.random_points import Method, points
 
 
 @pytest.mark.parametrize("method", get_args(Method))

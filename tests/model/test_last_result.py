@@ -1,7 +1,7 @@
 """What was found of a part is found again only of the very same part."""
 
+from sandbox.model.last_result import of_the_last
 from sandbox.model.level_parts import expressions
-from sandbox.model.remembering import of_the_last
 from tests.physics.scenes import disc, level
 
 

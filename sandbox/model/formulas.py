@@ -1,0 +1,89 @@
+"""Expressions over variables of their own, such as the time: a value at each, and a slope."""
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from sandbox.model.arithmetic import differentiated
+from sandbox.model.derivatives import is_smooth
+from sandbox.model.expressions import Array, Expression, Values
+
+
+class Function(Expression):
+    """An expression over variables of its own, beside the parameters."""
+
+    __slots__ = ()
+
+    def at(self, values: Values, variables: Mapping[str, Array]) -> Array:
+        """Return the value for some variables; where there is none, it is not finite.
+
+        Parameters
+        ----------
+        values
+            The level's parameters.
+        variables
+            By their names; arrays that go together, whose shape the result has, or a part of it.
+        """
+        result = self._evaluate({**values, **variables}) if self._code else self._constant
+        return np.asarray(result, dtype=float)
+
+    def slope(self, variable: str) -> "Function":
+        """Return the derivative with respect to one of the names in it.
+
+        Raises
+        ------
+        ExpressionError
+            If that is nested too deeply.
+        """
+        derived = object.__new__(Function)
+        derived.source, derived._constant = f"d({self.source})/d{variable}", None
+        derived._code, derived.written = differentiated(str(self.source), variable)
+        return derived.taking(self._defined)
+
+    @property
+    def is_smooth(self) -> bool:
+        """Whether it is made of nothing that jumps or has a corner."""
+        return is_smooth(str(self.source))
+
+
+class Formula(Function):
+    """An expression that may also use the time ``t``, at one instant or over many at once."""
+
+    __slots__ = ()
+    variables = ("t",)
+
+    @property
+    def variable(self) -> str:
+        """What the formula is over: the time, if it is not said."""
+        return self.variables[0]
+
+    def over(self, values: Values, t: Array) -> Array:
+        """Return the value at each time; where there is none, it is not finite.
+
+        Parameters
+        ----------
+        values
+            The level's parameters.
+        t
+            Times [s], any shape; the result has the same.
+        """
+        found = self.at(values, {self.variable: t})
+        return found if found.shape == np.shape(t) else np.broadcast_to(found, np.shape(t))
+
+
+class Curve(Formula):
+    """A coordinate of a curve: a formula over ``s``, which runs along it, instead of the time."""
+
+    __slots__ = ()
+    variables = ("s",)
+
+
+class Profile(Formula):
+    """A formula over a place ``x`` [m] instead of the time."""
+
+    __slots__ = ()
+    variables = ("x",)
+
+
+VARIABLES = frozenset(name for kind in (Formula, Curve, Profile) for name in kind.variables)
+"""What some formulas may use beside the parameters."""

@@ -1,0 +1,28 @@
+"""Where the ends of a level's joints are at the start."""
+
+from cmath import rect
+from collections.abc import Mapping
+from itertools import pairwise
+from typing import cast
+
+from sandbox.model.body import Body
+from sandbox.model.expressions import Values
+from sandbox.model.joints import End, Held, Joint, body_of, points
+from sandbox.model.shapes import Point, evaluate
+
+
+def place(end: End, bodies: Mapping[str, Body], values: Values) -> complex:
+    """Return where an end of a joint is at the start, as x + iy [m]."""
+    body = body_of(end)
+    if body is None:
+        return complex(*evaluate(cast("Point", end), values))
+    center = complex(*evaluate(bodies[body].position, values))
+    if not isinstance(end, Held):
+        return center
+    return center + complex(*evaluate(end.at, values)) * rect(1, bodies[body].angle(values))
+
+
+def span(joint: Joint, bodies: Mapping[str, Body], values: Values) -> float:
+    """Return how far it is at the start from the first end of a joint to its second [m]."""
+    path = [place(end, bodies, values) for end in points(joint)]
+    return sum(abs(b - a) for a, b in pairwise(path))

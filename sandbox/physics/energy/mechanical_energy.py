@@ -1,0 +1,68 @@
+"""The energy and the momentum that bodies have in a motion."""
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from sandbox.model import ledger_accounts
+from sandbox.model.expressions import Array
+from sandbox.model.level import Level
+from sandbox.physics.forces.variable_mass import Share
+from sandbox.physics.state.motion import Instant, momentum
+
+if TYPE_CHECKING:
+    from sandbox.physics.forces.law import Law
+
+
+class MechanicalEnergy:
+    """What bodies have, by their masses and the laws that store energy; n bodies.
+
+    Parameters
+    ----------
+    inertia
+        (n, 3), masses, masses and moments at the start [kg, kg m²].
+    share
+        Returns how much of them is left at a time [s].
+    """
+
+    def __init__(self, level: Level, laws: Sequence["Law"], inertia: Array, share: Share) -> None:
+        self._start, self._share = inertia, share
+        self._stores = [law for law in laws if law.effect.book == "potential"]
+        self._accounts = dict.fromkeys(ledger_accounts.potentials(level), 0.0)
+
+    def inertia(self, t: float | Array) -> Array:
+        """Return masses, masses and moments at a time: (n, 3) [kg, kg m²]."""
+        share = np.asarray(self._share(np.asarray(t)))
+        return self._start * (share[:, None] if share.ndim else share)
+
+    def kinetic(self, motion: Instant) -> float:
+        """Return the kinetic energy [J]."""
+        velocity = velocity_of(motion)
+        return float(np.sum(self.inertia(motion.t) * velocity * velocity) / 2)
+
+    def stored(self, motion: Instant) -> float:
+        """Return what is stored somewhere [J]."""
+        return sum(float(law.potential_energy(motion).sum()) for law in self._stores)
+
+    def stored_by(self, motion: Instant) -> dict[str, float]:
+        """Return what is stored, by account [J]."""
+        stored = dict(self._accounts)
+        for law in self._stores:
+            stored[law.effect.booked] += float(law.potential_energy(motion).sum())
+        return stored
+
+    def stored_with(self, motion: Instant, t: float) -> Array:
+        """Return by how much each body stores more with its mass at another time: (n,) [J]."""
+        other = motion._replace(t=np.asarray(t))
+        more = [law.potential_energy(other) - law.potential_energy(motion) for law in self._stores]
+        return sum(more, np.zeros(len(self._start)))
+
+    def momentum(self, motion: Instant) -> Array:
+        """Return the momentum, and the angular momentum about the origin: (3,) [kg m/s, J s]."""
+        return momentum(self.inertia(motion.t) * velocity_of(motion), motion.position)
+
+
+def velocity_of(motion: Instant) -> Array:
+    """Return velocities and angular velocities: (n, 3) [m/s, rad/s]."""
+    return np.column_stack((motion.velocity, motion.angular_velocity))

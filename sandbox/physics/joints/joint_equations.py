@@ -1,0 +1,194 @@
+"""The equations of joints, from what a level says of them."""
+
+from collections.abc import Callable, Mapping, Sequence
+from itertools import pairwise
+
+import numpy as np
+
+from sandbox.model.expressions import Array, Values
+from sandbox.model.formulas import Formula
+from sandbox.model.joints import (
+    AngleStop,
+    Gear,
+    Joint,
+    Motor,
+    Pivot,
+    Pulley,
+    Rack,
+    Rail,
+    Rod,
+    Rope,
+    Stop,
+    Weld,
+    Winding,
+    Wire,
+)
+from sandbox.model.shapes import evaluate
+from sandbox.model.wires import along
+from sandbox.physics.geometry.quintics import course
+from sandbox.physics.joints.exact.angles import (
+    angle_stops,
+    geared,
+    meshed,
+    number,
+    pin,
+    starting,
+    stops,
+    turn,
+    weld,
+    winding,
+)
+from sandbox.physics.joints.exact.constraints import Coordinates, Equation
+from sandbox.physics.joints.exact.distances import Row
+from sandbox.physics.joints.exact.wire import WireEquation
+from sandbox.physics.joints.joints import Joints
+from sandbox.physics.state.anchor import Anchor
+
+Lengths = Rod | Rope | Pulley | Rail | Stop
+Turning = Pivot | Weld | Motor | Winding | AngleStop | Gear | Rack
+Made = tuple[list[Row], Sequence[Equation]]
+
+DRAWN = 200
+"""How many pieces of a wire are shown."""
+
+
+class JointEquations:
+    """Makes the equations of a scene's joints, and notes what they measure by.
+
+    Parameters
+    ----------
+    values
+        The level's parameters.
+    index
+        The numbers of its n bodies, by name.
+    inverse_mass
+        (n, 3), one over mass, mass and moment, 0 of what nothing moves or turns [1/kg, 1/(kg m²)].
+    lengths
+        How far it is from end to end of each joint at the start, by name [m].
+    joints
+        Has the points that each runs through; wires and wound radii are noted there.
+    origin
+        From where places are counted [m].
+    """
+
+    def __init__(
+        self,
+        values: Values,
+        index: Mapping[str, int],
+        inverse_mass: Array,
+        lengths: Mapping[str, float],
+        joints: Joints,
+        origin: complex,
+    ) -> None:
+        self._values, self._index, self._inverse_mass = values, index, inverse_mass
+        self._lengths, self._joints, self._origin = lengths, joints, origin
+
+    def of(self, name: str, spec: Joint, start: Coordinates) -> Made:
+        """Return the equations of a joint that is solved with others, from where bodies are."""
+        joints, values = self._joints, self._values
+        path = counted_from(self._origin, joints.paths[name])
+        if isinstance(spec, Lengths):
+            return _rows(name, spec, path, self._lengths[name], values), ()
+        if isinstance(spec, Turning):
+            return self._turning(name, spec, path, start)
+        assert isinstance(spec, Wire)
+        wire = WireEquation(name, path[0], course(spec, values) - self._origin)
+        joints.wires[name] = wire
+        joints.paths[name] = tuple(Anchor(None, p) for p in along(spec, values, DRAWN))
+        return [], (wire,)
+
+    def _turning(
+        self,
+        name: str,
+        spec: Turning,
+        path: tuple[Anchor, ...],
+        start: Coordinates,
+    ) -> Made:
+        """Return the equations of a joint that holds a point, an angle, or a rolling way."""
+        (a, b), values, radii = path, self._values, self._joints.radii
+        match spec:
+            case Pivot():
+                return pin(name, a, b), ()
+            case Weld():
+                return self.weld(name, a, b, start)
+            case Motor(rate=rate):
+                driven = turn(name, a, b, start, _driven(rate, values))
+                return pin(name, a, b), (driven,) if self.can_turn(a, b) else ()
+            case AngleStop(range=(least, most)):
+                limits = angle_stops(name, a, b, least(values), most(values))
+                return [], limits if self.can_turn(a, b) else ()
+            case Gear(ratio=ratio, carrier=carrier):
+                arm = Anchor(None if carrier is None else self._index[carrier])
+                held = geared(name, a, b, ratio(values), number(arm))
+                return [], (starting(held, start),) if self.can_turn(a, b, arm) else ()
+            case Rack(radius=radius, direction=direction):
+                along = complex(*evaluate(direction, values))
+                return [], (starting(meshed(name, a, b, radius(values), along), start),)
+            case Winding(radius=radius, unwinds=way):
+                radii[name] = radius(values)
+                sense = 1 if way == "counterclockwise" else -1
+                return [], (winding(name, a, b, radii[name], sense, start),)
+
+    def weld(self, name: str, a: Anchor, b: Anchor, start: Coordinates) -> Made:
+        """Return the equations that weld two bodies as they are."""
+        rows, others = weld(name, a, b, start)
+        return rows, others if self.can_turn(a, b) else ()
+
+    def can_turn(self, *anchors: Anchor) -> bool:
+        """Whether anything turns one of some bodies."""
+        held = [anchor.body for anchor in anchors if anchor.body is not None]
+        return bool(self._inverse_mass[held, 2].any())
+
+
+def counted_from(origin: complex, path: tuple[Anchor, ...]) -> tuple[Anchor, ...]:
+    """Return points through which a joint runs, those of the plane from another origin."""
+    return tuple(a if a.body is not None else Anchor(None, a.point - origin) for a in path)
+
+
+def _rows(
+    name: str, spec: Lengths, path: tuple[Anchor, ...], span: float, values: Values
+) -> list[Row]:
+    reaches = list(pairwise(path))
+    match spec:
+        case Rail(direction=direction):
+            way = complex(*evaluate(direction, values))
+            return [Row(name, reaches, 0.0, along=1j * way / abs(way))]
+        case Stop(direction=direction, range=limits):
+            way = complex(*evaluate(direction, values))
+            least, most = (limit(values) for limit in limits)
+            return stops(name, path[0], path[1], way, (least, most))
+        case Rod(length=None):
+            return [Row(name, reaches, span)]
+        case Rod(length=Formula() as length) if "t" in length.names:
+            return [Row(name, reaches, 0.0, changing=_in_time(length, values))]
+        case Rod(length=Formula() as length):
+            return [Row(name, reaches, length(values))]
+        case Rope(length=length) | Pulley(length=length):
+            whole = span if length is None else length(values)
+            moving = [(a, b) for a, b in reaches if a.body != b.body]
+            still = sum(abs(b.point - a.point) for a, b in reaches if a.body == b.body)
+            return [Row(name, moving, whole - still, pulls_only=True)]
+    raise AssertionError(spec)
+
+
+def _in_time(length: Formula, values: Values) -> Callable[[float], float]:
+    return lambda t: float(length.over(values, np.asarray(t)))
+
+
+def _driven(rate: Formula, values: Values) -> Callable[[float], float]:
+    """Return what tells the angle that a motor has turned by, from one time asked for to the next.
+
+    By the midpoint rule: leapfrog's velocity between two steps is that of the middle.
+    """
+    if "t" not in rate.names:
+        steady = rate(values)
+        return lambda t: steady * t
+    turned, reached = 0.0, 0.0
+
+    def angle(t: float) -> float:
+        nonlocal turned, reached
+        middle = np.asarray((reached + t) / 2)
+        turned, reached = turned + (t - reached) * float(rate.over(values, middle)), t
+        return turned
+
+    return angle
