@@ -26,7 +26,6 @@ from sandbox.model.joints import (
     Spring,
     Stop,
     Weld,
-    Wire,
     bodies_of,
     is_exact,
     points,
@@ -42,7 +41,7 @@ from sandbox.physics.joints.exact.distances import Row
 from sandbox.physics.joints.exact.equation_count import refuse_too_many
 from sandbox.physics.joints.exact.joint_system import JointSystem
 from sandbox.physics.joints.exact.shake import ExactJoints
-from sandbox.physics.joints.joint_equations import JointEquations, Lengths, Turning, counted_from
+from sandbox.physics.joints.joint_equations import JointEquations, Solved, counted_from
 from sandbox.physics.joints.joints import Joints
 from sandbox.physics.joints.latches import Latches
 from sandbox.physics.joints.pymunk_joints import OwnJoint
@@ -141,7 +140,7 @@ class _Assembly:
         """Return the sides of the stops that give back speed, if there are any."""
         level, start = self._level, _coordinates(self._bodies, self._origin)
         names = [name for name, _ in bouncing(level.joints)]
-        made = [self._equations.of(name, level.joints[name], start) for name in names]
+        made = [self._equations.of(name, self._solved(name), start) for name in names]
         rows = [row for some, _ in made for row in some]
         others = [other for _, some in made for other in some]
         if not (rows or others):
@@ -162,6 +161,12 @@ class _Assembly:
         ends = Anchor(self._index[a]), Anchor(self._index[b])
         together.add(*self._equations.weld(f"{a} and {b}", *ends, together.place()))
 
+    def _solved(self, name: str) -> Solved:
+        """Return a joint that is no force."""
+        spec = self._level.joints[name]
+        assert not isinstance(spec, Spring)
+        return spec
+
     def _tie(self, name: str, t: float) -> None:
         """Let an open joint hold what there is at a time [s]; its impact is still to come.
 
@@ -170,7 +175,7 @@ class _Assembly:
         JointFailure
             If it is a rope that is too short for that, or a stop that is passed already.
         """
-        joints, spec = self._joints, self._level.joints[name]
+        joints, spec = self._joints, self._solved(name)
         together = joints.together
         assert together
         start = together.place()
@@ -226,7 +231,7 @@ class _Assembly:
 
 def _require_made(joint: Model) -> None:
     """Refuse a joint that nothing here makes, which mypy tells before."""
-    if not isinstance(joint, Lengths | Turning | Wire | Spring):
+    if not isinstance(joint, Solved | Spring):
         rule = f"take up {type(joint).__name__} in sandbox/physics/joints/joint_equations.py"
         raise IncompleteError(f"a joint is made by nothing: {rule}")
 

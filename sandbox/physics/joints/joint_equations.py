@@ -10,7 +10,6 @@ from sandbox.model.formulas import Formula
 from sandbox.model.joints import (
     AngleStop,
     Gear,
-    Joint,
     Motor,
     Pivot,
     Pulley,
@@ -46,6 +45,9 @@ from sandbox.physics.state.anchor import Anchor
 
 Lengths = Rod | Rope | Pulley | Rail | Stop
 Turning = Pivot | Weld | Motor | Winding | AngleStop | Gear | Rack
+Solved = Lengths | Turning | Wire
+"""The joints that are solved by their equations."""
+
 Made = tuple[list[Row], Sequence[Equation]]
 
 DRAWN = 200
@@ -83,7 +85,7 @@ class JointEquations:
         self._values, self._index, self._inverse_mass = values, index, inverse_mass
         self._lengths, self._joints, self._origin = lengths, joints, origin
 
-    def of(self, name: str, spec: Joint, start: Coordinates) -> Made:
+    def of(self, name: str, spec: Solved, start: Coordinates) -> Made:
         """Return the equations of a joint that is solved with others, from where bodies are."""
         joints, values = self._joints, self._values
         path = counted_from(self._origin, joints.paths[name])
@@ -91,7 +93,6 @@ class JointEquations:
             return _rows(name, spec, path, self._lengths[name], values), ()
         if isinstance(spec, Turning):
             return self._turning(name, spec, path, start)
-        assert isinstance(spec, Wire)
         wire = WireEquation(name, path[0], course(spec, values) - self._origin)
         joints.wires[name] = wire
         joints.paths[name] = tuple(Anchor(None, p) for p in along(spec, values, DRAWN))

@@ -2,6 +2,7 @@
 
 from math import ceil
 
+from sandbox.model.effects.contract import IncompleteError
 from sandbox.model.errors import SandboxError
 from sandbox.model.json_positions import Path
 from sandbox.model.level import HIGHEST_RATE, Level
@@ -93,7 +94,8 @@ class BreakdownError(SimulationError):
 
     def __init__(self, error: Exception, time: float) -> None:
         what = " ".join(f"{error}".split()) or "no more is known"
-        message = f"the numbers of this scene lead where nothing can be computed ({what})"
+        scene = f"the numbers of this scene lead where nothing can be computed ({what})"
+        message = what if isinstance(error, IncompleteError) else scene
         super().__init__("", time, message)
         self._error = error
 
