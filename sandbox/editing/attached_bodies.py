@@ -6,7 +6,7 @@ from sandbox.editing.formulas import shifted
 from sandbox.editing.layout import Json
 from sandbox.editing.placement import Placed, placed, xy
 from sandbox.editing.text_patches import Changes, put_all
-from sandbox.model.expressions import Expression, Values
+from sandbox.model.expressions import Expression
 from sandbox.model.joint_ends import place
 from sandbox.model.joints import (
     End,
@@ -40,7 +40,7 @@ def pinned(level: Level, names: Collection[str]) -> set[str]:
     return found
 
 
-def attached(text: str, before: Level, moved: Collection[str], values: Values | None = None) -> str:
+def attached(text: str, before: Level, moved: Collection[str]) -> str:
     """Return a level in which pins and rails hold again, after bodies were moved.
 
     The point of the plane, or of a body that stayed, follows the one that moved. A rod whose
@@ -54,14 +54,12 @@ def attached(text: str, before: Level, moved: Collection[str], values: Values | 
         The level as it was.
     moved
         The bodies that were moved, turned or made larger.
-    values
-        The parameters' values; the level's own if left out.
     """
     if all(set(bodies_of(joint)).isdisjoint(moved) for joint in before.joints.values()):
         return text
     level = Level.model_validate_json(text)
-    values = level.defaults if values is None else values
-    where = placed(level, values)
+    values = level.defaults
+    where = placed(level)
     changes = Changes()
     for name, joint in level.joints.items():
         if set(bodies_of(joint)).isdisjoint(moved):

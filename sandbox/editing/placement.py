@@ -120,17 +120,16 @@ class Placed:
         return (point - self.center) / self.turn
 
 
-def placed(level: Level, values: Values | None = None) -> dict[str, Placed]:
+def placed(level: Level) -> dict[str, Placed]:
     """Return all bodies of a level where they start; of the level asked for last they are kept."""
     global _last
-    values = level.defaults if values is None else values
-    if _last is None or _last[0] is not level or _last[1] != values:
-        found = {name: Placed(name, body, values) for name, body in level.bodies.items()}
-        _last = level, values, found
-    return dict(_last[2])
+    if _last is None or _last[0] is not level:
+        values = level.defaults
+        _last = level, {name: Placed(name, body, values) for name, body in level.bodies.items()}
+    return dict(_last[1])
 
 
-def chosen(level: Level, names: Iterable[str], values: Values | None) -> dict[str, Placed]:
+def chosen(level: Level, names: Iterable[str]) -> dict[str, Placed]:
     """Return some bodies of a level where they start.
 
     Raises
@@ -138,14 +137,14 @@ def chosen(level: Level, names: Iterable[str], values: Values | None) -> dict[st
     SandboxError
         If there are none.
     """
-    where = placed(level, values)
+    where = placed(level)
     found = {name: where[name] for name in names}
     if not found:
         raise SandboxError("choose the bodies first")
     return found
 
 
-_last: tuple[Level, Values, dict[str, Placed]] | None = None
+_last: tuple[Level, dict[str, Placed]] | None = None
 
 
 def around(bodies: Iterable[Placed]) -> tuple[complex, complex]:

@@ -11,7 +11,6 @@ from math import floor, log10
 from typing import Literal, NamedTuple
 
 from sandbox.editing.placement import Core, Placed, placed, xy
-from sandbox.model.expressions import Values
 from sandbox.model.joint_ends import place
 from sandbox.model.joints import body_of, ends_of
 from sandbox.model.level import Level
@@ -68,7 +67,6 @@ def snap_point(
     reach: float,
     step: float = 0.0,
     besides: Collection[str] = (),
-    values: Values | None = None,
 ) -> Snapped:
     """Return where a point is drawn to.
 
@@ -86,10 +84,8 @@ def snap_point(
         Of the grid [m]; 0 if there is none.
     besides
         Bodies that it is not drawn to: those that are being moved.
-    values
-        The parameters' values.
     """
-    where, at = placed(level, values), complex(*point)
+    where, at = placed(level), complex(*point)
     targets = [*_targets(where, besides), *_ends(level, where)]
     near = [found for found in targets if abs(found[0] - at) <= reach]
     if near:
@@ -106,7 +102,6 @@ def snap_body(
     way: XY,
     reach: float,
     step: float = 0.0,
-    values: Values | None = None,
 ) -> Snapped:
     """Return by how much bodies are moved so that they touch what they come near, exactly.
 
@@ -124,10 +119,8 @@ def snap_body(
         How near they have to come to be drawn to something [m], or how deep into it.
     step
         Of the grid [m]; 0 if there is none.
-    values
-        The parameters' values.
     """
-    where = placed(level, values)
+    where = placed(level)
     moving, others = _pieces(where, names), _pieces(where, where.keys() - names)
     start, by = where[next(iter(names))].center, complex(*way)
     near = _near(moving, others, by, reach)
@@ -149,12 +142,12 @@ def snap_body(
     return Snapped(xy(exact), "contact", (first.other.body,))
 
 
-def flat_turn(level: Level, name: str, reach: float, values: Values | None = None) -> float:
+def flat_turn(level: Level, name: str, reach: float) -> float:
     """Return by how much a body is to be turned so that a side of it lies flat [rad].
 
     On the side of the nearest body within reach; 0 if there is none, or it has no sides.
     """
-    where = placed(level, values)
+    where = placed(level)
     body = where[name]
     near = _near(_pieces(where, [name]), _pieces(where, where.keys() - {name}), 0j, reach)
     if not near or not isinstance(body.body.shape, Box | Polygon):

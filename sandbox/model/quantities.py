@@ -206,9 +206,9 @@ def base(quantity: Quantity) -> str:
     return quantity.name.removesuffix(f".{quantity.over_time}")
 
 
-def mutual(level: Level, most: int = MOST_MUTUAL) -> Iterator[Quantity]:
-    """Yield what each two bodies of a level have together; nothing of more bodies than `most`."""
-    if len(level.bodies) <= most:
+def mutual(level: Level) -> Iterator[Quantity]:
+    """Yield what each two bodies of a level have together; nothing if it has many bodies."""
+    if len(level.bodies) <= MOST_MUTUAL:
         for subject in level.bodies:
             yield from _within(subject, level)
             for other in level.bodies:

@@ -32,7 +32,7 @@ def along(wire: Wire | Curve, values: Values, pieces: int = PIECES) -> Points:
     return places(wire, values, np.linspace(first, last, pieces + 1))
 
 
-def graded(wire: Wire | Curve, values: Values, pieces: int = PIECES) -> tuple[Points, Points]:
+def graded(wire: Wire | Curve, values: Values) -> tuple[Points, Points]:
     """Return points that lie ever closer towards both ends, and those half-way between them.
 
     s goes as the cosine of an angle, so that pieces are some 1000 times shorter where a curve may
@@ -43,8 +43,8 @@ def graded(wire: Wire | Curve, values: Values, pieces: int = PIECES) -> tuple[Po
     The points (n + 1,) and those between (n,), at equal steps of that angle [m].
     """
     first, last = (end(values) for end in wire.s)
-    begin = np.pi * FIRST / (pieces + 2 * FIRST)
-    way = np.cos(begin) - np.cos(np.linspace(begin, np.pi - begin, 2 * pieces + 1))
+    begin = np.pi * FIRST / (PIECES + 2 * FIRST)
+    way = np.cos(begin) - np.cos(np.linspace(begin, np.pi - begin, 2 * PIECES + 1))
     found = places(wire, values, first + (last - first) * way / way[-1])
     return found[::2], found[1::2]
 

@@ -15,8 +15,8 @@ LONG = 1e3
 """m, of a rail to either side: pymunk's has ends."""
 
 
-def naive(level: Level, rate: float, iterations: int = 10) -> World:
-    """Return a world in which pymunk does everything by itself.
+def naive(level: Level, rate: float) -> World:
+    """Return a world in which pymunk does everything by itself, with its default iterations.
 
     Parameters
     ----------
@@ -24,10 +24,8 @@ def naive(level: Level, rate: float, iterations: int = 10) -> World:
         The scene, of which every joint must be one that pymunk has.
     rate
         Hz.
-    iterations
-        Of pymunk's solver; 10 is its default.
     """
-    stepping = Stepping(rate=rate, iterations=iterations, scheme="symplectic-euler")
+    stepping = Stepping(rate=rate, scheme="symplectic-euler")
     world = build(level.model_copy(update={"joints": {}}), stepping=stepping)
     for joint in level.joints.values():
         world.scene.space.add(_joint(joint, level, world))

@@ -9,7 +9,6 @@ from sandbox.model.did_you_mean import suggestion
 from sandbox.model.effect_variants import DEFAULTS, including, without
 from sandbox.model.effects import EFFECTS, Effects
 from sandbox.model.errors import SandboxError
-from sandbox.model.expressions import Values
 from sandbox.model.level import Level
 from sandbox.physics.run import costs
 
@@ -65,7 +64,7 @@ def drop(text: str, level: Level, effect: str) -> str:
     return without_meaning(remove(text, ("effects", effect)))
 
 
-def cost(level: Level, effect: str, values: Values | None = None) -> str:
+def cost(level: Level, effect: str) -> str:
     """Say in words what an effect costs, or would cost; measured, so not in the midst of a drag.
 
     Raises
@@ -76,7 +75,7 @@ def cost(level: Level, effect: str, values: Values | None = None) -> str:
     declared = effect in level.effects.declared
     other = without(level, effect)[0] if declared else including(level, effect, {})
     pair = (other, level) if declared else (level, other)
-    before, after = costs(pair, level.defaults if values is None else values)
+    before, after = costs(pair, level.defaults)
     more = f"{(after - before) * 1e6:+.2g} µs".replace("-", "−")
     return f"{more} a step, of {after * 1e6:.2g} µs with it"
 

@@ -13,7 +13,6 @@ from sandbox.editing.formulas import scaled, towards
 from sandbox.editing.placement import Placed, placed, xy
 from sandbox.editing.text_patches import Changes, put_all
 from sandbox.model.errors import SandboxError
-from sandbox.model.expressions import Values
 from sandbox.model.json_positions import Path
 from sandbox.model.level import Level
 from sandbox.model.shapes import (
@@ -33,14 +32,12 @@ _SIDES = (-1 - 1j, 0 - 1j, 1 - 1j, 1 + 0j, 1 + 1j, 0 + 1j, -1 + 1j, -1 + 0j)
 """Where on a box its handles are, in halves of its sides, counter-clockwise from the lower left."""
 
 
-def handles(level: Level, name: str, values: Values | None = None) -> list[XY]:
+def handles(level: Level, name: str) -> list[XY]:
     """Return where the handles of a body are in the plane; a curve has none."""
-    return [xy(where) for where in _handles(placed(level, values)[name])]
+    return [xy(where) for where in _handles(placed(level)[name])]
 
 
-def drag_handle(
-    text: str, level: Level, name: str, index: int, to: XY, values: Values | None = None
-) -> str:
+def drag_handle(text: str, level: Level, name: str, index: int, to: XY) -> str:
     """Return a level in which a handle of a body lies elsewhere, as far as its shape allows.
 
     Parameters
@@ -51,21 +48,19 @@ def drag_handle(
         Of the handle, as in `handles`.
     to
         Where it is dragged [m].
-    values
-        The parameters' values.
 
     Raises
     ------
     SandboxError
         If that would leave nothing of the body.
     """
-    body = placed(level, values)[name]
+    body = placed(level)[name]
     changed = put_all(text, _dragged(body, index, complex(*to)))
     lines = isinstance(body.body.shape, Polygon | Segment | Polyline)
     return _settled(changed, level, body, int(index == 0) if lines else None)
 
 
-def scale(text: str, level: Level, name: str, factor: float, values: Values | None = None) -> str:
+def scale(text: str, level: Level, name: str, factor: float) -> str:
     """Return a level in which a body is so many times as large, about its centre.
 
     Raises
@@ -73,7 +68,7 @@ def scale(text: str, level: Level, name: str, factor: float, values: Values | No
     SandboxError
         If that would leave nothing of the body, or it is a curve, which its formulas say.
     """
-    body = placed(level, values)[name]
+    body = placed(level)[name]
     if factor <= SMALLEST:
         raise SandboxError("that would leave nothing of it")
     return _settled(put_all(text, _scaled(body, factor)), level, body, None)
@@ -195,4 +190,4 @@ def _settled(text: str, before: Level, body: Placed, fixed: int | None) -> str:
     mass = body.body.mass
     if mass is not None and body.area and mass.source == drawn_mass(body.area):
         changes["bodies", body.name, "mass"] = drawn_mass(other.area)
-    return attached(put_all(text, changes), before, [body.name], body.values)
+    return attached(put_all(text, changes), before, [body.name])

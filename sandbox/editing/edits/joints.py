@@ -14,7 +14,6 @@ from sandbox.editing.placement import Placed, placed, xy
 from sandbox.editing.text_patches import put
 from sandbox.model.did_you_mean import suggestion
 from sandbox.model.errors import SandboxError
-from sandbox.model.expressions import Values
 from sandbox.model.joints import KINDS
 from sandbox.model.level import Level
 from sandbox.model.shapes import XY
@@ -46,9 +45,7 @@ def picks(kind: str) -> int:
     return 3 if kind == "pulley" else 2
 
 
-def add_joint(
-    text: str, level: Level, kind: str, chosen: Sequence[Pick], values: Values | None = None
-) -> Made:
+def add_joint(text: str, level: Level, kind: str, chosen: Sequence[Pick]) -> Made:
     """Return a level with a joint more.
 
     Parameters
@@ -62,8 +59,6 @@ def add_joint(
         the first one's point being where; of a rail, what runs on it and what it goes through; of
         a winding, the string's end and the wheel, on the side on which the string leaves it; of a
         wire, its bead and a point that it goes through.
-    values
-        The parameters' values.
 
     Raises
     ------
@@ -74,7 +69,7 @@ def add_joint(
         raise SandboxError(f"there is no joint '{kind}'{suggestion(kind, KINDS, most=len(KINDS))}")
     if len(chosen) < picks(kind):
         raise SandboxError(f"a {kind} needs {picks(kind)} points; {len(chosen)} are picked")
-    where = placed(level, values)
+    where = placed(level)
     said = _MADE.get(kind, _line)(list(chosen), where)
     name = new_name(kind, level)
     added = put(text, ("joints", name), {"type": kind, **said})

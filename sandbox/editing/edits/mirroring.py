@@ -9,7 +9,7 @@ from sandbox.editing.layout import Json
 from sandbox.editing.placement import around, chosen
 from sandbox.editing.text_patches import Changes, put_all
 from sandbox.model.body import Body
-from sandbox.model.expressions import Expression, Values
+from sandbox.model.expressions import Expression
 from sandbox.model.joints import (
     AngleStop,
     Held,
@@ -35,7 +35,6 @@ def mirror(
     level: Level,
     names: Collection[str],
     axis: Literal["x", "y"] = "x",
-    values: Values | None = None,
 ) -> str:
     """Return a level in which bodies are mirrored about their own middle.
 
@@ -45,15 +44,13 @@ def mirror(
         Which bodies of which level.
     axis
         Along which left and right, or above and below, change places.
-    values
-        The parameters' values.
 
     Raises
     ------
     SandboxError
         If there are none.
     """
-    low, high = around(chosen(level, names, values).values())
+    low, high = around(chosen(level, names).values())
     mirror = _Mirror(axis, (low + high).real if axis == "x" else (low + high).imag)
     changes = Changes()
     for name in names:
@@ -63,7 +60,7 @@ def mirror(
             changes |= mirror.joint(("joints", name), joint)
         elif held:
             changes |= mirror.held(("joints", name), joint, names)
-    return attached(put_all(text, changes), level, names, values)
+    return attached(put_all(text, changes), level, names)
 
 
 class _Mirror:

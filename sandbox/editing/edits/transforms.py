@@ -12,7 +12,6 @@ from sandbox.editing.attached_bodies import attached, pinned, shifted_point
 from sandbox.editing.formulas import turned
 from sandbox.editing.placement import around, chosen
 from sandbox.editing.text_patches import Changes, put_all
-from sandbox.model.expressions import Values
 from sandbox.model.joints import Wire, body_of
 from sandbox.model.level import Level
 from sandbox.model.shapes import XY
@@ -33,16 +32,12 @@ _SIDES: Mapping[Side, Callable[[Box], complex]] = {
 }
 
 
-def move(
-    text: str, level: Level, names: Collection[str], by: XY, values: Values | None = None
-) -> str:
+def move(text: str, level: Level, names: Collection[str], by: XY) -> str:
     """Return a level in which bodies, and what is pinned to them, lie elsewhere at the start."""
-    return shift(text, level, dict.fromkeys(pinned(level, names), complex(*by)), values)
+    return shift(text, level, dict.fromkeys(pinned(level, names), complex(*by)))
 
 
-def shift(
-    text: str, level: Level, ways: Mapping[str, complex], values: Values | None = None
-) -> str:
+def shift(text: str, level: Level, ways: Mapping[str, complex]) -> str:
     """Return a level in which each of some bodies lies elsewhere, by a way of its own [m].
 
     The wire that a bead is on goes with it.
@@ -54,7 +49,7 @@ def shift(
     for name, joint in level.joints.items():
         if isinstance(joint, Wire) and (way := ways.get(body_of(joint.bead) or "")):
             changes["joints", name, "curve"] = shifted_point(joint.curve, way)
-    return attached(put_all(text, changes), level, ways, values)
+    return attached(put_all(text, changes), level, ways)
 
 
 def turn(
@@ -63,7 +58,6 @@ def turn(
     names: Collection[str],
     angle: float,
     about: XY | None = None,
-    values: Values | None = None,
 ) -> str:
     """Return a level in which bodies are turned together.
 
@@ -75,10 +69,8 @@ def turn(
         rad, counter-clockwise.
     about
         The point about which [m]; the middle of the bodies if left out.
-    values
-        The parameters' values.
     """
-    where = chosen(level, names, values)
+    where = chosen(level, names)
     low, high = around(where.values())
     middle = where[next(iter(names))].center if len(names) == 1 else (low + high) / 2
     center = middle if about is None else complex(*about)
@@ -88,16 +80,14 @@ def turn(
         changes["bodies", name, "angle"] = turned(body.body.angle, angle)
         if by:
             changes["bodies", name, "position"] = shifted_point(body.body.position, by)
-    return attached(put_all(text, changes), level, names, values)
+    return attached(put_all(text, changes), level, names)
 
 
-def align(
-    text: str, level: Level, names: Collection[str], side: Side, values: Values | None = None
-) -> str:
+def align(text: str, level: Level, names: Collection[str], side: Side) -> str:
     """Return a level in which bodies are in line, at the outermost of their sides."""
-    where, at = chosen(level, names, values), _SIDES[side]
+    where, at = chosen(level, names), _SIDES[side]
     line = at(around(where.values()))
-    return shift(text, level, {n: line - at(body.bounds) for n, body in where.items()}, values)
+    return shift(text, level, {n: line - at(body.bounds) for n, body in where.items()})
 
 
 def distribute(
@@ -105,13 +95,12 @@ def distribute(
     level: Level,
     names: Sequence[str],
     axis: Literal["x", "y"],
-    values: Values | None = None,
 ) -> str:
     """Return a level in which there is the same gap between each body and the next along an axis.
 
     The outermost stay where they are.
     """
-    where = chosen(level, names, values)
+    where = chosen(level, names)
     unit = 1 + 0j if axis == "x" else 1j
     spans = {name: tuple(dot(end, unit) for end in body.bounds) for name, body in where.items()}
     ordered = sorted(spans, key=lambda name: sum(spans[name]))
@@ -122,4 +111,4 @@ def distribute(
         a, b = spans[name]
         ways[name] = (low - a) * unit
         low += b - a + gap
-    return shift(text, level, ways, values)
+    return shift(text, level, ways)

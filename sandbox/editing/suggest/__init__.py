@@ -11,7 +11,6 @@ from sandbox.editing.edits.checks import add_checks
 from sandbox.editing.suggest import atwood, collision, incline, oscillator, pendulum, projectile
 from sandbox.editing.suggest.scene import Scene, Suggestion
 from sandbox.editing.text_patches import Changes
-from sandbox.model.expressions import Values
 from sandbox.model.level import Level
 
 _KNOWN: tuple[Callable[[Scene], Iterator[Suggestion]], ...] = (
@@ -28,14 +27,14 @@ MOST_MOVING = 12
 """How many bodies may move where a set-up is looked for; those that are known have a few."""
 
 
-def suggestions(level: Level, values: Values | None = None) -> list[Suggestion]:
+def suggestions(level: Level) -> list[Suggestion]:
     """Return the closed forms of the known set-ups that a level is, and does not check yet.
 
     In a crowd nothing is looked for: each body would be followed among all the others.
     """
     if sum(body.type == "dynamic" for body in level.bodies.values()) > MOST_MOVING:
         return []
-    scene = Scene(level, level.defaults if values is None else values)
+    scene = Scene(level, level.defaults)
     checked = {check.quantity for check in level.checks}
     found = (one for known in _KNOWN for one in known(scene))
     return [one for one in found if not {c["quantity"] for c in one.checks} <= checked]

@@ -73,7 +73,7 @@ class Scene:
     @cached_property
     def where(self) -> Mapping[str, Placed]:
         """All bodies where they start."""
-        return placed(self.level, self.values)
+        return placed(self.level)
 
     @cached_property
     def joints(self) -> Mapping[str, list[str]]:

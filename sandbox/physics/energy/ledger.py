@@ -192,11 +192,11 @@ class Ledger:
             self._overlaps,
         )
 
-    def _middle(self, ahead: float, velocity: Array, t: float | None = None) -> Instant:
+    def _middle(self, ahead: float, velocity: Array) -> Instant:
         """Return the motion so many steps after (or before) the last, all drifting like that."""
         now, later = self._step.snapshot, ahead * self._step.dt
         return Instant(
-            np.asarray(self._step.t + later if t is None else t),
+            np.asarray(self._step.t + later),
             now.position + later * velocity[:, :2],
             now.angle + later * velocity[:, 2],
             velocity[:, :2],
