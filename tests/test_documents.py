@@ -37,6 +37,11 @@ def anchors(page: Path) -> set[str]:
     return {re.sub(r"[^\w\- ]", "", title.lower()).replace(" ", "-") for title in titles}
 
 
+def is_there(name: str) -> bool:
+    """Whether there is a source file of a name, or with such an end of its path."""
+    return any(f"/{named(path)}".endswith(f"/{name}") for path in SOURCES)
+
+
 @pytest.mark.parametrize("page", PAGES, ids=named)
 def test_every_link_leads_somewhere(page: Path) -> None:
     for link in links(page):
@@ -91,10 +96,17 @@ def test_what_a_page_imports_can_be_imported(page: Path) -> None:
 @pytest.mark.parametrize("page", PAGES, ids=named)
 def test_every_source_file_that_a_page_names_is_there(page: Path) -> None:
     """In full, or from the room that the page is about: `joints/assembly.py`."""
-    sources = [f"/{named(path)}" for path in SOURCES]
-
     for name in FILE.findall(page.read_text(encoding="utf-8")):
-        assert any(source.endswith(f"/{name}") for source in sources), f"{named(page)}: {name}"
+        assert is_there(name), f"{named(page)}: {name}"
+
+
+def test_every_source_file_that_the_code_names_is_there() -> None:
+    found = ((path, FILE.findall(path.read_text(encoding="utf-8"))) for path in SOURCES)
+    named_here = Path(__file__).name
+
+    for path, names in found:
+        gone = [name for name in names if not is_there(name) and path.name != named_here]
+        assert gone == [], named(path)
 
 
 def test_an_import_and_a_file_that_are_not_there_are_found() -> None:
@@ -102,4 +114,4 @@ def test_an_import_and_a_file_that_are_not_there_are_found() -> None:
         "from sandbox.app import theme"
     ]
     assert FILE.findall("made in `joints/assembly.py`") == ["joints/assembly.py"]
-    assert not any(path.match("contacts/curved.py") for path in SOURCES)
+    assert not is_there("contacts/curved.py")

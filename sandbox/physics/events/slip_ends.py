@@ -1,12 +1,12 @@
 """The end of slipping, located in time.
 
-Friction slows down what slips, and with the slip it ends: the body rests, goes with the belt, or
-rolls. pymunk finds that in the next kick, and weakens the friction of that whole kick so that
-nothing slips back: the end comes up to half a step early or late. Here the drift is cut where the
-slip ends. Between two kicks leapfrog stands for a motion with the acceleration of the last, so a
-slip changes linearly and its zero is known. How the bodies go on from there, for the rest of the
-step, is for pymunk's solver and the joints to say (`onwards.py`). pymunk is then handed the places
-at the end of the drift, and the velocities half a kick before.
+Sliding friction lasts as long as the slip: then the body rests, moves with the belt, or rolls.
+pymunk finds that in the next kick, and weakens the friction of that whole kick so that nothing
+slips back: the end comes up to half a step early or late. Here the drift is cut where the slip
+ends. Between two kicks leapfrog stands for a motion with the acceleration of the last, so a slip
+changes linearly and its zero is known. pymunk's solver and the joints decide how the bodies go on
+from there for the rest of the step (`restart_kick.py`). pymunk is then handed the places at the end
+of the drift, and the velocities half a kick before.
 
 Where the slip ends within the half of a kick that comes after its step, pymunk has weakened the
 friction at the step already. That kick is then taken again, short enough for everything to slip on,
