@@ -14,6 +14,7 @@ from typing import TypeVar
 
 from sandbox import interrupts
 from sandbox.model.errors import SandboxError
+from sandbox.model.message import Message
 
 Item = TypeVar("Item")
 Result = TypeVar("Result")
@@ -83,8 +84,10 @@ def spread(
         life.close()  # nobody waits for what they are at
         if isinstance(error, BrokenProcessPool):
             raise SandboxError(
-                "one of the processes that worked on it was ended from outside, perhaps for want"
-                " of memory"
+                Message(
+                    "one of the processes that worked on it was ended from outside, perhaps for"
+                    " want of memory"
+                )
             ) from error
         raise
     finally:

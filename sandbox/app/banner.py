@@ -12,6 +12,7 @@ from sandbox.app.panels import messages
 from sandbox.app.runs.session import Session
 from sandbox.app.words import formatting, language
 from sandbox.app.words.language import later, say
+from sandbox.model.message import NOTHING
 from sandbox.physics.state.errors import SimulationError
 
 NOTE = 5.0  # s, how long a passing note is shown
@@ -51,7 +52,7 @@ class Banner:
         """Return what is more pressing than a note, or else what takes the place of none."""
         if session.run.trying and isinstance(session.failure, SimulationError):
             message = say(
-                "{failure} – trying what helps …", failure=session.failure.with_advice("")
+                "{failure} – trying what helps …", failure=session.failure.with_advice(NOTHING)
             )
             return message, theme.FAILED
         if session.failure is not None:

@@ -114,7 +114,7 @@ class CommandTable:
         try:
             act(self._space.session)
         except SandboxError as error:
-            self._tell(str(error))
+            self._tell(say(error.message))
 
     def _press_the_stopwatch(self) -> None:
         if self._space.session is not None:
@@ -138,7 +138,7 @@ class CommandTable:
             act = space.undoing.redo if again else space.undoing.undo
             self._tell(act(space.session))
         except SandboxError as error:
-            self._tell(str(error))
+            self._tell(say(error.message))
 
     def _go_to_neighbour(self, direction: int) -> None:
         path = self._space.files.neighbour(self._space.path, direction)
@@ -190,7 +190,7 @@ class CommandTable:
         try:
             answer = asked.act(Desk(space.session, space.workers.all, space.load, space.comfort))
         except SandboxError as error:
-            answer = str(error)
+            answer = say(error.message)
         if answer is not None:
             self._tell(answer)
 

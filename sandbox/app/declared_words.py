@@ -26,14 +26,15 @@ from sandbox.physics.accuracy.study import Stage
 from sandbox.physics.measuring.free_body import FRICTION, HAND, IMPACT, NORMAL
 from sandbox.physics.measuring.goals import Standing
 
-_WORD = re.compile(r"[^\W\d_]{2}")
-"""What has no two letters beside each other says the same in every language: a key, a sign."""
+_WORD = re.compile(r"[^\W\d_]{2}(?![^{}]*\})")
+"""What has no two letters beside each other says the same in every language: a key, a sign. The
+names of places for values are none that anybody reads."""
 
 
 def words() -> Iterator[str]:
     """Yield all of them but for keys, some more than once."""
     every = (*_of_the_window(), *_of_the_physics(), *_of_the_format())
-    return (word for word in every if _WORD.search(word))
+    return filter(has_words, every)
 
 
 def shown_keys() -> Iterator[str]:
@@ -43,7 +44,12 @@ def shown_keys() -> Iterator[str]:
         *(key for page in PAGES for key, _ in page.keys),
         *(gesture for gesture, _ in keys.MOUSE),
     )
-    return (key for key in every if _WORD.search(key))
+    return filter(has_words, every)
+
+
+def has_words(text: str) -> bool:
+    """Whether there is anything in a text to be translated."""
+    return bool(_WORD.search(text))
 
 
 def _of_the_window() -> Iterator[str]:

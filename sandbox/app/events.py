@@ -124,7 +124,7 @@ class Events:
         try:
             session.go_to(round(share * session.end))
         except SandboxError as error:
-            self._space.banner.tell(str(error))
+            self._space.banner.tell(say(error.message))
         return True
 
     def _click_side(self, event: pygame.event.Event) -> bool:
@@ -160,6 +160,6 @@ class Events:
                 session.change({change.name: change.value}, otherwise=change.shifted)
                 banner.tell("")
             except SandboxError as error:
-                banner.tell(str(error))
+                banner.tell(say(error.message))
         side.parameters.show(session.chosen)
         side.parameters.revert()

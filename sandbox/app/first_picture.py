@@ -5,6 +5,7 @@ import sys
 from time import perf_counter
 
 from sandbox.model.errors import SandboxError
+from sandbox.model.message import Message
 
 STARTS = 2
 """How often it is started. The quicker start counts: what disturbs one only adds to it."""
@@ -36,9 +37,21 @@ def _start(level: str) -> float:
     try:
         done = subprocess.run(command, capture_output=True, text=True, timeout=LIMIT, check=False)
     except subprocess.TimeoutExpired as error:
-        message = f"{level}: a window that was started on it showed no picture in {LIMIT:g} s"
+        message = Message(
+            "{level}: a window that was started on it showed no picture in {limit:g} s",
+            level=level,
+            limit=LIMIT,
+        )
         raise SandboxError(message) from error
     if done.returncode != 0:
-        reason = done.stderr.strip().rpartition("\n")[2] or f"exit status {done.returncode}"
-        raise SandboxError(f"{level}: a window that was started on it showed no picture: {reason}")
+        reason = done.stderr.strip().rpartition("\n")[2] or Message(
+            "exit status {status}", status=done.returncode
+        )
+        raise SandboxError(
+            Message(
+                "{level}: a window that was started on it showed no picture: {reason}",
+                level=level,
+                reason=reason,
+            )
+        )
     return float(done.stdout) - begun

@@ -16,6 +16,7 @@ from sandbox.app.panels import messages
 from sandbox.app.words.language import say
 from sandbox.app.workspace import Workspace
 from sandbox.model.errors import SandboxError
+from sandbox.model.message import Message
 from sandbox.physics.state.cancellation import cancellable
 
 LONG = 0.25  # s, after which a message is shown
@@ -60,7 +61,7 @@ class HoldUp:
         self._draw(say("This takes long: {took}. Esc stops it.", took=took))
         self._looked = perf_counter()
         if stopped:
-            raise SandboxError(say("stopped by Esc after {took}", took=took))
+            raise SandboxError(Message("stopped by Esc after {took}", took=took))
 
     def _stopped(self) -> bool:
         """Take what has happened, and return whether somebody wants to stop or to quit."""

@@ -15,6 +15,7 @@ from sandbox.app.runs.session import Session
 from sandbox.app.window import RATE, Window
 from sandbox.model import catalog
 from sandbox.model.errors import SandboxError
+from sandbox.model.message import Message
 
 BEFORE = (FIRST, "newton/atwood")
 """Levels that the window may show before it is asked for another one."""
@@ -91,7 +92,9 @@ def time_window(name: str, size: tuple[int, int], seconds: float) -> Timing:
     try:
         switch = _switch(window, name)
         if window.session is None:
-            raise SandboxError(f"{name} does not open: 'sandbox check {name}' says why")
+            raise SandboxError(
+                Message("{name} does not open: 'sandbox check {name}' says why", name=name)
+            )
         for command in SHOWN:
             window.do(command)
         _settle(window)

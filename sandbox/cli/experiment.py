@@ -18,6 +18,7 @@ from sandbox.cli.argument_parsing import UsageError
 from sandbox.model.errors import SandboxError, brief
 from sandbox.model.level_parts import Fault
 from sandbox.model.loading import choose
+from sandbox.model.message import Message
 from sandbox.optional_packages import needed_for
 
 if TYPE_CHECKING:
@@ -81,8 +82,8 @@ def _run(plan: "Plan", store: "Store", missing: int, jobs: int | None, address: 
         typer.echo(f"ended: {_kept(plan, missing - done)}", err=True)
         raise
     except SandboxError as error:
-        message = f"{error}; {_kept(plan, missing - done)}"
-        raise type(error)(message) if type(error) is SandboxError else error from error
+        message = Message("{error}; {kept}", error=error.message, kept=_kept(plan, missing - done))
+        raise SandboxError(message) if type(error) is SandboxError else error from error
 
 
 def _kept(plan: "Plan", missing: int) -> str:

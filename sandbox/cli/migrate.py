@@ -10,6 +10,7 @@ from sandbox.model.document import Document, refuse
 from sandbox.model.errors import SandboxError
 from sandbox.model.level_parts import Fault
 from sandbox.model.loading import read
+from sandbox.model.message import Message
 
 NEWEST = 1
 """The newest version of the level format."""
@@ -43,15 +44,28 @@ def _version(argument: str) -> int:
     document = Document(read(path), str(path))
     data = document.read()
     if not isinstance(data, dict):
-        refuse(str(path), "is no level, which is an object, {...}")
+        refuse(str(path), Message("is no level, which is an object, {...}"))
     if "format" not in data:
-        refuse(str(path), f"has no 'format', the version of the format: \"format\": {NEWEST}")
+        refuse(
+            str(path),
+            Message(
+                "has no 'format', the version of the format: \"format\": {newest}", newest=NEWEST
+            ),
+        )
     version = data["format"]
     if type(version) is not int or version < 1:  # true is equal to 1
         document.refuse(
-            [Fault(("format",), f"must be a whole number from 1; the newest is {NEWEST}")]
+            [
+                Fault(
+                    ("format",),
+                    Message("must be a whole number from 1; the newest is {newest}", newest=NEWEST),
+                )
+            ]
         )
     if version > NEWEST:
-        rule = f"is not known: the newest version here is {NEWEST}; a newer sandbox may know it"
+        rule = Message(
+            "is not known: the newest version here is {newest}; a newer sandbox may know it",
+            newest=NEWEST,
+        )
         document.refuse([Fault(("format",), rule)])
     return version

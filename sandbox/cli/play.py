@@ -12,6 +12,7 @@ from sandbox.cli.accuracy_option import asking, find_out
 from sandbox.cli.render import go_headless
 from sandbox.model.errors import SandboxError
 from sandbox.model.loading import choose
+from sandbox.model.message import Message
 
 TOUR = Path("out", "tour")
 """Where the tour goes if there is no display."""
@@ -60,8 +61,10 @@ def play(
         return
     if not displayed:
         raise DisplayError(
-            "there is no display to open a window on; 'render' draws a level without one,"
-            " 'simulate' runs it"
+            Message(
+                "there is no display to open a window on; 'render' draws a level without one,"
+                " 'simulate' runs it"
+            )
         )
     run(argument, settings, accuracy, racing=racing)
 

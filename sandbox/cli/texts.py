@@ -10,7 +10,7 @@ from itertools import product
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from sandbox.app.declared_words import shown_keys, words
+from sandbox.app.declared_words import has_words, shown_keys, words
 from sandbox.app.words import language
 from sandbox.model import catalog
 from sandbox.model.files import write_atomically
@@ -25,8 +25,12 @@ if TYPE_CHECKING:
 FOLDER = Path("sandbox") / "app"
 """In the project's sources: the window, which says all of it."""
 
-KEYWORDS = {"say": None, "later": None, "plural": (1, 2), "say_in": ((1, "c"), 2)}
-"""The functions of `sandbox.app.words.language`, and which of their arguments are messages."""
+UNSAID = frozenset({"cli", "reporting"})
+"""The packages of the sandbox whose messages the window never shows."""
+
+KEYWORDS = {"say": None, "later": None, "plural": (1, 2), "say_in": ((1, "c"), 2), "Message": None}
+"""The functions of `sandbox.app.words.language`, and what is told from below the window; with which
+of their arguments are messages."""
 
 
 def main() -> int:
@@ -63,11 +67,12 @@ def of_the_window() -> "Catalog":
     from babel.messages.extract import extract
 
     found, root = Catalog(), catalog.sources()
-    for path in sorted((root / FOLDER).rglob("*.py")):
+    for path in said_in(root / "sandbox"):
         place = path.relative_to(root).as_posix()
         with path.open("rb") as file:
             for line, message, _, context in extract("python", file, KEYWORDS):
-                found.add(message, locations=[(place, line)], context=context)
+                if any(map(has_words, (message,) if isinstance(message, str) else message)):
+                    found.add(message, locations=[(place, line)], context=context)
     declared = [((FOLDER / "declared_words.py").as_posix(), 1)]
     for word in words():
         if word not in found:
@@ -75,6 +80,12 @@ def of_the_window() -> "Catalog":
     for key in shown_keys():
         found.add(key, locations=declared, context="key")
     return found
+
+
+def said_in(sandbox: Path) -> list[Path]:
+    """Return the modules of which the window shows what they say."""
+    every = (path.relative_to(sandbox) for path in sandbox.rglob("*.py"))
+    return [sandbox / path for path in sorted(every) if path.parts[0] not in UNSAID]
 
 
 def of_the_levels() -> "Catalog":

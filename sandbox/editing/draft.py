@@ -11,6 +11,7 @@ from sandbox.model.errors import LevelError, Mistake, SandboxError
 from sandbox.model.files import write_atomically
 from sandbox.model.level import Level
 from sandbox.model.loading import content, decoded, parse, read
+from sandbox.model.message import Message
 
 MOST_STEPS = 1000
 """How many steps can be undone."""
@@ -171,7 +172,7 @@ class Draft:
         """
         target = path or self.path
         if target is None:
-            raise SandboxError("the level has no file yet; say where to save it")
+            raise SandboxError(Message("the level has no file yet; say where to save it"))
         if not overwrite:
             self._refuse_to_overwrite(target)
         mark = codecs.BOM_UTF8 if self._held.startswith(codecs.BOM_UTF8) else b""
@@ -198,7 +199,7 @@ class Draft:
             If it has no file, or the file cannot be read, or has mistakes.
         """
         if self.path is None:
-            raise SandboxError("the level has no file yet; there is nothing to read again")
+            raise SandboxError(Message("the level has no file yet; there is nothing to read again"))
         held = content(self.path)
         text = decoded(held, str(self.path))
         parse(text, str(self.path))  # what has mistakes is not taken over
@@ -208,10 +209,15 @@ class Draft:
     def _refuse_to_overwrite(self, target: Path) -> None:
         if target != self.path:
             if os.path.lexists(target):
-                raise SandboxError(f"{target} is there already; choose another name")
+                raise SandboxError(
+                    Message("{target} is there already; choose another name", target=target)
+                )
         elif self.changed_outside():
-            rule = "was changed outside since it was read; read it again, or overwrite it"
-            raise SandboxError(f"{target} {rule}")
+            message = Message(
+                "{target} was changed outside since it was read; read it again, or overwrite it",
+                target=target,
+            )
+            raise SandboxError(message)
 
     def _now(self) -> tuple[Level | None, tuple[Mistake, ...]]:
         if self._loaded is None or self._loaded[0] != self.text:

@@ -17,6 +17,7 @@ from pydantic import BaseModel, ValidationError
 from sandbox.editing.draft import Draft
 from sandbox.model.errors import SandboxError
 from sandbox.model.files import data_folder, lives, make_folder, read_ordinary, write_atomically
+from sandbox.model.message import NOTHING, Message
 
 LARGEST = 20_000_000
 """Bytes of a file: what is larger was not written here."""
@@ -53,7 +54,7 @@ class Recovery:
         self._name = f"{uuid4().hex}{_ENDING}"
         self._text: str | None = None
 
-    def keep(self, draft: Draft) -> str:
+    def keep(self, draft: Draft) -> Message:
         """Keep a draft as it is now; return why it cannot be kept, if so.
 
         What is saved is not kept, and what is kept already is not written again, so this may be
@@ -67,9 +68,12 @@ class Recovery:
                 _OPEN.add(self._name)
                 write_atomically(folder() / self._name, _said(draft), follow=False)
             except SandboxError as error:
-                return f"what you draw is not kept should this window end: {error}"
+                return Message(
+                    "what you draw is not kept should this window end: {error}",
+                    error=error.message,
+                )
             self._text = draft.text
-        return ""
+        return NOTHING
 
     def forget(self) -> None:
         """Keep nothing any more: the draft was saved, or closed on purpose."""

@@ -15,6 +15,7 @@ from sandbox.model.json_positions import Path
 from sandbox.model.level import Level
 from sandbox.model.level_parts import expressions
 from sandbox.model.loading import parse
+from sandbox.model.message import Message
 from sandbox.model.naming import NAME
 from sandbox.model.quantities import quantity
 
@@ -47,7 +48,9 @@ def rename(text: str, path: Path, name: str) -> str:
     level = parse(text)
     part, old = path
     if part not in ("bodies", "joints", "parameters") or old not in getattr(level, str(part)):
-        raise SandboxError(f"there is no {'.'.join(map(str, path))} to be renamed")
+        raise SandboxError(
+            Message("there is no {path} to be renamed", path=".".join(map(str, path)))
+        )
     if name == old:
         return text
     _refuse_taken(level, str(part), name)
@@ -57,11 +60,13 @@ def rename(text: str, path: Path, name: str) -> str:
 
 def _refuse_taken(level: Level, part: str, name: str) -> None:
     if not re.fullmatch(NAME, name):
-        raise SandboxError(f"'{brief(name)}' is no name: a letter, then letters, digits or _")
+        raise SandboxError(
+            Message("'{name}' is no name: a letter, then letters, digits or _", name=brief(name))
+        )
     numbers = {**level.parameters, **level.constants}
     among = numbers if part == "parameters" else {**level.bodies, **level.joints}
     if name in among or (part == "parameters" and name in RESERVED):
-        raise SandboxError(f"the name '{name}' is taken; choose another one")
+        raise SandboxError(Message("the name '{name}' is taken; choose another one", name=name))
 
 
 def _renamed(level: Level, part: str, old: str, name: str) -> Iterator[tuple[Path, str]]:

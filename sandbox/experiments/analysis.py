@@ -12,6 +12,7 @@ from sandbox.experiments.results import Results
 from sandbox.experiments.table import error
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Array
+from sandbox.model.message import Message
 
 QUANTILES = (0.025, 0.5, 0.975)
 
@@ -107,7 +108,9 @@ def sensitivities(plan: Plan, path: Path) -> list[Sensitivity]:
     texts = [measure.text for measure in plan.measures]
     found = results.read(path, texts)
     if found.runs != len(found.numbers):
-        raise SandboxError(f"Sobol's indices are computed of at most {results.MOST:,} runs")
+        raise SandboxError(
+            Message("Sobol's indices are computed of at most {most:,} runs", most=results.MOST)
+        )
     return [sensitivity(text, found.number(text), names) for text in texts]
 
 
@@ -122,10 +125,18 @@ def sensitivity(measure: str, column: Array, names: Sequence[str]) -> Sensitivit
     from scipy.stats import sobol_indices
 
     if missing := int((~np.isfinite(column)).sum()):
-        raise SandboxError(f"'{measure}' has no number in {missing:,} runs: no indices without it")
+        raise SandboxError(
+            Message(
+                "'{measure}' has no number in {missing:,} runs: no indices without it",
+                measure=measure,
+                missing=missing,
+            )
+        )
     rows = column.reshape(-1, len(names) + 2)
     if not rows.std():
-        raise SandboxError(f"'{measure}' is the same in all runs: nothing to attribute")
+        raise SandboxError(
+            Message("'{measure}' is the same in all runs: nothing to attribute", measure=measure)
+        )
     parts = {"f_A": rows[:, :1].T, "f_B": rows[:, 1:2].T, "f_AB": rows[:, 2:].T[:, None]}
     indices = sobol_indices(func=parts, n=len(rows), rng=np.random.default_rng(0))
     spread = indices.bootstrap(confidence_level=0.95, n_resamples=200)

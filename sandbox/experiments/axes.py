@@ -15,8 +15,9 @@ from typing import Literal, TypeVar
 
 import numpy as np
 
-from sandbox.model.errors import brief
+from sandbox.model.errors import SandboxError, brief
 from sandbox.model.expressions import Array
+from sandbox.model.message import Message
 
 MOST_LISTED = 10_000
 """How many values may be listed one by one."""
@@ -24,15 +25,15 @@ MOST_LISTED = 10_000
 SPELT = 20
 """How many listed values are told one by one."""
 
-FORMS = (
-    "must be FROM:TO:COUNT, FROM:TO:COUNT:log, a list with commas, LOW..HIGH, LOW..HIGH:log"
-    " or MEAN±SD"
+FORMS = Message(
+    "must be FROM:TO:COUNT, FROM:TO:COUNT:log, a list with commas, LOW..HIGH, LOW..HIGH:log or"
+    " MEAN±SD",
 )
 
 Scale = Literal["linear", "log"]
 
 
-class AxisError(ValueError):
+class AxisError(SandboxError):
     """A text that says no values; its own is fit to be shown."""
 
 
@@ -189,11 +190,18 @@ def parse_names(text: str) -> Listed:
 def _items(text: str) -> list[str]:
     items = [item.strip() for item in text.split(",")]
     if not all(items):
-        raise AxisError(f"is an empty grid: {FORMS}" if not text else "has nothing before a comma")
+        empty = Message("is an empty grid: {forms}", forms=FORMS)
+        raise AxisError(Message("has nothing before a comma") if text else empty)
     if len(items) > MOST_LISTED:
-        raise AxisError(f"lists {len(items):,} values; {MOST_LISTED:,} are the most")
+        raise AxisError(
+            Message(
+                "lists {count:,} values; {most:,} are the most",
+                count=len(items),
+                most=MOST_LISTED,
+            )
+        )
     if twice := next((item for item in items if items.count(item) > 1), None):
-        raise AxisError(f"lists '{brief(twice)}' twice")
+        raise AxisError(Message("lists '{twice}' twice", twice=brief(twice)))
     return items
 
 
@@ -202,27 +210,34 @@ def _grid(parts: list[str]) -> Grid:
         raise AxisError(FORMS)
     low, high, count = (_number(part) for part in parts[:3])
     if count != int(count):
-        raise AxisError(f"{count:g} is not a number of values")
+        raise AxisError(Message("{count:g} is not a number of values", count=count))
     if count < 1:
-        raise AxisError(f"is an empty grid: {count:g} values")
+        raise AxisError(Message("is an empty grid: {count:g} values", count=count))
     if count == 1 and low != high:
-        raise AxisError("has one value only, but two ends")
+        raise AxisError(Message("has one value only, but two ends"))
     if count > 1 and low == high:
-        raise AxisError(f"has {count:g} values, which are all {low:g}")
+        raise AxisError(
+            Message("has {count:g} values, which are all {low:g}", count=count, low=low)
+        )
     return _checked(Grid(low, high, int(count), _scale(parts[3] if len(parts) > 3 else "")))
 
 
 def _checked(axis: Range) -> Range:
     if axis.scale == "log" and min(axis.low, axis.high) <= 0:
-        raise AxisError("a logarithmic range begins and ends above 0")
+        raise AxisError(Message("a logarithmic range begins and ends above 0"))
     if isinstance(axis, Uniform) and not axis.low < axis.high:
-        raise AxisError("must begin below its end")
+        raise AxisError(Message("must begin below its end"))
     return axis
 
 
 def _normal(mean: float, deviation: float) -> Normal:
     if deviation <= 0:
-        raise AxisError(f"has the standard deviation {deviation:g}, which must be above 0")
+        raise AxisError(
+            Message(
+                "has the standard deviation {deviation:g}, which must be above 0",
+                deviation=deviation,
+            )
+        )
     return Normal(mean, deviation)
 
 
@@ -231,13 +246,15 @@ def _scale(text: str) -> Scale:
         return "linear"
     if text.strip() == "log":
         return "log"
-    raise AxisError(f"'{brief(text)}' is no scale; known: linear, log")
+    raise AxisError(Message("'{text}' is no scale; known: linear, log", text=brief(text)))
 
 
 def _number(text: str) -> float:
     if not re.fullmatch(r"\s*[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?\s*", text):
-        raise AxisError(f"'{brief(text.strip())}' is not a number; {FORMS}")
+        raise AxisError(
+            Message("'{text}' is not a number; {forms}", text=brief(text.strip()), forms=FORMS)
+        )
     value = float(text)
     if not isfinite(value):
-        raise AxisError(f"'{brief(text.strip())}' is too large a number")
+        raise AxisError(Message("'{text}' is too large a number", text=brief(text.strip())))
     return value

@@ -10,6 +10,7 @@ from sandbox.model.document import refuse
 from sandbox.model.errors import LevelError, brief
 from sandbox.model.level_parts import Fault
 from sandbox.model.loading import load
+from sandbox.model.message import Message
 
 SCHEMA = "experiment.schema.json"
 
@@ -37,9 +38,12 @@ def find(experiment: str) -> Path:
         return root() / f"{experiment}.json"
     path = Path(experiment)
     if not experiment.endswith(".json"):
-        refuse(brief(experiment), f"is no experiment{suggestion(experiment, names(), most=20)}")
+        refuse(
+            brief(experiment),
+            Message("is no experiment{hint}", hint=suggestion(experiment, names(), most=20)),
+        )
     if not path.is_file():
-        refuse(brief(experiment), "there is no such file")
+        refuse(brief(experiment), Message("there is no such file"))
     return path
 
 
@@ -55,7 +59,7 @@ def open_plan(path: Path) -> Plan:
     try:
         source, level = _level(experiment, path.parent)
     except LevelError as error:
-        document.refuse(Fault(("level",), str(mistake)) for mistake in error.mistakes)
+        document.refuse(Fault(("level",), mistake.message) for mistake in error.mistakes)
     plan, faults = make(experiment, source, load(level))
     if faults:
         document.refuse(faults)

@@ -21,6 +21,7 @@ from sandbox.model.errors import brief
 from sandbox.model.files import read_ordinary
 from sandbox.model.level import Finite
 from sandbox.model.level_parts import Fault
+from sandbox.model.message import Message
 from sandbox.model.naming import Name
 
 MAX_BYTES = 1_000_000
@@ -89,12 +90,18 @@ def read(path: Path) -> tuple[Experiment, Document]:
     try:
         content = read_ordinary(path, MAX_BYTES)
         if content is None:
-            refuse(source, f"is no ordinary file, or larger than {MAX_BYTES // 1000} kB")
+            refuse(
+                source,
+                Message(
+                    "is no ordinary file, or larger than {most} kB",
+                    most=MAX_BYTES // 1000,
+                ),
+            )
         text = content.decode("utf-8-sig")
     except OSError as error:
-        refuse(source, f"cannot be read: {error.strerror or error}")
+        refuse(source, Message("cannot be read: {reason}", reason=error.strerror or error))
     except UnicodeDecodeError:
-        refuse(source, "is not UTF-8 text")
+        refuse(source, Message("is not UTF-8 text"))
     document = Document(text, source)
     data = document.read()
     try:
@@ -113,7 +120,7 @@ def made(given: Mapping[str, object]) -> tuple[Experiment | None, list[Fault]]:
 
 def _faults(error: ValidationError, document: Document | None, data: Any) -> Iterator[Fault]:  # noqa: ANN401 (whatever JSON holds)
     if not isinstance(data, dict):
-        yield Fault((), "must be an object, {...}")
+        yield Fault((), Message("must be an object, {...}"))
         return
     for detail in error.errors(include_url=False):
         known = document.values.keys() if document else {detail["loc"][:1]}
@@ -121,9 +128,10 @@ def _faults(error: ValidationError, document: Document | None, data: Any) -> Ite
         yield Fault(path, _rule(detail))
 
 
-def _rule(detail: ErrorDetails) -> str:
+def _rule(detail: ErrorDetails) -> Message:
     if detail["type"] == "extra_forbidden":
         keys = [f.alias or name for name, f in Experiment.model_fields.items()]
         name = str(detail["loc"][-1])
-        return f"unknown key '{brief(name)}'{suggestion(name, keys, most=len(keys))}"
+        hint = suggestion(name, keys, most=len(keys))
+        return Message("unknown key '{name}'{hint}", name=brief(name), hint=hint)
     return parse_messages.rule(detail)

@@ -12,6 +12,7 @@ from sandbox.model.errors import SandboxError, brief
 from sandbox.model.expressions import Array
 from sandbox.model.files import read_ordinary
 from sandbox.model.level import Level
+from sandbox.model.message import Message
 from sandbox.model.quantities import QuantityError, quantity
 
 MAX_BYTES = 10_000_000
@@ -60,17 +61,25 @@ def read(path: Path, level: Level) -> Data:
     try:
         content = read_ordinary(path, MAX_BYTES)
     except OSError as error:
-        raise DataError(f"{path}: cannot be read: {error.strerror or error}") from error
+        raise DataError(
+            Message("{path}: cannot be read: {reason}", path=path, reason=error.strerror or error)
+        ) from error
     if content is None:
-        message = f"is no ordinary file, or larger than {MAX_BYTES // 10**6} MB"
-        raise DataError(f"{path}: {message}")
+        message = Message(
+            "{path}: is no ordinary file, or larger than {most} MB",
+            path=path,
+            most=MAX_BYTES // 10**6,
+        )
+        raise DataError(message)
     try:
         lines = content.decode("utf-8-sig").splitlines()
     except UnicodeDecodeError as error:
-        raise DataError(f"{path}: is not UTF-8 text") from error
+        raise DataError(Message("{path}: is not UTF-8 text", path=path)) from error
     numbered = [(i, line) for i, line in enumerate(lines, 1) if line.strip() and line[0] != "#"]
     if len(numbered) < 2:
-        raise DataError(f"{path}: holds no rows below a header, such as t,ball.position.y")
+        raise DataError(
+            Message("{path}: holds no rows below a header, such as t,ball.position.y", path=path)
+        )
     names = [name.strip() for name in next(csv.reader([numbered[0][1]]))]
     where = f"{path}:{numbered[0][0]}"
     _check_names(names, level, where)
@@ -78,7 +87,11 @@ def read(path: Path, level: Level) -> Data:
     columns = dict(zip(names, rows.T, strict=True))
     t = columns.pop("t")
     if not np.isfinite(t).all() or t.min() < 0 or not t.max() > 0:
-        raise DataError(f"{path}: times are in seconds from the start of the run: 0 and later")
+        raise DataError(
+            Message(
+                "{path}: times are in seconds from the start of the run: 0 and later", path=path
+            )
+        )
     return Data(
         t,
         {name: column for name, column in columns.items() if not name.endswith(SIGN)},
@@ -88,27 +101,43 @@ def read(path: Path, level: Level) -> Data:
 
 def _check_names(names: list[str], level: Level, where: str) -> None:
     if "t" not in names:
-        raise DataError(f"{where}: no column is called 't', the time in seconds")
+        raise DataError(
+            Message("{where}: no column is called 't', the time in seconds", where=where)
+        )
     if len(set(names)) < len(names):
-        raise DataError(f"{where}: two columns have the same name")
+        raise DataError(Message("{where}: two columns have the same name", where=where))
     measured = [name.removesuffix(SIGN).strip() for name in names if name != "t"]
     for name in measured:
         try:
             quantity(name, level)
         except QuantityError as error:
-            raise DataError(f"{where}: {error}") from error
+            raise DataError(
+                Message("{where}: {error}", where=where, error=error.message)
+            ) from error
         if name not in names:
-            raise DataError(f"{where}: there are uncertainties of '{name}', but no '{name}'")
+            raise DataError(
+                Message(
+                    "{where}: there are uncertainties of '{name}', but no '{name}'",
+                    where=where,
+                    name=name,
+                )
+            )
     if not measured:
-        raise DataError(f"{where}: no column holds a quantity of the level")
+        raise DataError(Message("{where}: no column holds a quantity of the level", where=where))
 
 
 def _rows(lines: list[tuple[int, str]], names: list[str], source: str) -> Iterator[list[float]]:
     for number, line in lines:
         cells = next(csv.reader([line]))
         if len(cells) != len(names):
-            message = f"has {len(cells)} cells, but the header {len(names)}"
-            raise DataError(f"{source}:{number}: {message}")
+            message = Message(
+                "{source}:{number}: has {cells} cells, but the header {names}",
+                source=source,
+                number=number,
+                cells=len(cells),
+                names=len(names),
+            )
+            raise DataError(message)
         yield [_number(c, n, f"{source}:{number}") for c, n in zip(cells, names, strict=True)]
 
 
@@ -118,9 +147,17 @@ def _number(cell: str, name: str, where: str) -> float:
     try:
         value = float(cell)
     except ValueError:
-        raise DataError(f"{where}: '{brief(cell)}' is not a number") from None
+        raise DataError(
+            Message("{where}: '{cell}' is not a number", where=where, cell=brief(cell))
+        ) from None
     if not isfinite(value):
-        raise DataError(f"{where}: '{brief(cell)}' is not a finite number")
+        raise DataError(
+            Message("{where}: '{cell}' is not a finite number", where=where, cell=brief(cell))
+        )
     if name.endswith(SIGN) and value <= 0:
-        raise DataError(f"{where}: an uncertainty of {value:g}; it must be above 0")
+        raise DataError(
+            Message(
+                "{where}: an uncertainty of {value:g}; it must be above 0", where=where, value=value
+            )
+        )
     return value

@@ -35,6 +35,7 @@ from sandbox.model.level import (
     SeparationEvent,
 )
 from sandbox.model.measuring_instants import MOST_MEETINGS
+from sandbox.model.message import Message
 from sandbox.model.quantities import OVER_TIME, quantity
 from sandbox.physics.measuring.event_interpolation import value_at
 from sandbox.physics.measuring.grading import (
@@ -54,7 +55,7 @@ _NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?")
 _EVENTS = ("end", "until", "landing", "apex", "contact", "separation", "crossing")
 
 
-class MeasureError(ValueError):
+class MeasureError(SandboxError):
     """A text that measures nothing; its own is fit to be shown."""
 
 
@@ -164,14 +165,18 @@ def parse(text: str, level: Level, *, until: bool) -> Measure:
         name, at, place = text.rpartition("@")
         if not at:
             raise MeasureError(
-                f"'{brief(text)}' does not say when: QUANTITY@end, QUANTITY@TIME, QUANTITY@landing"
-                f" and so on, or one of {', '.join(OVER_TIME)} of (QUANTITY), or error(CHECK)"
+                Message(
+                    "'{text}' does not say when: QUANTITY@end, QUANTITY@TIME, QUANTITY@landing and"
+                    " so on, or one of {over_time} of (QUANTITY), or error(CHECK)",
+                    text=brief(text),
+                    over_time=", ".join(OVER_TIME),
+                )
             )
         of, instant = Observable.of(name, level), _instant(place.strip(), level)
     except SandboxError as error:
-        raise MeasureError(str(error)) from error
+        raise MeasureError(error.message) from error
     if instant == "until" and not until:
-        raise MeasureError("'until' is measured, but no condition 'until' is given")
+        raise MeasureError(Message("'until' is measured, but no condition 'until' is given"))
     return Measure(text, of, instant, "", _closed_form(of, instant, level))
 
 
@@ -201,10 +206,15 @@ def _check(text: str, level: Level) -> Check:
         if check.label == text:
             return check
     if not level.checks:
-        raise MeasureError("the level states no checks, so there is no error")
+        raise MeasureError(Message("the level states no checks, so there is no error"))
     hint = suggestion(text, [check.label or check.quantity for check in level.checks])
     raise MeasureError(
-        f"'{brief(text)}' is none of the level's checks, 1 to {len(level.checks)}{hint}"
+        Message(
+            "'{text}' is none of the level's checks, 1 to {count}{hint}",
+            text=brief(text),
+            count=len(level.checks),
+            hint=hint,
+        )
     )
 
 
@@ -230,18 +240,22 @@ def _instant(text: str, level: Level) -> Instant | Place:
         case "crossing", [of, *rest] if len(rest) < 3:
             return _crossing(of, rest, level)
     if name in _EVENTS:
-        raise MeasureError(f"'{brief(text)}' cannot be read: {_HOW[name]}")
+        raise MeasureError(
+            Message("'{text}' cannot be read: {how}", text=brief(text), how=_HOW[name])
+        )
     return _time(text, level)
 
 
 _HOW: Mapping[str, str] = {
     "end": "end",
     "until": "until",
-    "landing": "landing, landing(BODY) or landing(BODY, HEIGHT)",
-    "apex": "apex or apex(BODY)",
-    "contact": "contact(BODY, BODY) or contact(BODY, BODY, 2) for the second",
-    "separation": "separation(BODY, BODY) or separation(BODY, BODY, 2) for the second",
-    "crossing": "crossing(QUANTITY), crossing(QUANTITY, VALUE) or crossing(QUANTITY, VALUE, up)",
+    "landing": Message("landing, landing(BODY) or landing(BODY, HEIGHT)"),
+    "apex": Message("apex or apex(BODY)"),
+    "contact": Message("contact(BODY, BODY) or contact(BODY, BODY, 2) for the second"),
+    "separation": Message("separation(BODY, BODY) or separation(BODY, BODY, 2) for the second"),
+    "crossing": Message(
+        "crossing(QUANTITY), crossing(QUANTITY, VALUE) or crossing(QUANTITY, VALUE, up)"
+    ),
 }
 
 
@@ -250,7 +264,13 @@ def _meeting(
 ) -> ContactEvent | SeparationEvent:
     count = nth[0] if nth else "1"
     if not (count.isdecimal() and 1 <= int(count) <= MOST_MEETINGS):
-        raise MeasureError(f"'{brief(text)}' counts from 1 to {MOST_MEETINGS}")
+        raise MeasureError(
+            Message(
+                "'{text}' counts from 1 to {most}",
+                text=brief(text),
+                most=MOST_MEETINGS,
+            )
+        )
     if name == "contact":
         return ContactEvent(event="contact", bodies=pair, nth=int(count))
     return SeparationEvent(event="separation", bodies=pair, nth=int(count))
@@ -261,7 +281,9 @@ def _crossing(of: str, rest: list[str], level: Level) -> CrossingEvent:
     direction = rest[1] if len(rest) > 1 else "either"
     if direction not in ("up", "down", "either"):
         hint = suggestion(direction, ("up", "down", "either"))
-        raise MeasureError(f"'{brief(direction)}' is no direction{hint}")
+        raise MeasureError(
+            Message("'{direction}' is no direction{hint}", direction=brief(direction), hint=hint)
+        )
     value = _over_parameters(rest[0], level).source if rest else 0
     return CrossingEvent.model_validate(
         {"event": "crossing", "quantity": name, "value": value, "direction": direction}
@@ -271,7 +293,9 @@ def _crossing(of: str, rest: list[str], level: Level) -> CrossingEvent:
 def _time(text: str, level: Level) -> Expression:
     if re.fullmatch(r"[a-z]+", text) and text not in {*level.parameters, *level.constants}:
         hint = suggestion(text, {*_EVENTS, *level.parameters})
-        raise MeasureError(f"'{brief(text)}' is no time and no event{hint}")
+        raise MeasureError(
+            Message("'{text}' is no time and no event{hint}", text=brief(text), hint=hint)
+        )
     return _over_parameters(text, level)
 
 
@@ -280,7 +304,11 @@ def _over_parameters(text: str, level: Level) -> Expression:
     let_use([found], level.constants)
     if unknown := next(iter(sorted(found.names - set(level.parameters))), None):
         hint = suggestion(unknown, level.parameters)
-        raise MeasureError(f"'{brief(unknown)}' is no parameter of the level{hint}")
+        raise MeasureError(
+            Message(
+                "'{unknown}' is no parameter of the level{hint}", unknown=brief(unknown), hint=hint
+            )
+        )
     return found
 
 
@@ -289,11 +317,17 @@ def _body(given: list[str], level: Level, text: str) -> str:
     if given:
         if given[0] not in level.bodies:
             hint = suggestion(given[0], level.bodies)
-            raise MeasureError(f"the level has no body '{brief(given[0])}'{hint}")
+            raise MeasureError(
+                Message("the level has no body '{given}'{hint}", given=brief(given[0]), hint=hint)
+            )
         return given[0]
     moving = [name for name, body in level.bodies.items() if body.type == "dynamic"]
     if len(moving) != 1:
         raise MeasureError(
-            f"'{text}' must say which body: {text}({moving[0] if moving else '...'})"
+            Message(
+                "'{text}' must say which body: {text}({body})",
+                text=text,
+                body=moving[0] if moving else "...",
+            )
         )
     return moving[0]

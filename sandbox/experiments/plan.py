@@ -24,6 +24,7 @@ from sandbox.model.expressions import Values
 from sandbox.model.level import Level, Scheme, Stepping
 from sandbox.model.level_parts import Fault
 from sandbox.model.loading import choose
+from sandbox.model.message import Message, joined
 from sandbox.model.rules import depending
 
 MOST_RUNS = 10**9
@@ -213,24 +214,29 @@ def _faulty_axes(plan: Plan) -> Iterator[Fault]:
     level = plan.level
     known = [*level.parameters, *_NAMED, "rate"]
     if not plan.experiment.vary:
-        yield Fault(("vary",), f"is empty; what can be varied: {', '.join(known)}")
+        yield Fault(
+            ("vary",), Message("is empty; what can be varied: {known}", known=", ".join(known))
+        )
     for name, text in plan.experiment.vary.items():
         path = ("vary", name)
         if name not in known:
             hint = suggestion(name, known, most=len(known))
-            yield Fault(path, f"'{brief(name)}' is no parameter of the level{hint}")
+            yield Fault(
+                path,
+                Message("'{name}' is no parameter of the level{hint}", name=brief(name), hint=hint),
+            )
             continue
         if name in plan.experiment.set:
-            yield Fault(path, f"'{name}' is set and varied, both")
+            yield Fault(path, Message("'{name}' is set and varied, both", name=name))
         try:
             axis = _axis(name, text, level)
         except AxisError as error:
-            yield Fault(path, str(error))
+            yield Fault(path, error.message)
             continue
         yield from (Fault(path, rule) for rule in _outside(name, axis, plan))
 
 
-def _outside(name: str, axis: Axis, plan: Plan) -> Iterator[str]:
+def _outside(name: str, axis: Axis, plan: Plan) -> Iterator[Message]:
     """Yield what is wrong with an axis that can be read."""
     level = plan.level
     if name in level.parameters:
@@ -238,31 +244,38 @@ def _outside(name: str, axis: Axis, plan: Plan) -> Iterator[str]:
         ends = axis.values if isinstance(axis, Listed) else axis.ends
         outside = (v for v in map(float, ends) if not parameter.min <= v <= parameter.max)
         if (beyond := next(outside, None)) is not None:
-            unit = f" {parameter.unit}" if parameter.unit else ""
-            allowed = f"{parameter.min:g} to {parameter.max:g}{unit}"
-            yield f"goes to {beyond:g}{unit}, but the level has '{name}' from {allowed}"
+            yield Message(
+                "goes to {beyond:g}{unit}, but the level has '{name}' from {least:g} to"
+                " {most:g}{unit}",
+                beyond=beyond,
+                unit=f" {parameter.unit}" if parameter.unit else "",
+                name=name,
+                least=parameter.min,
+                most=parameter.max,
+            )
     elif isinstance(axis, Listed):
         yield from _unknown_names(name, [str(v) for v in axis.values], plan)
 
 
-def _unknown_names(name: str, values: list[str], plan: Plan) -> Iterator[str]:
+def _unknown_names(name: str, values: list[str], plan: Plan) -> Iterator[Message]:
     for value in values:
         try:
             if name == "without":
                 plan.variant(value)
             elif name == "scheme" and value not in get_args(Scheme):
-                yield f"'{brief(value)}' is no scheme{suggestion(value, get_args(Scheme))}"
+                hint = suggestion(value, get_args(Scheme))
+                yield Message("'{name}' is no scheme{hint}", name=brief(value), hint=hint)
             elif name == "rate":
                 plan._stepping({"rate": float(value)})  # noqa: SLF001 (its own module)
         except (SandboxError, ValidationError) as error:
             yield _said(error)
 
 
-def _said(error: SandboxError | ValidationError) -> str:
+def _said(error: SandboxError | ValidationError) -> Message:
     if isinstance(error, ValidationError):
         detail = error.errors(include_url=False)[0]
         return parse_messages.rule(detail)
-    return str(error)
+    return error.message
 
 
 def _faulty_settings(plan: Plan) -> Iterator[Fault]:
@@ -270,7 +283,7 @@ def _faulty_settings(plan: Plan) -> Iterator[Fault]:
     try:
         choose(level, experiment.set)
     except SandboxError as error:
-        yield Fault(("set",), str(error))
+        yield Fault(("set",), error.message)
     try:
         stepping = plan._stepping({})  # noqa: SLF001 (its own module)
     except ValidationError as error:
@@ -278,10 +291,16 @@ def _faulty_settings(plan: Plan) -> Iterator[Fault]:
     else:
         duration = experiment.duration or 0.0
         if duration * stepping.rate > MAX_STEPS:
-            message = f"that takes {duration * stepping.rate:.1g} steps; {MAX_STEPS:,} are allowed"
+            message = Message(
+                "that takes {steps:.1g} steps; {most:,} are allowed",
+                steps=duration * stepping.rate,
+                most=MAX_STEPS,
+            )
             yield Fault(("duration",), message)
         if level.stepping.accuracy is not None and stepping.accuracy is not None:
-            message = "the level asks for an accuracy; say at which 'rate' the experiment runs it"
+            message = Message(
+                "the level asks for an accuracy; say at which 'rate' the experiment runs it"
+            )
             yield Fault(("rate",), message)
 
 
@@ -289,17 +308,17 @@ def _faulty_measures(plan: Plan) -> Iterator[Fault]:
     try:
         _ = plan.until
     except SandboxError as error:
-        yield Fault(("until",), str(error))
+        yield Fault(("until",), error.message)
     seen = set[str]()
     for i, text in enumerate(plan.experiment.measure):
         path = ("measure", i)
         try:
             found = measures.parse(text, plan.level, until=plan.experiment.until is not None)
         except MeasureError as error:
-            yield Fault(path, str(error))
+            yield Fault(path, error.message)
             continue
         if found.text in seen:
-            yield Fault(path, f"'{brief(found.text)}' is measured twice")
+            yield Fault(path, Message("'{text}' is measured twice", text=brief(found.text)))
         seen.add(found.text)
 
 
@@ -307,13 +326,24 @@ def _faulty_runs(plan: Plan) -> Iterator[Fault]:
     """Yield what is wrong with the number of runs, once everything can be read."""
     if plan.drawn and plan.experiment.draws is None:
         name = next(iter(plan.drawn))
-        yield Fault(("draws",), f"is missing: '{name}' is drawn, but how many times?")
+        yield Fault(
+            ("draws",), Message("is missing: '{name}' is drawn, but how many times?", name=name)
+        )
     if not plan.drawn and plan.experiment.draws is not None:
-        yield Fault(("draws",), "nothing is drawn: no axis is LOW..HIGH or MEAN±SD")
+        yield Fault(("draws",), Message("nothing is drawn: no axis is LOW..HIGH or MEAN±SD"))
     if plan.runs > MOST_RUNS:
-        parts = [f"{axis.count:,}" for axis in plan.grids.values()]
-        product = " × ".join([*parts, *([f"{plan.draws:,} draws"] if plan.drawn else [])])
-        yield Fault(("vary",), f"makes {product} = {plan.runs:,} runs; {MOST_RUNS:,} are the most")
+        parts = [Message("{count:,}", count=axis.count) for axis in plan.grids.values()]
+        if plan.drawn:
+            parts.append(Message("{count:,} draws", count=plan.draws))
+        yield Fault(
+            ("vary",),
+            Message(
+                "makes {product} = {runs:,} runs; {most:,} are the most",
+                product=joined(parts, " × "),
+                runs=plan.runs,
+                most=MOST_RUNS,
+            ),
+        )
     yield from _faulty_draws(plan)
 
 
@@ -321,10 +351,19 @@ def _faulty_draws(plan: Plan) -> Iterator[Fault]:
     """Yield what the way of drawing does not allow."""
     method, base = plan.experiment.method, plan.experiment.draws or 1
     if method == "latin-hypercube" and base > MOST_IN_A_HYPERCUBE:
-        message = f"{base:,} draws; a Latin hypercube has at most {MOST_IN_A_HYPERCUBE:,}"
-        yield Fault(("draws",), f"{message}; 'sobol' has no such bound")
+        message = Message(
+            "{count:,} draws; a Latin hypercube has at most {most:,}; 'sobol' has no such bound",
+            count=base,
+            most=MOST_IN_A_HYPERCUBE,
+        )
+        yield Fault(("draws",), message)
     if method == "sobol-indices":
         if plan.grids:
-            yield Fault(("method",), "Sobol's indices need everything that is varied to be drawn")
+            yield Fault(
+                ("method",), Message("Sobol's indices need everything that is varied to be drawn")
+            )
         if base < 2 or base & (base - 1):
-            yield Fault(("draws",), f"{base:,}: of Sobol's indices it must be a power of two")
+            yield Fault(
+                ("draws",),
+                Message("{base:,}: of Sobol's indices it must be a power of two", base=base),
+            )

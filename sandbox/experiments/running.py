@@ -16,6 +16,7 @@ from sandbox.model.conditions.numbers import MAX_STEPS
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level, Stepping
+from sandbox.model.message import NOTHING, Message
 from sandbox.physics.ensemble.batched_runs import Flight, accepts, suits
 from sandbox.physics.measuring.recording import Trace, count_steps
 from sandbox.physics.metering.meter import Meter
@@ -208,7 +209,13 @@ def _alone(plan: Plan, setting: "_Setting | _Run") -> _Run:
     try:
         duration = plan.experiment.duration or setting.level.duration(setting.values)
         if duration * setting.stepping.rate > MAX_STEPS:
-            raise SandboxError(f"{duration:g} s take more than {MAX_STEPS:,} steps")
+            raise SandboxError(
+                Message(
+                    "{duration:g} s take more than {most:,} steps",
+                    duration=duration,
+                    most=MAX_STEPS,
+                )
+            )
         trace = simulate(
             setting.level,
             setting.values,
@@ -218,7 +225,9 @@ def _alone(plan: Plan, setting: "_Setting | _Run") -> _Run:
             until=stop.now if stop else None,
         )
     except SandboxError as error:
-        message = error.with_advice("") if isinstance(error, SimulationError) else str(error)
+        message = (
+            error.with_advice(NOTHING) if isinstance(error, SimulationError) else error.message
+        )
         return _Run(setting.row, None, stopped=False, failure=message)
     return _Run(setting.row, trace, bool(stop and stop.held), None)
 

@@ -18,6 +18,7 @@ from sandbox.experiments.plan import Plan
 from sandbox.experiments.table import Cell, schema
 from sandbox.model.errors import SandboxError, brief
 from sandbox.model.files import make_folder, write_atomically
+from sandbox.model.message import Message
 from sandbox.version import __version__
 
 if TYPE_CHECKING:
@@ -59,14 +60,20 @@ class Store:
         try:
             there = place.read_text("utf-8") if place.exists() else None
         except (OSError, ValueError) as error:
-            raise SandboxError(f"cannot read {place}: {error}") from error
+            raise SandboxError(
+                Message("cannot read {place}: {error}", place=place, error=str(error))
+            ) from error
         if there is None:
             write_atomically(place, text)
         elif there != text:
             changed = _difference(there, text)
             raise SandboxError(
-                f"{self._folder} holds another experiment ({changed}): name another folder, or"
-                " remove this one"
+                Message(
+                    "{folder} holds another experiment ({changed}): name another folder, or remove"
+                    " this one",
+                    folder=self._folder,
+                    changed=changed,
+                )
             )
 
     @property
@@ -80,7 +87,13 @@ class Store:
         try:
             return bool(pq.read_metadata(self.results).num_rows == self._plan.runs)
         except (OSError, pa.ArrowInvalid) as error:
-            raise SandboxError(f"cannot read {self.results}: {error}; remove it") from error
+            raise SandboxError(
+                Message(
+                    "cannot read {results}: {error}; remove it",
+                    results=self.results,
+                    error=str(error),
+                )
+            ) from error
 
     def missing(self) -> Iterator[tuple[int, int]]:
         """Yield the rows that are not done: from one to before another."""
@@ -129,7 +142,11 @@ class Store:
         except OSError as error:
             beside.unlink(missing_ok=True)
             raise SandboxError(
-                f"cannot write {self.results}: {error.strerror or error}; what was done is kept"
+                Message(
+                    "cannot write {results}: {reason}; what was done is kept",
+                    results=self.results,
+                    reason=error.strerror or error,
+                )
             ) from error
 
     def _grouped(self) -> "Iterator[pa.Table]":

@@ -18,6 +18,7 @@ import numpy as np
 from sandbox.model.derivatives import derivative
 from sandbox.model.did_you_mean import suggestion
 from sandbox.model.errors import SandboxError, brief
+from sandbox.model.message import NOTHING, Message
 
 MAX_LENGTH = 500  # characters
 
@@ -53,14 +54,16 @@ _PRODUCT = re.compile(r"[\d)]\s*[A-Za-z(]")  # as it is written on paper
 _ARGUMENTS = {"atan2": 2, "hypot": 2, "max": 2, "min": 2, "where": 3}
 _OPERATORS = (ast.Add, ast.Sub, ast.Mult, ast.Div, ast.Mod, ast.Pow)
 _COMPARISONS = (ast.Lt, ast.LtE, ast.Gt, ast.GtE, ast.Eq, ast.NotEq)
-_REFUSED: Mapping[str, str] = {
-    "Attribute": "a dot may stand in a number only",
-    "List": "one number is needed, not a list",
-    "Set": "one number is needed, not a list",
-    "Starred": "* needs a number on both sides",
-    "Subscript": "square brackets have no meaning here",
-    "Tuple": "one number is needed; a decimal point is written ., not a comma",
+_REFUSED: Mapping[str, Message] = {
+    "Attribute": Message("a dot may stand in a number only"),
+    "List": Message("one number is needed, not a list"),
+    "Set": Message("one number is needed, not a list"),
+    "Starred": Message("* needs a number on both sides"),
+    "Subscript": Message("square brackets have no meaning here"),
+    "Tuple": Message("one number is needed; a decimal point is written ., not a comma"),
 }
+ONLY_ARITHMETIC = Message("only arithmetic is allowed")
+NO_PRODUCT = Message("; a product is written 2*m, not 2m")
 _NAMESPACE = {
     "__builtins__": {},
     **CONSTANTS,
@@ -85,7 +88,7 @@ def evaluated(code: CodeType, scope: Mapping[str, Any]) -> Any:  # noqa: ANN401 
 def compiled(source: str) -> tuple[CodeType, frozenset[str]]:
     """Return the code of an expression that has been checked, and the names that it uses."""
     if len(source) > MAX_LENGTH:
-        raise ExpressionError(f"is longer than {MAX_LENGTH} characters")
+        raise ExpressionError(Message("is longer than {most} characters", most=MAX_LENGTH))
     return _made(source)
 
 
@@ -95,7 +98,9 @@ def differentiated(source: str, variable: str) -> tuple[CodeType, frozenset[str]
     try:
         return _made(derivative(source, variable))
     except (RecursionError, ExpressionError):
-        message = f"'{brief(source)}' is nested too deeply to be differentiated"
+        message = Message(
+            "'{source}' is nested too deeply to be differentiated", source=brief(source)
+        )
         raise ExpressionError(message) from None
 
 
@@ -107,12 +112,18 @@ def _made(source: str) -> tuple[CodeType, frozenset[str]]:
             tree = rewrite.visit(ast.parse(source.strip(), mode="eval"))
             code = compile(tree, "<expression>", "eval")
     except ExpressionError as error:
-        raise ExpressionError(f"'{brief(source)}': {error}") from None
+        raise ExpressionError(
+            Message("'{source}': {error}", source=brief(source), error=error.message)
+        ) from None
     except (SyntaxError, ValueError):
-        hint = "; a product is written 2*m, not 2m" if _PRODUCT.search(source) else ""
-        raise ExpressionError(f"'{brief(source)}' is not arithmetic{hint}") from None
+        hint = NO_PRODUCT if _PRODUCT.search(source) else NOTHING
+        raise ExpressionError(
+            Message("'{source}' is not arithmetic{hint}", source=brief(source), hint=hint)
+        ) from None
     except (RecursionError, MemoryError):
-        raise ExpressionError(f"'{brief(source)}' is nested too deeply") from None
+        raise ExpressionError(
+            Message("'{source}' is nested too deeply", source=brief(source))
+        ) from None
     return code, frozenset(rewrite.names)
 
 
@@ -125,29 +136,31 @@ class _Rewrite(ast.NodeTransformer):
     def generic_visit(self, node: ast.AST) -> ast.AST:
         allowed = (ast.Expression, ast.operator, ast.unaryop, ast.cmpop, ast.expr_context)
         if not isinstance(node, allowed):
-            raise ExpressionError(_REFUSED.get(type(node).__name__, "only arithmetic is allowed"))
+            raise ExpressionError(_REFUSED.get(type(node).__name__, ONLY_ARITHMETIC))
         return super().generic_visit(node)
 
     def visit_Constant(self, node: ast.Constant) -> ast.AST:
         if isinstance(node.value, bool) or not isinstance(node.value, int | float):
-            raise ExpressionError(f"{brief(repr(node.value))} is not a number")
+            raise ExpressionError(Message("{value} is not a number", value=brief(repr(node.value))))
         try:
             return ast.Constant(float(node.value), lineno=1, col_offset=0)
         except OverflowError:
-            raise ExpressionError("a number is too large") from None
+            raise ExpressionError(Message("a number is too large")) from None
 
     def visit_Name(self, node: ast.Name) -> ast.AST:
         if node.id in FUNCTIONS:
-            raise ExpressionError(f"the function '{node.id}' needs its arguments in brackets")
+            raise ExpressionError(
+                Message("the function '{name}' needs its arguments in brackets", name=node.id)
+            )
         if node.id not in CONSTANTS:
             self.names.add(node.id)
         return node
 
     def visit_BinOp(self, node: ast.BinOp) -> ast.AST:
         if isinstance(node.op, ast.BitXor):
-            raise ExpressionError("a power is written **, not ^")
+            raise ExpressionError(Message("a power is written **, not ^"))
         if not isinstance(node.op, _OPERATORS):
-            raise ExpressionError("only +, -, *, /, % and ** join numbers")
+            raise ExpressionError(Message("only +, -, *, /, % and ** join numbers"))
         if isinstance(node.op, ast.Pow):
             return _call(" power", [self.visit(node.left), self.visit(node.right)])
         return super().generic_visit(node)
@@ -156,14 +169,14 @@ class _Rewrite(ast.NodeTransformer):
         if isinstance(node.op, ast.Not):
             return _truth(_call(" not", [self.visit(node.operand)]))
         if not isinstance(node.op, ast.UAdd | ast.USub):
-            raise ExpressionError("only +, - and not may stand before a number")
+            raise ExpressionError(Message("only +, - and not may stand before a number"))
         return super().generic_visit(node)
 
     def visit_Compare(self, node: ast.Compare) -> ast.AST:
         if len(node.ops) > 1:
-            raise ExpressionError("write 'a < b and b < c' instead of 'a < b < c'")
+            raise ExpressionError(Message("write 'a < b and b < c' instead of 'a < b < c'"))
         if not isinstance(node.ops[0], _COMPARISONS):
-            raise ExpressionError("only <, <=, >, >=, == and != compare numbers")
+            raise ExpressionError(Message("only <, <=, >, >=, == and != compare numbers"))
         left, right = self.visit(node.left), self.visit(node.comparators[0])
         return _truth(ast.Compare(left, node.ops, [right], lineno=1, col_offset=0))
 
@@ -181,10 +194,19 @@ class _Rewrite(ast.NodeTransformer):
     def visit_Call(self, node: ast.Call) -> ast.AST:
         if not isinstance(node.func, ast.Name) or node.func.id not in FUNCTIONS:
             name = brief(ast.unparse(node.func))
-            raise ExpressionError(f"'{name}' is not a function here{suggestion(name, FUNCTIONS)}")
+            raise ExpressionError(
+                Message(
+                    "'{name}' is not a function here{hint}",
+                    name=name,
+                    hint=suggestion(name, FUNCTIONS),
+                )
+            )
         name, count = node.func.id, _ARGUMENTS.get(node.func.id, 1)
         if node.keywords or len(node.args) != count:
-            raise ExpressionError(f"{name}() takes {count} argument{'s' if count > 1 else ''}")
+            takes = Message("{name}() takes {count} arguments", name=name, count=count)
+            raise ExpressionError(
+                takes if count > 1 else Message("{name}() takes 1 argument", name=name)
+            )
         return _call(name, [self.visit(argument) for argument in node.args])
 
 

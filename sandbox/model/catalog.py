@@ -5,6 +5,7 @@ from pathlib import Path
 from sandbox.model.did_you_mean import meant, suggestion
 from sandbox.model.document import refuse
 from sandbox.model.errors import SandboxError, brief
+from sandbox.model.message import Message
 
 CHAPTERS = (
     "kinematics",
@@ -49,7 +50,12 @@ def sources() -> Path:
     folder = Path(__file__).resolve().parents[2]
     if not (folder / "pyproject.toml").is_file():
         package = Path(__file__).resolve().parents[1]
-        raise SandboxError(f"this is written in a checkout of the project; {package} is installed")
+        raise SandboxError(
+            Message(
+                "this is written in a checkout of the project; {package} is installed",
+                package=package,
+            )
+        )
     return folder
 
 
@@ -100,12 +106,17 @@ def find(level: str) -> Path:
         return root() / f"{name}.json"
     if level.endswith(".json"):
         hint = meant(Path(level).stem, _endings(known))
-        refuse(brief(level), f"there is no such file{hint}")
+        refuse(brief(level), Message("there is no such file{hint}", hint=hint))
     ending = [other for other in known if other.endswith(f"/{name}")]
     if not ending:
-        refuse(brief(level), f"is neither a level nor a file{_hint(name, known)}")
+        refuse(
+            brief(level), Message("is neither a level nor a file{hint}", hint=_hint(name, known))
+        )
     if len(ending) > 1:
-        refuse(brief(level), f"is the name of several levels: {', '.join(ending)}")
+        refuse(
+            brief(level),
+            Message("is the name of several levels: {names}", names=", ".join(ending)),
+        )
     return root() / f"{ending[0]}.json"
 
 
@@ -116,7 +127,7 @@ def _is_file(path: str) -> bool:
         return False
 
 
-def _hint(name: str, known: list[str]) -> str:
+def _hint(name: str, known: list[str]) -> Message:
     """Suggest a level by the whole of its name, or by its last part if only that was given."""
     return suggestion(name, known if "/" in name else _endings(known))
 

@@ -7,6 +7,7 @@ from typing import Any, NamedTuple
 from sandbox.model.body import MAX_BODIES
 from sandbox.model.did_you_mean import suggestion
 from sandbox.model.errors import SandboxError, brief
+from sandbox.model.message import Message
 
 Document = dict[str, Any]
 """A level as it stands in its file."""
@@ -172,8 +173,20 @@ def crowd(kind: str, bodies: int) -> Document:
         If there is no such kind, or not with so many bodies.
     """
     if kind not in CROWDS:
-        raise CrowdError(f"there is no scene '{brief(kind)}'{suggestion(kind, CROWDS)}")
+        raise CrowdError(
+            Message(
+                "there is no scene '{kind}'{hint}", kind=brief(kind), hint=suggestion(kind, CROWDS)
+            )
+        )
     make, most, least = CROWDS[kind]
     if not least <= bodies <= most:
-        raise CrowdError(f"a {kind} of {bodies} bodies: there must be between {least} and {most}")
+        raise CrowdError(
+            Message(
+                "a {kind} of {bodies} bodies: there must be between {least} and {most}",
+                kind=kind,
+                bodies=bodies,
+                least=least,
+                most=most,
+            )
+        )
     return make(bodies)

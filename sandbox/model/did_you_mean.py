@@ -3,6 +3,8 @@
 from collections.abc import Iterable
 from difflib import get_close_matches
 
+from sandbox.model.message import NOTHING, Message
+
 LONGEST = 100  # characters; nothing longer resembles a name
 
 
@@ -13,18 +15,18 @@ def closest(name: str, known: Iterable[str]) -> str | None:
     return choices[close[0]] if close else None
 
 
-def meant(name: str, known: Iterable[str]) -> str:
+def meant(name: str, known: Iterable[str]) -> Message:
     """Return "; did you mean 'x'?" if a known name resembles the given one, else nothing."""
     close = closest(name, known)
-    return f"; did you mean '{close}'?" if close else ""
+    return Message("; did you mean '{close}'?", close=close) if close else NOTHING
 
 
-def suggestion(name: str, known: Iterable[str], *, most: int = 8) -> str:
+def suggestion(name: str, known: Iterable[str], *, most: int = 8) -> Message:
     """Return what was probably meant, or what there is to choose from, to end a message."""
     choices = sorted(known)
     if hint := meant(name, choices):
         return hint
     if not choices:
-        return "; there are none"
+        return Message("; there are none")
     shown = ", ".join(choices[:most]) + (", …" if len(choices) > most else "")
-    return f"; known: {shown}"
+    return Message("; known: {shown}", shown=shown)

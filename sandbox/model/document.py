@@ -11,12 +11,13 @@ from sandbox.model import json_positions, parse_messages
 from sandbox.model.errors import MAX_MISTAKES, LevelError, Mistake, brief
 from sandbox.model.json_positions import Path, Position, Value
 from sandbox.model.level_parts import Fault
+from sandbox.model.message import Message
 from sandbox.model.origin import Origin
 
 _NOT_FINITE = frozenset({"NaN", "Infinity", "-Infinity"})
 
 
-def refuse(source: str, rule: str, place: Position | None = None) -> NoReturn:
+def refuse(source: str, rule: Message, place: Position | None = None) -> NoReturn:
     """Raise a `LevelError` about the whole of a level, or about one place in its text."""
     line, column = place or (None, None)
     raise LevelError((Mistake(source, line, column, "", rule),))
@@ -28,7 +29,7 @@ class Document(Origin):
     def read(self) -> Any:  # noqa: ANN401 (whatever JSON holds)
         """Return what the text holds; refuse repeated keys and numbers that are not finite."""
         if not self.text.strip():
-            refuse(self.source, "is empty")
+            refuse(self.source, Message("is empty"))
         suspects: list[str] = []
 
         def pairs(items: list[tuple[str, Any]]) -> dict[str, Any]:
@@ -42,9 +43,9 @@ class Document(Origin):
         except json.JSONDecodeError as error:
             refuse(self.source, parse_messages.syntax(error.msg), (error.lineno, error.colno))
         except RecursionError:
-            refuse(self.source, "is nested too deeply")
+            refuse(self.source, Message("is nested too deeply"))
         except ValueError:
-            refuse(self.source, "holds a whole number of thousands of digits")
+            refuse(self.source, Message("holds a whole number of thousands of digits"))
         if suspects:
             self._raise(self._suspects())
         return data
@@ -64,7 +65,8 @@ class Document(Origin):
     def _raise(self, mistakes: Iterable[Mistake]) -> NoReturn:
         found = list(islice(mistakes, MAX_MISTAKES + 1))
         if len(found) > MAX_MISTAKES:
-            found[-1] = Mistake(self.source, None, None, "", "and more mistakes like these")
+            more = Message("and more mistakes like these")
+            found[-1] = Mistake(self.source, None, None, "", more)
         raise LevelError(tuple(found))
 
     def _suspects(self) -> Iterator[Mistake]:
@@ -72,9 +74,11 @@ class Document(Origin):
         for value in json_positions.values(self.text):
             if value.repeated:
                 key = brief(str(value.path[-1]))
-                yield self._at(value, value.path, f"the key '{key}' stands twice in one object")
+                rule = Message("the key '{key}' stands twice in one object", key=key)
+                yield self._at(value, value.path, rule)
             if value.text in _NOT_FINITE:
-                yield self._at(value, value.path, f"{value.text} is not a number for a level")
+                rule = Message("{value} is not a number for a level", value=value.text)
+                yield self._at(value, value.path, rule)
 
     def _mistake(self, fault: Fault) -> Mistake:
         """Place a fault; where the text has nothing there, at what is around it."""
@@ -84,7 +88,7 @@ class Document(Origin):
         tells = there and value.text not in "{[" and not _says(fault, value)
         return replace(mistake, value=brief(value.text)) if tells else mistake
 
-    def _at(self, value: Value, path: Path, rule: str) -> Mistake:
+    def _at(self, value: Value, path: Path, rule: Message) -> Mistake:
         line, column = json_positions.position(self.text, value.start)
         shown = ".".join(brief(str(step)) for step in path)
         return Mistake(self.source, line, column, shown, rule)

@@ -23,6 +23,7 @@ from sandbox.model.errors import SandboxError, brief
 from sandbox.model.expressions import Expression
 from sandbox.model.level import Level
 from sandbox.model.level_parts import Fault
+from sandbox.model.message import Message
 from sandbox.model.rules import faults
 
 DEFAULTS: Mapping[str, Settings] = {
@@ -70,7 +71,11 @@ def without(level: Level, effect: str) -> tuple[Level, tuple[str, ...]]:
     """
     if effect not in level.effects.declared:
         hint = suggestion(effect, level.effects.declared)
-        raise EffectError(f"the level declares no effect '{brief(effect)}'{hint}")
+        raise EffectError(
+            Message(
+                "the level declares no effect '{effect}'{hint}", effect=brief(effect), hint=hint
+            )
+        )
     changed, gone = _dropped(level, effect), [effect]
     while found := list(_scene_faults(changed)):
         name = next((str(fault.path[1]) for fault in found if fault.path[0] == "effects"), None)
@@ -116,7 +121,14 @@ def _cleared(level: Level, found: list[Fault], effect: str) -> Level:
     for fault in found:
         if fault.path[0] != "bodies" or len(fault.path) < 3:
             place = ".".join(map(str, fault.path))
-            raise EffectError(f"without '{effect}' the level is impossible: {place}: {fault.rule}")
+            raise EffectError(
+                Message(
+                    "without '{effect}' the level is impossible: {place}: {rule}",
+                    effect=effect,
+                    place=place,
+                    rule=fault.rule,
+                )
+            )
         name, field = str(fault.path[1]), str(fault.path[2])
         default = Body.model_fields[field].default
         bodies[name] = bodies[name].model_copy(update={field: default})
@@ -143,12 +155,16 @@ def including(level: Level, effect: str, settings: Settings) -> Level:
     """
     if effect not in Effects.model_fields:
         hint = suggestion(effect, Effects.model_fields, most=20)
-        raise EffectError(f"unknown effect '{brief(effect)}'{hint}")
+        raise EffectError(Message("unknown effect '{name}'{hint}", name=brief(effect), hint=hint))
     declared = effect in level.effects.declared
     if declared and not settings:
         raise EffectError(
-            f"the level declares '{effect}' already; a setting such as"
-            f" {effect}.{_example(effect)} changes it"
+            Message(
+                "the level declares '{effect}' already; a setting such as {effect}.{example}"
+                " changes it",
+                effect=effect,
+                example=_example(effect),
+            )
         )
     fields = dict(settings or DEFAULTS.get(effect, {}))
     coefficient = fields.pop("coefficient", None) if effect in _COEFFICIENTS else None
@@ -159,7 +175,14 @@ def including(level: Level, effect: str, settings: Settings) -> Level:
     for fault in faults(changed):
         if fault not in known and fault.path[0] not in TOLD:
             place = ".".join(map(str, fault.path))
-            raise EffectError(f"'{effect}' is not possible here: {place}: {fault.rule}")
+            raise EffectError(
+                Message(
+                    "'{effect}' is not possible here: {place}: {rule}",
+                    effect=effect,
+                    place=place,
+                    rule=fault.rule,
+                )
+            )
     return changed
 
 
@@ -216,24 +239,32 @@ def _declaring(level: Level, effect: str, fields: Settings) -> Effects:
     raise AssertionError(effect)  # one of the two is its form
 
 
-def _said(effect: str, detail: ErrorDetails) -> str:
+def _said(effect: str, detail: ErrorDetails) -> Message:
     """Say what is wrong with the settings of an effect."""
     place = ".".join(str(step) for step in detail["loc"] if not isinstance(step, int))
     shown = cast("ErrorDetails", {**detail, "loc": ("effects", *detail["loc"])})
     if detail["type"] == "missing" and isinstance(detail["loc"][-1], str):
-        return f"'{effect}' needs a setting: {effect}.{detail['loc'][-1]}=..."
-    return f"{place}: {parse_messages.rule(shown)}"
+        return Message(
+            "'{effect}' needs a setting: {effect}.{field}=...",
+            effect=effect,
+            field=detail["loc"][-1],
+        )
+    return Message("{place}: {rule}", place=place, rule=parse_messages.rule(shown))
 
 
 def _with_coefficient(level: Level, effect: str, coefficient: object) -> Level:
     """Give every body the root of a coefficient, so that of each pair is the product."""
     kind = _COEFFICIENTS[effect]
     if not isinstance(coefficient, int | float | str):
-        raise EffectError(f"{effect}.coefficient: must be a number or an expression")
+        raise EffectError(
+            Message("{effect}.coefficient: must be a number or an expression", effect=effect)
+        )
     try:
         root = kind(f"sqrt({kind(coefficient).source})")
     except ExpressionError as error:
-        raise EffectError(f"{effect}.coefficient: {error}") from error
+        raise EffectError(
+            Message("{effect}.coefficient: {error}", effect=effect, error=error.message)
+        ) from error
     bodies = {name: body.model_copy(update={effect: root}) for name, body in level.bodies.items()}
     for body in bodies.values():
         define(body, level.constants)

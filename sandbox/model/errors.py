@@ -12,12 +12,23 @@ Whoever shows messages to a person catches `SandboxError`; anything else is a de
 
 from dataclasses import dataclass
 
+from sandbox.model.message import Message, joined
+
 MAX_MISTAKES = 100
 """The most mistakes that are listed; a file with more has one at its root."""
 
 
 class SandboxError(Exception):
     """Anything that a user can mend; its text is fit to be shown as it is."""
+
+    def __init__(self, message: Message) -> None:
+        super().__init__(message)
+
+    @property
+    def message(self) -> Message:
+        """What is wrong, to be translated."""
+        message: Message = self.args[0]
+        return message
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,14 +53,24 @@ class Mistake:
     line: int | None
     column: int | None
     path: str
-    rule: str
+    rule: Message
     value: str = ""
 
     def __str__(self) -> str:
+        return str(self.message)
+
+    @property
+    def message(self) -> Message:
+        """All of it in one line, to be translated."""
         place = f"{self.source}:{self.line}:{self.column}" if self.line else self.source
-        inside = f" {self.path}:" if self.path else ""
-        found = f" (found {self.value})" if self.value else ""
-        return f"{place}:{inside} {self.rule}{found}"
+        return Message("{place}: {told}", place=place, told=self.told)
+
+    @property
+    def told(self) -> Message:
+        """The same without its place in a file."""
+        told = Message("{rule} (found {value})", rule=self.rule, value=self.value)
+        told = told if self.value else self.rule
+        return Message("{path}: {told}", path=self.path, told=told) if self.path else told
 
 
 class LevelError(SandboxError):
@@ -57,7 +78,7 @@ class LevelError(SandboxError):
 
     def __init__(self, mistakes: tuple[Mistake, ...]) -> None:
         self.mistakes = mistakes
-        super().__init__("\n".join(str(mistake) for mistake in mistakes))
+        super().__init__(joined((mistake.message for mistake in mistakes), "\n"))
 
     def __reduce__(self) -> tuple[type["LevelError"], tuple[tuple[Mistake, ...]]]:
         return type(self), (self.mistakes,)  # Exception would rebuild it from its text

@@ -13,6 +13,7 @@ from pydantic_core import CoreSchema, PydanticCustomError, core_schema
 
 from sandbox.model.arithmetic import MAX_LENGTH, ExpressionError, compiled, evaluated
 from sandbox.model.errors import brief
+from sandbox.model.message import NOTHING, Message
 
 Array = NDArray[np.float64]
 Values = Mapping[str, float]
@@ -38,7 +39,7 @@ class Expression:
     _constant: float | None
     _defined: "Definitions"
 
-    rule: ClassVar[str] = ""
+    rule: ClassVar[Message] = NOTHING
     """What a value must satisfy, in words; empty if any finite number will do."""
     bounds: ClassVar[Mapping[str, float]] = {}
     """The rule for a literal number, in the words of JSON Schema."""
@@ -110,7 +111,7 @@ class Expression:
                     scope[name] = constant.within(scope)
                 return self.within(scope)
         except ZeroDivisionError:
-            raise ExpressionError(f"{self._shown}divides by zero") from None
+            raise ExpressionError(Message("{shown}divides by zero", shown=self._shown)) from None
 
     def within(self, scope: Mapping[str, Any]) -> Any:  # noqa: ANN401 (a float or an array)
         """Return the value, finite or not, where every name in its text has one."""
@@ -125,24 +126,33 @@ class Expression:
     def _finite(self, result: Any) -> float:  # noqa: ANN401 (a float or an array)
         value = float(result)
         if not isfinite(value):
-            raise ExpressionError(f"{self._shown}is {value:g}, not a finite number")
-        if not self._holds(value):
-            raise ExpressionError(f"{self._shown}is {value:g}, but must be {self.rule}")
-        if beyond := self.beyond(value):
-            raise ExpressionError(f"{self._shown}is {value:g}{self._unit}, {beyond}")
-        return value
+            told = Message("is {value:g}, not a finite number", value=value)
+        elif not self._holds(value):
+            told = Message("is {value:g}, but must be {rule}", value=value, rule=self.rule)
+        elif beyond := self.beyond(value):
+            given = f"{value:g}{self._unit}"
+            told = Message("is {given}, {beyond}", given=given, beyond=beyond)
+        else:
+            return value
+        raise ExpressionError(Message("{shown}{told}", shown=self._shown, told=told))
 
     @classmethod
-    def beyond(cls, value: float) -> str:
+    def beyond(cls, value: float) -> Message:
         """Say that a value is too large or too small to be computed with; empty if it is not."""
         unit = f" {cls.unit}" if cls.unit else ""
         if not abs(value) <= cls.most:
-            bound = f"at least {-cls.most:g}" if value < 0 else f"at most {cls.most:g}"
-            return f"but must be {bound}{unit}; what is computed from numbers beyond overflows"
+            bound = Message("at most {most:g}{unit}", most=cls.most, unit=unit)
+            if value < 0:
+                bound = Message("at least {least:g}{unit}", least=-cls.most, unit=unit)
+            return Message(
+                "but must be {bound}; what is computed from numbers beyond overflows", bound=bound
+            )
         if abs(value) < cls.least:
-            bound = f"at least {cls.least:g}{unit}"
-            return f"but must be {bound}; what is computed from smaller numbers underflows"
-        return ""
+            bound = Message("at least {least:g}{unit}", least=cls.least, unit=unit)
+            return Message(
+                "but must be {bound}; what is computed from smaller numbers underflows", bound=bound
+            )
+        return NOTHING
 
     @property
     def _unit(self) -> str:
@@ -173,11 +183,15 @@ class Expression:
         if isinstance(source, cls):
             return source
         if isinstance(source, bool) or not isinstance(source, int | float | str):
-            raise PydanticCustomError("expression", "must be a number or an expression")
+            raise PydanticCustomError(
+                "expression",
+                "{reason}",
+                {"reason": Message("must be a number or an expression")},
+            )
         try:
             return cls(source)
         except ExpressionError as error:
-            raise PydanticCustomError("expression", "{reason}", {"reason": str(error)}) from None
+            raise PydanticCustomError("expression", "{reason}", {"reason": error.message}) from None
 
     @classmethod
     def __get_pydantic_core_schema__(cls, _: Any, __: GetCoreSchemaHandler) -> CoreSchema:  # noqa: ANN401
@@ -221,7 +235,7 @@ class Positive(Expression):
     """An expression whose value must be greater than zero."""
 
     __slots__ = ()
-    rule = "greater than 0"
+    rule = Message("greater than 0")
     bounds: ClassVar = {"exclusiveMinimum": 0}
 
     @staticmethod
@@ -233,7 +247,7 @@ class NonNegative(Expression):
     """An expression whose value must not be negative."""
 
     __slots__ = ()
-    rule = "at least 0"
+    rule = Message("at least 0")
     bounds: ClassVar = {"minimum": 0}
 
     @staticmethod
@@ -245,7 +259,7 @@ class Fraction(Expression):
     """An expression whose value must lie between zero and one."""
 
     __slots__ = ()
-    rule = "between 0 and 1"
+    rule = Message("between 0 and 1")
     bounds: ClassVar = {"minimum": 0, "maximum": 1}
 
     @staticmethod
@@ -262,4 +276,4 @@ def _number(source: float) -> float:
     try:
         return float(source)
     except OverflowError:
-        raise ExpressionError("is too large a number") from None
+        raise ExpressionError(Message("is too large a number")) from None

@@ -12,6 +12,7 @@ from uuid import uuid4
 import platformdirs
 
 from sandbox.model.errors import SandboxError
+from sandbox.model.message import Message
 
 
 class TakenError(SandboxError):
@@ -171,20 +172,20 @@ def check_writable(path: Path) -> None:
     try:
         target = os.path.realpath(path)
     except FileNotFoundError:  # of a path that begins where one is
-        raise _refusal(path, "the working folder is there no more") from None
+        raise _refusal(path, Message("the working folder is there no more")) from None
     folder = os.path.dirname(target)
     if os.path.isdir(target):
-        raise _refusal(path, "it is a folder")
+        raise _refusal(path, Message("it is a folder"))
     if os.path.exists(target) and not os.path.isfile(target):
-        raise _refusal(path, "it is not an ordinary file")
+        raise _refusal(path, Message("it is not an ordinary file"))
     if not os.path.exists(folder):
-        raise _refusal(path, f"there is no folder {path.parent}")
+        raise _refusal(path, Message("there is no folder {folder}", folder=path.parent))
     if not os.path.isdir(folder):
-        raise _refusal(path, f"{path.parent} is not a folder")
+        raise _refusal(path, Message("{folder} is not a folder", folder=path.parent))
     if not os.access(folder, os.W_OK | os.X_OK):
-        raise _refusal(path, f"the folder {path.parent} is read-only")
+        raise _refusal(path, Message("the folder {folder} is read-only", folder=path.parent))
     if os.path.exists(target) and not os.access(target, os.W_OK):
-        raise _refusal(path, "it is there and read-only")
+        raise _refusal(path, Message("it is there and read-only"))
 
 
 def make_folder(folder: Path) -> None:
@@ -198,14 +199,16 @@ def make_folder(folder: Path) -> None:
     try:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
-        reason = "it is a file" if folder.is_file() else error.strerror
-        raise SandboxError(f"cannot make the folder {folder}: {reason}") from error
+        reason = Message("it is a file") if folder.is_file() else error.strerror
+        raise SandboxError(
+            Message("cannot make the folder {folder}: {reason}", folder=folder, reason=reason)
+        ) from error
     check_writable(folder / "any")
 
 
 def _taken(path: Path) -> TakenError:
-    return TakenError(f"{path} is there already; nothing is overwritten")
+    return TakenError(Message("{path} is there already; nothing is overwritten", path=path))
 
 
 def _refusal(path: Path, reason: str) -> SandboxError:
-    return SandboxError(f"cannot write {path}: {reason}")
+    return SandboxError(Message("cannot write {path}: {reason}", path=path, reason=reason))

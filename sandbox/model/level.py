@@ -36,6 +36,7 @@ from sandbox.model.measuring_instants import CrossingEvent as CrossingEvent
 from sandbox.model.measuring_instants import Instant as Instant
 from sandbox.model.measuring_instants import LandingEvent as LandingEvent
 from sandbox.model.measuring_instants import SeparationEvent as SeparationEvent
+from sandbox.model.message import Message
 from sandbox.model.naming import Name
 from sandbox.model.origin import Origin
 from sandbox.model.prose_fields import Prose
@@ -45,7 +46,7 @@ from sandbox.model.view import View
 
 def _version(value: object) -> object:
     if type(value) is not int:  # true is equal to 1
-        raise PydanticCustomError("version", "must be 1")
+        raise PydanticCustomError("version", "{reason}", {"reason": Message("must be 1")})
     return value
 
 

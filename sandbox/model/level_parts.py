@@ -7,6 +7,7 @@ from sandbox.model.json_positions import Path
 from sandbox.model.last_result import of_the_last
 from sandbox.model.level import Check, Level
 from sandbox.model.measuring_instants import Instant
+from sandbox.model.message import Message
 from sandbox.model.traversal import expressions as walk
 
 if TYPE_CHECKING:
@@ -18,7 +19,7 @@ class Fault(NamedTuple):
     """Something wrong with a level: where, and what."""
 
     path: Path
-    rule: str
+    rule: Message
 
 
 def expressions(part: object, path: Path = ()) -> "Iterator[tuple[Path, Expression]]":

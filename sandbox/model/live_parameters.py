@@ -12,29 +12,35 @@ from sandbox.model.effects import EFFECTS
 from sandbox.model.joints import Joint, Motor, Spring
 from sandbox.model.level import Level
 from sandbox.model.level_parts import expressions, names_in
+from sandbox.model.message import Message, both
 
 TELLS = ("mass", "moment", "friction", "static_friction", "restitution")
 """The fields of a body that its motion depends on at every step."""
 
 
-def obstacle(level: Level, changed: Collection[str]) -> str | None:
+def obstacle(level: Level, changed: Collection[str]) -> Message | None:
     """Return why a run cannot go on with some parameters changed; None if it can."""
     reasons = (
-        (_shapes(level), "is part of a shape, and bodies keep theirs while they move"),
+        (
+            _shapes(level),
+            Message("is part of a shape, and bodies keep theirs while they move"),
+        ),
         (
             _fits(level),
-            "says how things were put together at the start, and joints keep that",
+            Message("says how things were put together at the start, and joints keep that"),
         ),
-        (_driven(level), "says where a body is moved to, which would jump"),
-        (_flows(level), "has made the masses what they are by now"),
+        (_driven(level), Message("says where a body is moved to, which would jump")),
+        (_flows(level), Message("has made the masses what they are by now")),
     )
     for names, reason in reasons:
         for name in changed:
             if name in names:
-                return f"'{name}' {reason}"
+                return Message("'{name}' {reason}", name=name, reason=reason)
     if not _acting(level).intersection(changed):
-        listed = " and ".join(f"'{name}'" for name in changed)
-        return f"nothing that goes on depends on {listed}, only how the run starts or what is told"
+        return Message(
+            "nothing that goes on depends on {listed}, only how the run starts or what is told",
+            listed=both(f"'{name}'" for name in changed),
+        )
     return None
 
 

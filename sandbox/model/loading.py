@@ -26,6 +26,7 @@ from sandbox.model.json_positions import Path as Place
 from sandbox.model.json_positions import position
 from sandbox.model.level import Level, Parameter
 from sandbox.model.level_parts import Fault
+from sandbox.model.message import NOTHING, Message, joined
 from sandbox.model.origin import Origin
 from sandbox.model.shorthand import write_out
 
@@ -75,9 +76,10 @@ def content(path: Path) -> bytes:
     try:
         return _content(path, source)
     except (FileNotFoundError, NotADirectoryError):
-        refuse(source, "there is no such file")
+        refuse(source, Message("there is no such file"))
     except (OSError, ValueError) as error:
-        refuse(source, f"cannot be read: {getattr(error, 'strerror', None) or error}")
+        reason = getattr(error, "strerror", None) or str(error)
+        refuse(source, Message("cannot be read: {reason}", reason=reason))
 
 
 def decoded(held: bytes, source: str) -> str:
@@ -93,7 +95,7 @@ def decoded(held: bytes, source: str) -> str:
         return content.decode()
     except UnicodeDecodeError as error:
         before = content[: error.start].decode()
-        rule = "is not UTF-8 text: here is a byte that makes no character"
+        rule = Message("is not UTF-8 text: here is a byte that makes no character")
         refuse(source, rule, position(before, len(before)))
 
 
@@ -118,8 +120,12 @@ def parse(text: str, source: str = "<text>") -> Level:
     except LevelError:
         raise
     except Exception as error:  # a defect, of which whoever reads gets an answer, too
-        what = " ".join(f"{error}".split()) or "no more is known"
-        rule = f"its numbers lead where nothing can be computed ({type(error).__name__}: {what})"
+        what = " ".join(f"{error}".split()) or Message("no more is known")
+        rule = Message(
+            "its numbers lead where nothing can be computed ({name}: {what})",
+            name=type(error).__name__,
+            what=what,
+        )
         raise LevelError((Mistake(source, None, None, "", rule),)) from error
 
 
@@ -131,7 +137,11 @@ def _parsed(text: str, source: str) -> Level:
         document.refuse(made.faults)
     document.typed = made.place
     if (length := _formulas_length(data)) > MAX_FORMULAS:
-        rule = f"holds formulas of {length:,} characters, and {MAX_FORMULAS:,} are the most"
+        rule = Message(
+            "holds formulas of {length:,} characters, and {most:,} are the most",
+            length=length,
+            most=MAX_FORMULAS,
+        )
         refuse(source, rule)
     try:
         level = Level.model_validate_json(text if data is typed else json.dumps(data))
@@ -188,40 +198,65 @@ def choose(
     """
     for name, value in settings.items():
         if name not in level.parameters:
-            known = "; ".join(_described(*item) for item in level.parameters.items()) or "none"
+            known = joined((_described(*item) for item in level.parameters.items()), "; ")
             hint = meant(name, level.parameters)
-            raise ValueRangeError(f"unknown parameter '{brief(name)}'{hint} (there are: {known})")
+            raise ValueRangeError(
+                Message(
+                    "unknown parameter '{name}'{hint} (there are: {known})",
+                    name=brief(name),
+                    hint=hint,
+                    known=known or Message("none"),
+                )
+            )
         parameter = level.parameters[name]
         if not isfinite(value):
-            raise ValueRangeError(f"'{name}' is {value}, not a finite number")
+            raise ValueRangeError(
+                Message("'{name}' is {value}, not a finite number", name=name, value=value)
+            )
         if not parameter.min <= value <= parameter.max:
-            raise ValueRangeError(f"'{name}' is {value:g}, but must lie {_range(parameter)}")
+            raise ValueRangeError(
+                Message(
+                    "'{name}' is {value:g}, but must lie {range}",
+                    name=name,
+                    value=value,
+                    range=_range(parameter),
+                )
+            )
     values = {**level.defaults, **settings}
     held = rules.depending(level) if among is None and settings else among or ()
     if fault := next(rules.broken(held, values), None):
         chosen = ", ".join(f"{name} = {value:g}" for name, value in settings.items())
         place = ".".join(map(str, fault.path))
-        raise ValueRangeError(f"{chosen} is not possible: {place}: {fault.rule}")
+        raise ValueRangeError(
+            Message(
+                "{chosen} is not possible: {place}: {rule}",
+                chosen=chosen,
+                place=place,
+                rule=fault.rule,
+            )
+        )
     return values
 
 
-def _described(name: str, parameter: Parameter) -> str:
-    label = f", the {parameter.label}," if parameter.label else ""
-    return f"{name}{label} {_range(parameter)}"
+def _described(name: str, parameter: Parameter) -> Message:
+    label = Message(", the {label},", label=parameter.label) if parameter.label else NOTHING
+    return Message("{name}{label} {range}", name=name, label=label, range=_range(parameter))
 
 
-def _range(parameter: Parameter) -> str:
+def _range(parameter: Parameter) -> Message:
     unit = f" {parameter.unit}" if parameter.unit else ""
-    return f"between {parameter.min:g} and {parameter.max:g}{unit}"
+    return Message(
+        "between {least:g} and {most:g}{unit}", least=parameter.min, most=parameter.max, unit=unit
+    )
 
 
 def _content(path: Path, source: str) -> bytes:
     if path.is_dir():
-        refuse(source, "is a folder, not a file")
+        refuse(source, Message("is a folder, not a file"))
     if path.exists() and not path.is_file():
-        refuse(source, "is not an ordinary file")  # to read a device might never end
+        refuse(source, Message("is not an ordinary file"))  # to read a device might never end
     if path.stat().st_size > MAX_BYTES:
-        refuse(source, f"the file is larger than {MAX_BYTES // 1000} kB")
+        refuse(source, Message("the file is larger than {most} kB", most=MAX_BYTES // 1000))
     return path.read_bytes()
 
 

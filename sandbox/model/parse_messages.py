@@ -14,55 +14,63 @@ from sandbox.model.errors import brief
 from sandbox.model.joints import ENDS
 from sandbox.model.json_positions import Path, Position
 from sandbox.model.level import Level
+from sandbox.model.message import NOTHING, Message, either
 
-_SYNTAX: Mapping[str, str] = {
-    "Expecting property name enclosed in double quotes": (
+_SYNTAX: Mapping[str, Message] = {
+    "Expecting property name enclosed in double quotes": Message(
         "a name in double quotes must stand here, or the comma before it is one too many"
     ),
-    "Expecting value": "a value must stand here; text needs double quotes around it",
-    "Expecting ',' delimiter": "a comma or a closing bracket is missing before this",
-    "Expecting ':' delimiter": "a colon is missing before this",
-    "Extra data": "the level has ended before this; there is a bracket too many",
-    "Unterminated string starting at": "the double quotes that end this text are missing",
-    "Invalid control character at": "a text must not run over the end of a line",
-    "Illegal trailing comma before end of object": "this comma is one too many",
-    "Illegal trailing comma before end of array": "this comma is one too many",
+    "Expecting value": Message("a value must stand here; text needs double quotes around it"),
+    "Expecting ',' delimiter": Message("a comma or a closing bracket is missing before this"),
+    "Expecting ':' delimiter": Message("a colon is missing before this"),
+    "Extra data": Message("the level has ended before this; there is a bracket too many"),
+    "Unterminated string starting at": Message("the double quotes that end this text are missing"),
+    "Invalid control character at": Message("a text must not run over the end of a line"),
+    "Illegal trailing comma before end of object": Message("this comma is one too many"),
+    "Illegal trailing comma before end of array": Message("this comma is one too many"),
 }
 
-_TYPES: Mapping[str, str] = {
-    "dict_type": "must be an object, {{...}}",
-    "finite_number": "must be a finite number",
-    "float_type": "must be a number",
-    "greater_than": "must be greater than {gt:g}",
-    "greater_than_equal": "must be at least {ge:g}",
-    "int_from_float": "must be a whole number",
-    "int_type": "must be a whole number",
-    "less_than": "must be less than {lt:g}",
-    "less_than_equal": "must be at most {le:g}",
-    "literal_error": "must be {expected}",
-    "mapping_type": "must be an object, {{...}}",
-    "model_attributes_type": "must be an object, {{...}}",
-    "model_type": "must be an object, {{...}}",
-    "string_pattern_mismatch": "must be a colour such as #4cc9f0",
-    "string_too_long": "must not be longer than {max_length} characters",
-    "string_too_short": "must not be empty",
-    "string_type": "must be a text in double quotes",
-    "too_long": "has {actual_length} entries, but may have at most {max_length}",
-    "too_short": "has {actual_length} entries, but needs at least {min_length}",
-    "tuple_type": "must be a list, [...]",
+_OBJECT = Message("must be an object, {...}")
+
+_TYPES: Mapping[str, Message] = {
+    "dict_type": _OBJECT,
+    "finite_number": Message("must be a finite number"),
+    "float_type": Message("must be a number"),
+    "int_from_float": Message("must be a whole number"),
+    "int_type": Message("must be a whole number"),
+    "mapping_type": _OBJECT,
+    "model_attributes_type": _OBJECT,
+    "model_type": _OBJECT,
+    "string_pattern_mismatch": Message("must be a colour such as #4cc9f0"),
+    "string_too_short": Message("must not be empty"),
+    "string_type": Message("must be a text in double quotes"),
+    "tuple_type": Message("must be a list, [...]"),
 }
 
+_BOUNDS: Mapping[str, Message] = {
+    "greater_than": Message("must be greater than {gt:g}"),
+    "greater_than_equal": Message("must be at least {ge:g}"),
+    "less_than": Message("must be less than {lt:g}"),
+    "less_than_equal": Message("must be at most {le:g}"),
+    "string_too_long": Message("must not be longer than {max_length} characters"),
+    "too_long": Message("has {actual_length} entries, but may have at most {max_length}"),
+    "too_short": Message("has {actual_length} entries, but needs at least {min_length}"),
+}
+"""With places for what pydantic says of the bound."""
 
-def syntax(message: str) -> str:
+
+def syntax(message: str) -> Message:
     """Say an error of the JSON reader."""
-    return f"is not JSON: {_SYNTAX.get(message, message)}"
+    return Message("is not JSON: {reason}", reason=_SYNTAX.get(message, message))
 
 
-def refused(message: str) -> tuple[str, Position | None]:
+def refused(message: str) -> tuple[Message, Position | None]:
     """Say an error of pydantic's own JSON reader, and where it is."""
     what, _, place = message.rpartition(" at line ")
     found = [int(number) for number in re.findall(r"\d+", place)]
-    rule = "is nested too deeply" if "recursion" in message else f"is not JSON: {what or message}"
+    rule = Message("is not JSON: {reason}", reason=what or message)
+    if "recursion" in message:
+        rule = Message("is nested too deeply")
     return rule, (found[0], found[1]) if len(found) == 2 else None
 
 
@@ -84,69 +92,82 @@ def path_of(detail: ErrorDetails, known: Callable[[Path], bool]) -> Path:
     return (*path, step) if detail["type"] == "missing" and isinstance(step, str) else path
 
 
-def _typical(kind: str, detail: ErrorDetails) -> str:
+def _typical(kind: str, detail: ErrorDetails) -> Message:
     """Say an error that needs but a few words."""
     context = detail.get("ctx", {})
     if isinstance(given := detail["input"], float) and isnan(given):
-        return "must be a number"
+        return Message("must be a number")
     if kind == "too_long" and context["actual_length"] is None:  # pydantic stopped counting
-        return f"has more than {context['max_length']:,} entries; that is the most"
-    return _TYPES[kind].format(**context)
+        return Message(
+            "has more than {most:,} entries; that is the most", most=context["max_length"]
+        )
+    return _BOUNDS[kind].filled(**context) if kind in _BOUNDS else _TYPES[kind]
 
 
-def rule(detail: ErrorDetails) -> str:
+def rule(detail: ErrorDetails) -> Message:
     """Say an error of pydantic."""
     last = detail["loc"][-1] if detail["loc"] else ""
     match detail["type"]:
         case _ if last == "[key]":
             name = brief(str(detail["input"]))
-            return f"'{name}' is not a name: a letter, then letters, digits or _"
+            return Message("'{name}' is not a name: a letter, then letters, digits or _", name=name)
         case "extra_forbidden":
             return _unknown(str(last), detail["loc"])
         case "missing" if isinstance(last, int):
-            return "is a list with too few entries"
+            return Message("is a list with too few entries")
         case "missing":
-            return f"'{last}' is missing"
+            return Message("'{last}' is missing", last=last)
         case "union_tag_invalid" | "union_tag_not_found" | "literal_error":
             return _choice(detail)
-        case kind if kind in _TYPES:
+        case kind if kind in _TYPES or kind in _BOUNDS:
             return _typical(kind, detail)
-    message = detail["msg"]
-    return message[0].lower() + message[1:]
+    reason, message = detail.get("ctx", {}).get("reason"), detail["msg"]
+    if isinstance(reason, Message):
+        return reason
+    return Message("{reason}", reason=message[0].lower() + message[1:])
 
 
-def _choice(detail: ErrorDetails) -> str:
+def _choice(detail: ErrorDetails) -> Message:
     """Say that something is none of what there is to choose from."""
     context = detail["ctx"]
     if detail["type"] == "union_tag_not_found":
         if "_end_kind" in context["discriminator"]:
-            return 'must be a body\'s name, a point of one {"body": ..., "at": [x, y]}, or [x, y]'
+            return Message(
+                'must be a body\'s name, a point of one {"body": ..., "at": [x, y]}, or [x, y]'
+            )
         key = "'type'" if "type" in context["discriminator"] else "'event'"
-        return f"needs the key {key}, which says what it is"
+        return Message("needs the key {key}, which says what it is", key=key)
     choices = re.findall(r"'([^']+)'", str(context.get("expected_tags") or context["expected"]))
     if detail["type"] == "union_tag_invalid":
         tag = context["tag"]
-        return f"unknown type '{brief(tag)}'{suggestion(tag, choices)}"
-    hint = meant(detail["input"], choices) if isinstance(detail["input"], str) else ""
-    return f"must be {context['expected']}{hint}"
+        return Message("unknown type '{tag}'{hint}", tag=brief(tag), hint=suggestion(tag, choices))
+    hint = meant(detail["input"], choices) if isinstance(detail["input"], str) else NOTHING
+    return Message("must be {choices}{hint}", choices=_listed(context["expected"]), hint=hint)
 
 
-def _unknown(name: str, loc: tuple[int | str, ...]) -> str:
+def _listed(expected: str) -> Message:
+    """Return what pydantic lists to choose from, a, b or c."""
+    some, _, last = expected.rpartition(" or ")
+    return either([some, last] if some else [last])
+
+
+def _unknown(name: str, loc: tuple[int | str, ...]) -> Message:
     """Name an unknown key, and the key of the same place that was probably meant."""
     part: Any = Level
     for step in loc[:-1]:
         part = _inside(part, step)
     models = (getattr(choice, "model_fields", {}) for choice in _alternatives(part))
     known = [field.alias or key for fields in models for key, field in fields.items()]
-    what = "effect" if loc[:-1] == ("effects",) else "key"
-    hint = _owners(name, loc) or (suggestion(name, known, most=20) if known else "")
-    return f"unknown {what} '{brief(name)}'{hint}"
+    hint = _owners(name, loc) or (suggestion(name, known, most=20) if known else NOTHING)
+    if loc[:-1] == ("effects",):
+        return Message("unknown effect '{name}'{hint}", name=brief(name), hint=hint)
+    return Message("unknown key '{name}'{hint}", name=brief(name), hint=hint)
 
 
-def _owners(name: str, loc: tuple[int | str, ...]) -> str:
+def _owners(name: str, loc: tuple[int | str, ...]) -> Message:
     """Tell to which other effects a setting belongs that one of them does not have."""
     if len(loc) < 3 or loc[0] != "effects":
-        return ""
+        return NOTHING
     owners = [
         f"'{effect}'"
         for effect, field in Effects.model_fields.items()
@@ -154,7 +175,7 @@ def _owners(name: str, loc: tuple[int | str, ...]) -> str:
         for model in (choice, *get_args(choice))
         if name in getattr(model, "model_fields", {})
     ]
-    return f"; it is a setting of {', '.join(owners)}" if owners else ""
+    return Message("; it is a setting of {owners}", owners=", ".join(owners)) if owners else NOTHING
 
 
 def _inside(part: Any, step: str | int) -> Any:  # noqa: ANN401 (a type is any object)

@@ -19,6 +19,7 @@ from sandbox.model import ledger_accounts
 from sandbox.model.did_you_mean import closest, suggestion
 from sandbox.model.errors import SandboxError, brief
 from sandbox.model.level import Level
+from sandbox.model.message import Message
 
 Component = Literal["x", "y"]
 Owner = Literal["body", "joint", "system", "time"]
@@ -179,15 +180,16 @@ def quantity(name: str, level: Level) -> Quantity:
     whole, _, what = name.rpartition(".")
     if what in OVER_TIME and whole:
         if (inner := whole.rpartition("."))[0] and inner[2] in OVER_TIME:
-            rule = f"'{brief(whole)}' has no '{what}' over time"
-            raise QuantityError(f"'{brief(name)}' is not a quantity of this level; {rule}")
+            raise _timeless(name, whole, what)
         return _over_time(quantity(whole, level), what)
     owners = _owners(level)
     subject, dot, rest = name.partition(".")
     if subject not in owners:
         close = closest(subject, owners)
         hint = suggestion(name, [f"{close}{dot}{brief(rest)}"] if close else [TIME.name, *owners])
-        raise QuantityError(f"'{brief(name)}' is not a quantity of this level{hint}")
+        raise QuantityError(
+            Message("'{name}' is not a quantity of this level{hint}", name=brief(name), hint=hint)
+        )
     found = [*_of(owners[subject], subject, level)]
     if owners[subject] == "system":
         found += _of_accounts(level)
@@ -197,7 +199,9 @@ def quantity(name: str, level: Level) -> Quantity:
     if name not in known:
         followed = [f"{whole}.{form}" for form in OVER_TIME if whole in known]
         hint = suggestion(name, [*known, *followed], most=len(known))
-        raise QuantityError(f"'{brief(name)}' is not a quantity of this level{hint}")
+        raise QuantityError(
+            Message("'{name}' is not a quantity of this level{hint}", name=brief(name), hint=hint)
+        )
     return known[name]
 
 
@@ -220,10 +224,20 @@ def _over_time(quantity: Quantity, what: str) -> Quantity:
     """Return what becomes of a quantity from the start on."""
     name = f"{quantity.name}.{what}"
     if quantity.over_time or quantity.owner == "time":
-        rule = f"'{brief(quantity.name)}' has no '{what}' over time"
-        raise QuantityError(f"'{brief(name)}' is not a quantity of this level; {rule}")
+        raise _timeless(name, quantity.name, what)
     unit = "·".join(part for part in (quantity.unit, OVER_TIME[what]) if part)
     return replace(quantity, name=name, unit=unit, over_time=what)
+
+
+def _timeless(name: str, whole: str, what: str) -> QuantityError:
+    """Say that something is not followed over time."""
+    rule = Message(
+        "'{name}' is not a quantity of this level; '{whole}' has no '{what}' over time",
+        name=brief(name),
+        whole=brief(whole),
+        what=what,
+    )
+    return QuantityError(rule)
 
 
 def _of_two(subject: str, rest: str, level: Level) -> Iterator[Quantity]:

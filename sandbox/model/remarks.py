@@ -12,6 +12,7 @@ from sandbox.model.expressions import Expression
 from sandbox.model.formulas import Formula
 from sandbox.model.level import Level
 from sandbox.model.level_parts import Fault, expressions
+from sandbox.model.message import Message
 from sandbox.model.rules import corners
 
 
@@ -20,10 +21,12 @@ def remarks(level: Level) -> Iterator[Fault]:
     yield from _without_strength(level)
     for index, check in enumerate(level.checks):
         if check.valid_if and not _ever_holds(check.valid_if, level):
-            where = " with the default values, nor at the parameters' bounds"
-            rule = (
-                f"the check never applies: it does not hold{where if check.valid_if.names else ''}"
-            )
+            rule = Message("the check never applies: it does not hold")
+            if check.valid_if.names:
+                rule = Message(
+                    "the check never applies: it does not hold with the default values, nor at the"
+                    " parameters' bounds"
+                )
             yield Fault(("checks", index, "valid_if"), rule)
 
 
@@ -40,11 +43,16 @@ def _without_strength(level: Level) -> Iterator[Fault]:
     for effect, place, said in level.effects.said:
         name = effect.name
         if effect.strength and _is_nothing(tuple(getattr(said, f) for f in effect.strength)):
-            rule = f"'{name}' has no strength: it changes nothing, and is paid for; leave it out"
+            rule = Message(
+                "'{name}' has no strength: it changes nothing, and is paid for; leave it out",
+                name=name,
+            )
             yield Fault((*place, effect.strength[0]), rule)
         coefficients = tuple(getattr(body, name, None) for body in level.bodies.values())
         if effect.coefficient and _is_nothing((*coefficients, said)):
-            yield Fault(place, f"'{name}' has no strength: every coefficient is 0")
+            yield Fault(
+                place, Message("'{name}' has no strength: every coefficient is 0", name=name)
+            )
 
 
 def _is_nothing(part: object) -> bool:

@@ -21,6 +21,7 @@ from sandbox.model.formulas import Formula
 from sandbox.model.json_positions import Path
 from sandbox.model.level import Level
 from sandbox.model.level_parts import Fault, expressions, instants
+from sandbox.model.message import Message
 
 MAX_CORNERS = 256
 """How many combinations of the parameters' bounds are tried at the most."""
@@ -108,7 +109,8 @@ def _values(level: Level) -> Iterator[Fault]:
         for values in tried(condition.names, min(max(most, FEWEST), MAX_CORNERS)):
             if rule := condition.fault(values):
                 used = ", ".join(f"{name} = {values[name]:g}" for name in sorted(condition.names))
-                yield Fault(condition.path, f"{rule} when {used}" if used else rule)
+                told = Message("{rule} when {used}", rule=rule, used=used) if used else rule
+                yield Fault(condition.path, told)
                 break
 
 
@@ -127,10 +129,13 @@ def _formulas(level: Level) -> Iterator[Fault]:
                 lost = not np.isfinite(formula.over(values, times)).any()
                 if lost and (path[-1] == "valid_if" or _applies(level, path, times)):
                     shown = brief(str(formula.source))
-                    rule = f"'{shown}' has no finite value with the parameters' default values"
+                    rule = Message(
+                        "'{shown}' has no finite value with the parameters' default values",
+                        shown=shown,
+                    )
                     yield Fault(path, rule)
             except ExpressionError as error:
-                yield Fault(path, str(error))
+                yield Fault(path, error.message)
 
 
 def _applies(level: Level, path: Path, times: Array) -> bool:
@@ -147,5 +152,9 @@ def _instants(level: Level) -> Iterator[Fault]:
         if isinstance(instant, Expression):
             at = instant(level.defaults)
             if not 0 <= at <= duration:
-                rule = f"is at {at:g} s, but the run lasts from 0 to {duration:g} s ('duration')"
+                rule = Message(
+                    "is at {at:g} s, but the run lasts from 0 to {duration:g} s ('duration')",
+                    at=at,
+                    duration=duration,
+                )
                 yield Fault(path, rule)

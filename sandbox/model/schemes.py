@@ -11,6 +11,7 @@ from sandbox.model.errors import brief
 from sandbox.model.joints import Joint, Spring, is_exact
 from sandbox.model.level import Level
 from sandbox.model.level_parts import names_in
+from sandbox.model.message import Message, word
 
 
 def bounds_the_rate(level: Level) -> bool:
@@ -19,44 +20,64 @@ def bounds_the_rate(level: Level) -> bool:
     return springs or any(effect.sees_velocity for effect in level.effects.declarations)
 
 
-def unsmooth(level: Level) -> str | None:
+def unsmooth(level: Level) -> Message | None:
     """Return why a level cannot have a scheme of fourth order; None if it can."""
     found = next(_obstacles(level), None)
     if found is None:
         return None
-    rule = f"'fourth-order' is for smooth forces that know no velocity, which rules out {found}"
-    return f"{rule}; choose 'leapfrog'"
+    return Message(
+        "'fourth-order' is for smooth forces that know no velocity, which rules out {found}; choose"
+        " 'leapfrog'",
+        found=found,
+    )
 
 
-def _obstacles(level: Level) -> Iterator[str]:
-    yield from (f"the event '{brief(name)}', at which forces jump" for name in level.events)
-    yield from (f"that '{brief(name)}' may break" for name, _ in breakable(level.joints))
+def _obstacles(level: Level) -> Iterator[Message]:
+    yield from map(_jump, level.events)
+    yield from (_break(name) for name, _ in breakable(level.joints))
     for effect in level.effects.declarations:
         if "fourth-order" in effect.excludes:
-            yield f"the effect '{effect.name}'"
+            yield Message("the effect '{name}'", name=effect.name)
     for potential in level.effects.potential or ():
         if not potential.energy.is_smooth:
-            yield f"the effect 'potential', for '{brief(str(potential.energy.source))}' has corners"
-    yield from (f"the motion of '{brief(n)}'" for n, body in level.bodies.items() if body.motion)
+            yield Message(
+                "the effect 'potential', for '{source}' has corners",
+                source=brief(str(potential.energy.source)),
+            )
+    yield from (_motion(name) for name, body in level.bodies.items() if body.motion)
     for name, joint in level.joints.items():
         if reason := _unsmooth_joint(joint, f"'{brief(name)}'"):
             yield reason
 
 
-def _unsmooth_joint(joint: Joint, name: str) -> str | None:
+def _jump(event: str) -> Message:
+    return Message("the event '{name}', at which forces jump", name=brief(event))
+
+
+def _break(joint: str) -> Message:
+    return Message("that '{name}' may break", name=brief(joint))
+
+
+def _motion(body: str) -> Message:
+    return Message("the motion of '{name}'", name=brief(body))
+
+
+def _unsmooth_joint(joint: Joint, name: str) -> Message | None:
     kind = joint.kind
     if isinstance(joint, Spring) and joint.damping.source != 0:
-        return f"the damping of {name}"
+        return Message("the damping of {name}", name=name)
     if isinstance(joint, Spring) and joint.pushes_only:
-        return f"that {name} lets go"
+        return Message("that {name} lets go", name=name)
     if isinstance(joint, Spring) and joint.law and not joint.law.is_smooth:
-        return f"that the law of {name} has corners"
+        return Message("that the law of {name} has corners", name=name)
     if kind.goes_slack:
-        return f"the {joint.type} {name}, which can go slack"
+        return Message("the {type} {name}, which can go slack", type=word(joint.type), name=name)
     if kind.drives:
-        return f"the {joint.type} {name}, which drives what it holds"
+        return Message(
+            "the {type} {name}, which drives what it holds", type=word(joint.type), name=name
+        )
     if "t" in names_in(joint):
-        return f"that {name} changes its length"
+        return Message("that {name} changes its length", name=name)
     if not (kind.force or is_exact(joint)):
-        return f"the {joint.type} {name}, which is pymunk's own"
+        return Message("the {type} {name}, which is pymunk's own", type=word(joint.type), name=name)
     return None

@@ -16,6 +16,7 @@ from sandbox.model import formulas
 from sandbox.model.base import Model
 from sandbox.model.bounds import Acceleration, Coordinate, Extent, Speed, Width
 from sandbox.model.expressions import Array, Expression, Values
+from sandbox.model.message import Message
 
 Point = tuple[Coordinate, Coordinate]
 """Two coordinates: [x, y] in m."""
@@ -156,7 +157,7 @@ def points_of(shape: Polygon | Segment | Polyline) -> tuple[Point, ...]:
             return shape.points
 
 
-def fault(shape: Shape, values: Values) -> str | None:
+def fault(shape: Shape, values: Values) -> Message | None:
     """Say what is wrong with a shape's geometry for the given parameters, if anything is."""
     if isinstance(shape, Arc):
         return _arc_fault(shape, values)
@@ -169,35 +170,54 @@ def fault(shape: Shape, values: Values) -> str | None:
     same = np.flatnonzero(np.all(starts == ends, axis=1))
     if same.size:
         i = int(same[0])
-        return f"the points {i} and {(i + 1) % len(points)} are the same"
+        return Message("the points {i} and {j} are the same", i=i, j=(i + 1) % len(points))
     with np.errstate(all="ignore"):
         return _polygon_fault(starts, ends) if closed else None
 
 
-def _arc_fault(arc: Arc, values: Values) -> str | None:
+def _arc_fault(arc: Arc, values: Values) -> Message | None:
     start, end = arc.start(values), arc.end(values)
     if not start < end:
-        return f"'end' must be larger than 'start', {start:.6g} rad, but it is {end:.6g} rad"
+        return Message(
+            "'end' must be larger than 'start', {start:.6g} rad, but it is {end:.6g} rad",
+            start=start,
+            end=end,
+        )
     if end - start > tau + ROUND_OFF:
-        return f"an arc goes round once at the most, but this one turns by {end - start:.6g} rad"
+        return Message(
+            "an arc goes round once at the most, but this one turns by {turn:.6g} rad",
+            turn=end - start,
+        )
     radius, thickness = arc.radius(values), arc.thickness(values)
     if thickness >= 2 * radius:
-        return f"'thickness' {thickness:.3g} m leaves nothing of a hollow of radius {radius:.3g} m"
+        return Message(
+            "'thickness' {thickness:.3g} m leaves nothing of a hollow of radius {radius:.3g} m",
+            thickness=thickness,
+            radius=radius,
+        )
     return None
 
 
-def _polygon_fault(starts: Array, ends: Array) -> str | None:
+def _polygon_fault(starts: Array, ends: Array) -> Message | None:
     crossing = _crossings(starts, ends)
     if crossing.size:
         i, j = crossing[0]
-        return f"the polygon crosses itself: the edge from point {i} meets that from point {j}"
+        return Message(
+            "the polygon crosses itself: the edge from point {i} meets that from point {j}",
+            i=i,
+            j=j,
+        )
     area = np.sum(_turn(starts[0], starts, ends)) / 2
     extent = np.max(np.ptp(starts, axis=0))
     if abs(area) <= 1e-12 * extent**2:
-        return "the polygon has no area"
+        return Message("the polygon has no area")
     width = 2 * abs(area) / extent
     if width < max(THINNEST, SLIMMEST * extent):
-        return f"the polygon is too thin: {width:.1g} m over a length of {extent:.3g} m"
+        return Message(
+            "the polygon is too thin: {width:.1g} m over a length of {extent:.3g} m",
+            width=width,
+            extent=extent,
+        )
     return None
 
 

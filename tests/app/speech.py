@@ -54,7 +54,7 @@ class Capitals(NullTranslations):
         return capitals(message)
 
     def _look_up(self, message: str, key: str) -> None:
-        if WORD.search(message) and key not in self._known:
+        if WORD.search(PLACES.sub("", message)) and key not in self._known:
             self.strays.add(message)
 
 

@@ -13,6 +13,7 @@ from sandbox.app.drawing.text import Pen
 from sandbox.model.errors import LevelError, Mistake
 from sandbox.model.file_watching import PAUSE
 from sandbox.model.loading import parse
+from sandbox.model.message import Message
 from tests.app import scenes
 from tests.app.person import Person
 
@@ -195,7 +196,7 @@ def test_in_a_file_of_one_long_line_each_place_is_shown(pen: Pen) -> None:
 
 
 def test_mistakes_far_apart_have_excerpts_of_their_own() -> None:
-    near = [Mistake("x", line, 1, "", "is wrong") for line in (3, 5, 90)]
+    near = [Mistake("x", line, 1, "", Message("is wrong")) for line in (3, 5, 90)]
 
     assert [[each.line for each in group] for group in groups(near)] == [[3, 5], [90]]
 

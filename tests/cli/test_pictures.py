@@ -7,6 +7,7 @@ import pytest
 from sandbox.cli import tour
 from sandbox.cli.tour_visit import visit
 from sandbox.model.errors import SandboxError
+from sandbox.model.message import Message
 from tests.cli.helpers import NEVER, WRONG, Run, Write, height
 
 PNG = b"\x89PNG\r\n"
@@ -119,7 +120,7 @@ def test_a_full_disk_does_not_lose_what_a_tour_has_found(
     run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def full(path: Path, _: object) -> None:
-        raise SandboxError(f"cannot write {path}: No space left on device")
+        raise SandboxError(Message("cannot write {path}: No space left on device", path=path))
 
     monkeypatch.setattr(tour, "write_atomically", full)
 

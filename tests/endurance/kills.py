@@ -36,6 +36,7 @@ from sandbox.model import catalog
 from sandbox.model.errors import SandboxError
 from sandbox.model.files import write_atomically
 from sandbox.model.loading import load
+from sandbox.model.message import Message
 from sandbox.physics.accuracy.cache import calibrated
 from tests.elsewhere import move_home
 from validation import cases, cli
@@ -121,7 +122,7 @@ def _read_only(part: parts.Part, source: Path, *, quick: bool) -> parts.Content:
     """Return what there is of a part of the report: measuring the others takes long."""
     if (source / f"{part.command}.json").exists():
         return COLLECT(part, source, quick=quick)
-    raise SandboxError("not measured")
+    raise SandboxError(Message("not measured"))
 
 
 COLLECT = parts.collect

@@ -16,6 +16,7 @@ from sandbox.experiments.plan import Plan
 from sandbox.experiments.running import Task, pack, run
 from sandbox.experiments.storage import PARTS, RESULTS, Store
 from sandbox.model.errors import SandboxError
+from sandbox.model.message import Message
 from tests.elsewhere import PATIENCE, ROOT
 from tests.experiments.making import RANGE, plan, table
 from tests.test_processes import alive, until
@@ -145,7 +146,9 @@ def test_a_full_disk_is_a_sentence(tmp_path: Path, monkeypatch: pytest.MonkeyPat
     store = Store(tmp_path, found)
 
     def full(*_: object) -> None:
-        raise SandboxError(f"cannot write {tmp_path}: No space left on device")
+        raise SandboxError(
+            Message("cannot write {tmp_path}: No space left on device", tmp_path=tmp_path)
+        )
 
     monkeypatch.setattr("sandbox.experiments.storage.write_atomically", full)
     with pytest.raises(SandboxError, match="No space left on device"):

@@ -3,13 +3,14 @@
 import pickle
 
 from sandbox.model.errors import LevelError, Mistake
+from sandbox.model.message import Message
 
-HERE = Mistake("ball.json", 3, 7, "bodies.ball.mass", "must be greater than 0", "-1")
+HERE = Mistake("ball.json", 3, 7, "bodies.ball.mass", Message("must be greater than 0"), "-1")
 
 
 def test_a_mistake_reads_as_compilers_write_it() -> None:
     assert str(HERE) == "ball.json:3:7: bodies.ball.mass: must be greater than 0 (found -1)"
-    assert str(Mistake("ball.json", None, None, "", "is empty")) == "ball.json: is empty"
+    assert str(Mistake("ball.json", None, None, "", Message("is empty"))) == "ball.json: is empty"
 
 
 def test_an_error_lists_its_mistakes_a_line_each() -> None:

@@ -11,6 +11,7 @@ from pydantic import TypeAdapter, ValidationError
 
 from sandbox.model import catalog
 from sandbox.model.errors import SandboxError
+from sandbox.model.message import Message
 from validation import suite
 from validation.case import Case, Outcome
 from validation.cases import PHENOMENA, all_cases
@@ -118,9 +119,17 @@ def collect(part: Part, source: Path | None, *, quick: bool) -> Content:
     try:
         content = json.loads(file.read_text(encoding="utf-8"))
     except (OSError, ValueError) as error:
-        raise SandboxError(f"cannot read {file}: {error}") from error
+        raise SandboxError(
+            Message("cannot read {file}: {error}", file=file, error=str(error))
+        ) from error
     if not isinstance(content, dict):
-        raise SandboxError(f"{file} is not what `validation {part.command} --json` writes")
+        raise SandboxError(
+            Message(
+                "{file} is not what `validation {command} --json` writes",
+                file=file,
+                command=part.command,
+            )
+        )
     return content
 
 
@@ -190,7 +199,9 @@ def _validated(adapter: TypeAdapter[T], rows: object) -> T:
     except ValidationError as error:
         where = ".".join(map(str, error.errors()[0]["loc"]))
         reason = f"{where}: {error.errors()[0]['msg']}".removeprefix(": ")
-        raise SandboxError(f"figures in another form than this version writes: {reason}") from error
+        raise SandboxError(
+            Message("figures in another form than this version writes: {reason}", reason=reason)
+        ) from error
 
 
 def _filled(row: Mapping[str, Any], **lost: float) -> dict[str, Any]:

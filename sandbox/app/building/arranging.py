@@ -14,6 +14,7 @@ from sandbox.editing.snapping import flat_turn, snap_body
 from sandbox.model.errors import SandboxError
 from sandbox.model.level import Level
 from sandbox.model.loading import parse
+from sandbox.model.message import Message
 
 NEAR = 80.0
 """px, how near something must be for a body to be laid flat on it."""
@@ -88,7 +89,7 @@ def _lay_flat(name: str, reach: float, text: str, level: Level) -> str:
     lying = parse(turned)
     found = snap_body(lying, [name], (0.0, 0.0), reach)
     if found.kind != "contact":
-        message = say("nothing that '{name}' could lie on is near; move it closer", name=name)
+        message = Message("nothing that '{name}' could lie on is near; move it closer", name=name)
         raise SandboxError(message)
     return transforms.move(turned, lying, [name], found.point)
 

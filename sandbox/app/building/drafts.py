@@ -12,6 +12,7 @@ from sandbox.model import catalog
 from sandbox.model.errors import SandboxError
 from sandbox.model.files import make_folder
 from sandbox.model.level import Level
+from sandbox.model.message import NOTHING, Message
 
 OFTEN = 1.0  # s, between two looks at what is to be kept
 
@@ -79,10 +80,10 @@ class Drafts:
         self.keep()
         return before != (self.outside, self.left)
 
-    def keep(self) -> str:
+    def keep(self) -> Message:
         """Keep what is not saved, should the window end; return why that cannot be, if so."""
         errors = [recovery.keep(draft) for draft, recovery in self._kept.items()]
-        return next(filter(None, errors), "")
+        return next(filter(None, errors), NOTHING)
 
     def save(self, draft: Draft, path: Path | None, *, overwrite: bool) -> None:
         """Write a draft to its file, or to another.

@@ -15,6 +15,7 @@ from sandbox.editing.edits.edit_result import Made
 from sandbox.editing.written_out import plain
 from sandbox.model.errors import SandboxError
 from sandbox.model.level import Level
+from sandbox.model.message import Message
 from sandbox.model.shapes import XY
 
 ASIDE = 40.0  # px, of a copy from what was copied
@@ -113,7 +114,7 @@ class Work:
         try:
             self.put(edit(self.text, self.level), said, merge)
         except SandboxError as error:
-            self.tell(str(error))
+            self.tell(say(error.message))
             return False
         return True
 
@@ -132,10 +133,12 @@ class Work:
         return level
 
     @property
-    def mistake(self) -> str:
+    def mistake(self) -> Message:
         """The first sentence of the loader about the text."""
         first = self.draft.mistakes[0]
-        return f"{first.path}: {first.rule}" if first.path else first.rule
+        if not first.path:
+            return first.rule
+        return Message("{path}: {rule}", path=first.path, rule=first.rule)
 
     def make(self, said: str, edit: Callable[[str, Level], Made], family: str = "bodies") -> bool:
         """Put something new into the level and select it; return whether that was possible."""
@@ -184,7 +187,7 @@ class Work:
         try:
             self._copied = copying.copy(self.text, self.level, self.chosen)
         except SandboxError as error:
-            self.tell(str(error))
+            self.tell(say(error.message))
 
     def paste(self) -> None:
         """Put what was copied beside it, and select that."""

@@ -26,6 +26,7 @@ from sandbox.app.stage.stage import Stage
 from sandbox.app.words.language import say
 from sandbox.editing.draft import Draft
 from sandbox.model.errors import SandboxError
+from sandbox.model.message import NOTHING, Message
 from sandbox.model.shapes import XY
 from sandbox.physics.state.errors import SimulationError
 
@@ -67,7 +68,8 @@ class Editor:
         self.work, self.drafts, self.trial = Work(), Drafts(), Trial()
         self.bench: Work = self.work
         self.tool = TOOLS[0].name
-        self.refusal, self.naming = "", False
+        self.refusal: Message = NOTHING
+        self.naming = False
         self.culprits: frozenset[str] = frozenset()
         self.complete: Callable[[], bool] = bool
         self._tools: Mapping[Work, Mapping[str, Tool]] = {
@@ -122,7 +124,7 @@ class Editor:
         draft = self.drafts.of(session.original)
         self.work.take(draft)
         self._played, self._tried = session.original, self.work.version
-        self.refusal, self.culprits = "", frozenset()
+        self.refusal, self.culprits = NOTHING, frozenset()
         if draft.text != session.original.text:
             self.work.tell(say("What you have changed is still here, and not saved"))
             self.settle(session)
@@ -149,7 +151,7 @@ class Editor:
             work.refresh()
         self._tried = work.version
         self.show()
-        self.refusal, self.culprits = "", frozenset()
+        self.refusal, self.culprits = NOTHING, frozenset()
         if level is None:
             self.refusal = work.mistake
             return False
@@ -164,9 +166,11 @@ class Editor:
 
     def _refuse(self, error: SandboxError) -> None:
         """Say why the level cannot run, and where."""
-        self.refusal = str(error)
+        self.refusal = error.message
         if isinstance(error, SimulationError):
-            self.refusal = f"{error.reason}; {error.hint}" if error.hint else error.reason
+            self.refusal = error.reason
+            if error.hint:
+                self.refusal = Message("{told}; {advice}", told=error.reason, advice=error.hint)
             sketch = self.work.sketch
             named = {error.subject, *re.findall(r"'(\w+)'", error.reason)}
             self.culprits = frozenset(n for n in named if n in sketch.bodies or n in sketch.joints)
@@ -215,7 +219,7 @@ class Editor:
         try:
             self.drafts.save(draft, path, overwrite=overwrite)
         except SandboxError as error:
-            self.work.tell(str(error))
+            self.work.tell(say(error.message))
             return
         self.naming, self._tried = False, None  # its level has another place now
         self.work.tell(say("Saved {path}", path=draft.path))
@@ -235,7 +239,7 @@ class Editor:
         try:
             self.work.draft.reload()
         except SandboxError as error:
-            self.work.tell(str(error))
+            self.work.tell(say(error.message))
             return
         self.drafts.outside = False
         self.work.refresh()
@@ -321,7 +325,7 @@ class Editor:
             try:
                 done = self.trial.do_again(session)
             except SandboxError as error:
-                self.bench.tell(str(error))
+                self.bench.tell(say(error.message))
             else:
                 self.bench.tell(say("Done again") if done else say("Nothing to redo"))
         elif self.trial.is_undone(self.work.draft.text):
@@ -350,7 +354,7 @@ class Editor:
         try:
             draft = self.trial.live.kept()
         except SandboxError as error:
-            self.bench.tell(str(error))
+            self.bench.tell(say(error.message))
             return
         self.begin(session, draft)
         self._look_at(session)

@@ -66,7 +66,7 @@ def recover(left: Recoverable, editor: Editor, session: Session) -> None:
     """Go on with what a window has left; it is offered no more once it is kept as this one's."""
     editor.begin(session, left.draft())
     if why := editor.drafts.keep():
-        editor.work.tell(why)
+        editor.work.tell(say(why))
     else:
         _forget(left, editor)
 

@@ -24,6 +24,7 @@ from sandbox.model.joints import Joint
 from sandbox.model.json_positions import Path
 from sandbox.model.level import Level
 from sandbox.model.level_parts import expressions
+from sandbox.model.message import Message
 
 NAMED = later("what it is called: a letter, then letters, digits or _; all mentions of it follow")
 
@@ -74,9 +75,9 @@ def assign(work: Work, row: Sequence[Entry], entry: Entry, typed: str) -> str:
             return ""
         work.put(_assigned(work.text, row, entry, typed), say("set {field}", field=entry.label))
     except LevelError as error:
-        return error.mistakes[0].rule
+        return say(error.mistakes[0].rule)
     except SandboxError as error:
-        return str(error)
+        return say(error.message)
     return ""
 
 
@@ -127,7 +128,7 @@ def parametrise(work: Work, entry: Entry) -> None:
 
     def edit(text: str, level: Level) -> str:
         if not entry.shown:
-            raise SandboxError(say("type a number for '{field}' first", field=entry.label))
+            raise SandboxError(Message("type a number for '{field}' first", field=entry.label))
         return make_parameter(text, entry.path, parameter_name(level, entry.path))
 
     if work.change(say("make {field} a parameter", field=entry.label), edit):

@@ -11,6 +11,7 @@ from sandbox.app.words.language import later, say
 from sandbox.editing.draft import Draft
 from sandbox.editing.run_as_level import MOVES, as_it_stands
 from sandbox.model.errors import SandboxError
+from sandbox.model.message import NOTHING, Message
 from sandbox.model.shapes import XY
 from sandbox.physics.stepping.world import World
 
@@ -32,7 +33,7 @@ class Live(Work):
     def __init__(self) -> None:
         super().__init__()
         self._seen: tuple[World, int] | None = None
-        self._refused = ""
+        self._refused: Message = NOTHING
 
     @property
     def _now(self) -> tuple[World, int]:
@@ -49,9 +50,11 @@ class Live(Work):
             return
         self._seen, chosen = self._now, self.selected
         try:
-            self._refused, text = "", as_it_stands(self.session.world, anew=False)
+            self._refused, text = NOTHING, as_it_stands(self.session.world, anew=False)
         except SandboxError as error:
-            self._refused = say("Nothing can be changed while it runs: {error}", error=error)
+            self._refused = Message(
+                "Nothing can be changed while it runs: {error}", error=error.message
+            )
             return
         self.take(Draft.of(text))
         self.select(chosen)

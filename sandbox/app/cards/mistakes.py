@@ -61,7 +61,7 @@ def excerpt(
         sheet.put(number, text, [mistake for mistake in mistakes if mistake.line == number])
     for mistake in mistakes:
         if mistake.line is None:
-            card.text(_message(mistake), SIZE + 1, theme.TEXT, indent=PADDING)
+            card.text(say(mistake.told), SIZE + 1, theme.TEXT, indent=PADDING)
     card.y += PADDING
     drawn = card.drawn()
     pygame.draw.rect(drawn, theme.EDGE, drawn.get_rect(), 1, border_radius=5)
@@ -114,16 +114,10 @@ class _Sheet:
         caret.fill(theme.FAILED, (0, 2, caret.width, 2))
         pygame.draw.polygon(caret, theme.FAILED, [(0, 7), (3, 0), (6, 7)])
         self._card.put(caret, x)
-        message, room = _message(mistake), self._card.width - PADDING
+        message, room = say(mistake.told), self._card.width - PADDING
         beside = caret.width + x + PADDING
         fits = self._pen.write(message, SIZE, theme.FAILED).width <= room - beside
         if not fits:
             self._card.y += caret.height + 1
         self._card.text(message, SIZE, theme.FAILED, indent=beside if fits else self._left)
         self._card.y += 2
-
-
-def _message(mistake: Mistake) -> str:
-    """Return what is wrong, and within what."""
-    found = say(" (found {value})", value=mistake.value) if mistake.value else ""
-    return f"{mistake.path}: {mistake.rule}{found}" if mistake.path else f"{mistake.rule}{found}"

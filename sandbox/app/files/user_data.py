@@ -5,6 +5,7 @@ from typing import TypeVar
 
 from pydantic import TypeAdapter, ValidationError
 
+from sandbox.app.words.language import say
 from sandbox.model.errors import SandboxError
 from sandbox.model.files import read_ordinary, write_atomically
 
@@ -28,5 +29,5 @@ def keep(file: Path, kind: TypeAdapter[Value], value: Value) -> str:
         file.parent.mkdir(parents=True, exist_ok=True)
         write_atomically(file, kind.dump_json(value, indent=1), follow=False)
     except (OSError, SandboxError, ValueError) as error:
-        return str(error)
+        return say("{error}", error=error)
     return ""

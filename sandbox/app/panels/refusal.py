@@ -33,7 +33,7 @@ class Refusal:
     def __init__(
         self, manager: UIManager, pen: Pen, stage: pygame.Rect, error: SandboxError
     ) -> None:
-        self.text = str(error)
+        self.text = say(error.message)
         area = pygame.Rect(0, stage.y + TOP, min(stage.width, pen.px(WIDEST)), 0)
         area.height = max(stage.height - TOP - pen.px(FOOT), 1)
         area.centerx = stage.centerx
@@ -67,7 +67,7 @@ def _head(pen: Pen, width: int, error: SandboxError, *, mendable: bool) -> pygam
                 count,
             )
     else:
-        card.text(str(error))
+        card.text(say(error.message))
     card.text(way_out, 13, theme.DIM)
     return card.drawn(theme.STAGE)
 

@@ -2,7 +2,7 @@
 
 from sandbox.app.background import Background
 from sandbox.app.runs.session import Session
-from sandbox.app.words.language import say
+from sandbox.model.message import NOTHING, Message
 from sandbox.physics.advising import remedies
 from sandbox.physics.advising.remedies import Advice
 from sandbox.physics.state.errors import BreakdownError, SimulationError
@@ -35,11 +35,11 @@ class Advising:
                 self._work.start(remedies.findings, failure, *scene)
         if not session.run.trying:
             return
-        found = Advice("")
+        found = Advice(NOTHING)
         for finding in self._work.found():
             found = finding
         if not (found.text or self._work.running):  # it has ended without any
-            session.take(Advice(say("no remedy is known")))
+            session.take(Advice(Message("no remedy is known")))
         elif found.text:
             session.take(found)
 

@@ -16,6 +16,7 @@ from sandbox.model.files import read_ordinary, write_atomically
 from sandbox.model.level import Level
 from sandbox.model.level_parts import names_in
 from sandbox.model.loading import choose, parse
+from sandbox.model.message import Message
 from sandbox.physics.state.snapshot import Snapshot
 
 LARGEST = 100_000_000
@@ -120,15 +121,26 @@ def read(path: Path) -> Run:
     try:
         content = read_ordinary(path, LARGEST)
     except OSError as error:
-        raise SandboxError(f"cannot read {path}: {error.strerror}") from error
+        raise SandboxError(
+            Message("cannot read {path}: {reason}", path=path, reason=error.strerror)
+        ) from error
     if content is None:
-        raise SandboxError(f"cannot read {path}: it is no ordinary file, or larger than 100 MB")
+        raise SandboxError(
+            Message("cannot read {path}: it is no ordinary file, or larger than 100 MB", path=path)
+        )
     try:
         return Run.model_validate_json(content)
     except ValidationError as error:
         first = error.errors(include_url=False)[0]
-        place = ".".join(str(step) for step in first["loc"]) or "the file"
-        raise SandboxError(f"{path} is not the file of a run: {place}: {first['msg']}") from error
+        place = ".".join(str(step) for step in first["loc"]) or Message("the file")
+        raise SandboxError(
+            Message(
+                "{path} is not the file of a run: {place}: {reason}",
+                path=path,
+                place=place,
+                reason=first["msg"],
+            )
+        ) from error
 
 
 def fingerprint(snapshot: Snapshot) -> str:

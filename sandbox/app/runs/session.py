@@ -9,11 +9,11 @@ from sandbox.app.runs.beginning import Beginning, at_rate, begin
 from sandbox.app.runs.companions import NONE, Changes, Variant
 from sandbox.app.runs.live_run import LiveRun
 from sandbox.app.runs.playback import Playback
-from sandbox.app.words.language import say
 from sandbox.model.errors import SandboxError, ValueRangeError
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level
 from sandbox.model.loading import choose
+from sandbox.model.message import Message
 from sandbox.physics.accuracy.cache import keep
 from sandbox.physics.accuracy.calibration import Setting
 from sandbox.physics.advising.remedies import Advice
@@ -153,7 +153,7 @@ class Session(Playback):
         if not self.world.steps:
             self.restart(settings)
             return
-        self._require_one_that_goes_on(say("with other parameters"))
+        self._require_one_that_goes_on(Message("with other parameters"))
         self.release()
         self.run.branch(settings)
 
@@ -165,17 +165,19 @@ class Session(Playback):
         SandboxError
             If that cannot be; then all stays as it was.
         """
-        self._require_one_that_goes_on(say("with other parts"))
+        self._require_one_that_goes_on(Message("with other parts"))
         if self.changes:
-            message = say("effects are switched off or on here; switch them back first (X)")
+            message = Message("effects are switched off or on here; switch them back first (X)")
             raise SandboxError(message)
         self.release()
         self.run.alter(text)
 
-    def _require_one_that_goes_on(self, how: str) -> None:
+    def _require_one_that_goes_on(self, how: Message) -> None:
         if self.companions or self.failure is not None:
-            why = say("other runs go beside it") if self.companions else say("it had to stop")
-            raise SandboxError(say("this run cannot continue {how}: {why}", how=how, why=why))
+            why = Message("it had to stop")
+            if self.companions:
+                why = Message("other runs go beside it")
+            raise SandboxError(Message("this run cannot continue {how}: {why}", how=how, why=why))
 
     def resume(self, actions: Sequence[Action], steps: int, values: Values | None = None) -> None:
         """Take a run again from its start, and stand there; a long way takes some frames.
@@ -257,7 +259,7 @@ class Session(Playback):
         keep(self.begun_as, self.values, setting)
         self.restart()
 
-    def give_up(self, why: str) -> None:
+    def give_up(self, why: Message) -> None:
         """Take note that nobody knows the setting that its level asks for."""
         self._stop(SandboxError(why))
 

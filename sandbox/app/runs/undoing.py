@@ -11,6 +11,7 @@ from sandbox.app.words import formatting
 from sandbox.app.words.language import later, say
 from sandbox.model.errors import SandboxError
 from sandbox.model.level import Level
+from sandbox.model.message import Message
 
 TOGETHER = 0.7  # s, within which changes of the same thing are one: a slider on its way
 MOST = 200
@@ -160,7 +161,7 @@ def _branch(session: Session, branch: Branch) -> None:
     if session.sought is None:
         session.go_to(branch.step)
     if session.sought is not None:
-        message = say("the run is still returning to where it branched; try again then")
+        message = Message("the run is still returning to where it branched; try again then")
         raise SandboxError(message)
     session.branch(branch.parameters)
 

@@ -11,7 +11,11 @@ from functools import cache
 from gettext import GNUTranslations, NullTranslations
 from importlib.resources import files
 from importlib.resources.abc import Traversable
+from string import Formatter
 from typing import Literal, get_args
+
+from sandbox.model.errors import SandboxError
+from sandbox.model.message import Message
 
 Name = Literal["en", "de"]
 """Of a language, as its catalogue is called."""
@@ -56,12 +60,38 @@ def say(message: str, **values: object) -> str:
     Parameters
     ----------
     message
-        In English, with a `{name}` in braces for each value.
+        In English, with a `{name}` in braces for each value; or one that brings its values along,
+        as errors do.
     values
-        What stands in the place of the names.
+        What stands in the place of the names; messages and errors among them are said, too.
     """
-    said = catalogue(_used).gettext(message) if message else ""
-    return said.format(**values) if values else said
+    template = message
+    if isinstance(message, Message):
+        template, values = message.template, dict(message.values)
+    said = catalogue(_used).gettext(template) if template else ""
+    if not values:
+        return said
+    values = {name: _said(value) for name, value in values.items()}
+    if _used != ENGLISH and ":," in said:
+        return _GROUPED.vformat(said, (), values)
+    return said.format(**values)
+
+
+class _Grouped(Formatter):
+    """Sets the thousands of a number apart by a space: a comma may be a decimal one."""
+
+    def format_field(self, value: object, format_spec: str) -> str:
+        text: str = super().format_field(value, format_spec)
+        return text.replace(",", "\N{NO-BREAK SPACE}") if "," in format_spec else text
+
+
+_GROUPED = _Grouped()
+
+
+def _said(value: object) -> object:
+    if isinstance(value, SandboxError):
+        value = value.message
+    return say(value) if isinstance(value, Message) else value
 
 
 def say_in(context: str, message: str) -> str:

@@ -15,6 +15,7 @@ from sandbox.model.json_positions import Path
 from sandbox.model.level import Level
 from sandbox.model.level_parts import expressions
 from sandbox.model.loading import parse
+from sandbox.model.message import Message
 
 _NUMBER = re.compile(r"-?(0|[1-9]\d*)(\.\d+)?([eE][+-]?\d+)?")
 """A number as JSON writes it."""
@@ -81,10 +82,14 @@ def make_parameter(text: str, path: Path, name: str) -> str:
     level, said = parse(text), value_at(text, path)
     expression = dict(expressions(level)).get(path)
     if expression is None or expression.names:
-        what = "is a formula already" if expression else "cannot be a formula"
-        raise SandboxError(f"{shown(path)} {what}")
+        message = Message("{field} cannot be a formula", field=shown(path))
+        if expression:
+            message = Message("{field} is a formula already", field=shown(path))
+        raise SandboxError(message)
     if name in level.parameters:
-        raise SandboxError(f"there is a parameter '{name}' already; choose another name")
+        raise SandboxError(
+            Message("there is a parameter '{name}' already; choose another name", name=name)
+        )
     value, formula, unit = _parameter(said, expression, name)
     about = {"unit": unit} if unit else {}
     ranges = _ranges(value, in_degrees=unit == "deg", share=isinstance(expression, Fraction))

@@ -6,6 +6,7 @@ from typing import NamedTuple
 from sandbox.model.arithmetic import ExpressionError
 from sandbox.model.expressions import Values
 from sandbox.model.json_positions import Path
+from sandbox.model.message import Message
 
 
 class Condition(NamedTuple):
@@ -14,12 +15,12 @@ class Condition(NamedTuple):
     path: Path
     names: frozenset[str]
     """The parameters that it depends on."""
-    broken: Callable[[Values], str | None]
+    broken: Callable[[Values], Message | None]
     """Say what is wrong for the given parameters, if anything is."""
     work: float = 10.0
     """µs, about what it takes to look: so that what a whole level takes can be bounded."""
 
-    def fault(self, values: Values) -> str | None:
+    def fault(self, values: Values) -> Message | None:
         """Say what is wrong; an expression without a value has a condition of its own to tell."""
         try:
             return self.broken(values)

@@ -16,6 +16,7 @@ from sandbox.model.formulas import Function
 from sandbox.model.json_positions import Path
 from sandbox.model.level import Level
 from sandbox.model.level_parts import names_in
+from sandbox.model.message import Message
 from sandbox.model.shapes import evaluate
 
 
@@ -43,7 +44,7 @@ def _formulas(said: Field | Potential, place: Path) -> Iterator[tuple[Path, Func
         yield from (((*place, "energy"), formula) for formula in (energy, *slopes))
 
 
-def _lost(formula: Function, bodies: dict[str, Body], values: Values) -> str | None:
+def _lost(formula: Function, bodies: dict[str, Body], values: Values) -> Message | None:
     """Say at which body it has no value, or one that is too large."""
     for name, body in bodies.items():
         (x, y), (vx, vy) = evaluate(body.position, values), evaluate(body.velocity, values)
@@ -51,10 +52,18 @@ def _lost(formula: Function, bodies: dict[str, Body], values: Values) -> str | N
         try:
             found = float(formula.at(values, {n: np.asarray(v) for n, v in start.items()}))
         except ExpressionError as error:
-            return str(error)
-        shown = f"'{brief(str(formula.source))}'"
+            return error.message
+        shown = brief(str(formula.source))
         if not np.isfinite(found):
-            return f"{shown} has no finite value where '{brief(name)}' starts"
+            return Message(
+                "'{shown}' has no finite value where '{name}' starts", shown=shown, name=brief(name)
+            )
         if beyond := formula.beyond(found):
-            return f"{shown} is {found:g} where '{brief(name)}' starts, {beyond}"
+            return Message(
+                "'{shown}' is {found:g} where '{name}' starts, {beyond}",
+                shown=shown,
+                found=found,
+                name=brief(name),
+                beyond=beyond,
+            )
     return None

@@ -7,6 +7,7 @@ from sandbox.model.conditions.condition import Condition
 from sandbox.model.expressions import NonNegative, Values
 from sandbox.model.json_positions import Path
 from sandbox.model.level import Level
+from sandbox.model.message import Message
 
 
 def conditions(level: Level) -> Iterator[Condition]:
@@ -26,8 +27,12 @@ def _coefficients(level: Level) -> Iterator[tuple[Path, NonNegative, NonNegative
             yield ("effects", "friction", "pairs", index, "static"), pair.coefficient, pair.static
 
 
-def _friction_fault(kinetic: NonNegative, static: NonNegative, values: Values) -> str | None:
+def _friction_fault(kinetic: NonNegative, static: NonNegative, values: Values) -> Message | None:
     sticks, slips = static(values), kinetic(values)
     if sticks < slips:
-        return f"is {sticks:g}, less than the kinetic coefficient, {slips:g}: what holds would slip"
+        return Message(
+            "is {sticks:g}, less than the kinetic coefficient, {slips:g}: what holds would slip",
+            sticks=sticks,
+            slips=slips,
+        )
     return None

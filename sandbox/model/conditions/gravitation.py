@@ -11,6 +11,7 @@ from sandbox.model.errors import brief
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level
 from sandbox.model.level_parts import names_in
+from sandbox.model.message import Message
 from sandbox.model.shapes import Point, evaluate
 
 NEAR = 1e-9
@@ -35,7 +36,9 @@ def conditions(level: Level) -> Iterator[Condition]:
         yield Condition(("effects", "gravitation"), names, wrong, 10 + 5 * len(places))
 
 
-def _meeting_fault(pull: Gravitation, places: Mapping[str, Point], values: Values) -> str | None:
+def _meeting_fault(
+    pull: Gravitation, places: Mapping[str, Point], values: Values
+) -> Message | None:
     """Without softening there is no force between bodies at one place."""
     found: dict[tuple[float, float], str] = {}
     if pull.softening(values):
@@ -44,17 +47,24 @@ def _meeting_fault(pull: Gravitation, places: Mapping[str, Point], values: Value
         x, y = evaluate(point, values)
         other = found.setdefault((round(x, 9), round(y, 9)), name)
         if other != name:
-            both = f"'{brief(other)}' and '{brief(name)}'"
-            return f"{both} attract each other but start at one place; give them 'softening'"
+            return Message(
+                "'{other}' and '{name}' attract each other but start at one place; give them"
+                " 'softening'",
+                other=brief(other),
+                name=brief(name),
+            )
     return None
 
 
-def _centre_fault(pull: Attraction, places: Mapping[str, Point], values: Values) -> str | None:
+def _centre_fault(pull: Attraction, places: Mapping[str, Point], values: Values) -> Message | None:
     """There is no force at a centre, unless it grows with the distance from there."""
     if pull.power(values) <= -1:
         return None
     x, y = evaluate(pull.center, values)
     for name, point in places.items():
         if dist(evaluate(point, values), (x, y)) <= NEAR:
-            return f"'{brief(name)}' starts at the centre, where the attraction has no direction"
+            return Message(
+                "'{name}' starts at the centre, where the attraction has no direction",
+                name=brief(name),
+            )
     return None

@@ -32,6 +32,7 @@ from sandbox.model.joints import (
 )
 from sandbox.model.level import Level
 from sandbox.model.level_parts import names_in
+from sandbox.model.message import Message, word
 from sandbox.model.shapes import evaluate
 
 NEAR = 1e-9
@@ -55,16 +56,16 @@ def conditions(level: Level) -> Iterator[Condition]:
         yield Condition(("joints", name), frozenset(), partial(_turning_fault, joint, level))
 
 
-def _turning_fault(joint: Joint, level: Level, _values: Values) -> str | None:
+def _turning_fault(joint: Joint, level: Level, _values: Values) -> Message | None:
     """Say that what a joint turns cannot; a run in which rotation is switched off may do that."""
     wheel = level.bodies[joint.ends[1]].type == "dynamic" if isinstance(joint, Winding) else False
     turns = isinstance(joint, Motor | Gear | Rack | AngleStop)
     if level.effects.rotation or not (wheel or turns):
         return None
-    return f"'{joint.type}' is used but the effect 'rotation' is not declared"
+    return Message("'{type}' is used but the effect 'rotation' is not declared", type=joint.type)
 
 
-def _law_fault(spring: Spring, level: Level, values: Values) -> str | None:
+def _law_fault(spring: Spring, level: Level, values: Values) -> Message | None:
     """Say that a spring's own law has no value where the spring is at the start, or no slope."""
     assert spring.law
     distance = span(spring, level.bodies, values)
@@ -73,14 +74,20 @@ def _law_fault(spring: Spring, level: Level, values: Values) -> str | None:
     try:
         found = [f.at(values, {"x": stretch}) for f in (spring.law, spring.law.slope("x"))]
     except ExpressionError as error:
-        return str(error)
-    if np.isfinite(found).all():
-        pull = float(found[0])
-        return f"is {pull:g} N, {beyond}" if (beyond := spring.law.beyond(pull)) else None
-    return f"'{brief(str(spring.law.source))}' has no finite value or slope at x = {stretch:g} m"
+        return error.message
+    if not np.isfinite(found).all():
+        return Message(
+            "'{source}' has no finite value or slope at x = {stretch:g} m",
+            source=brief(str(spring.law.source)),
+            stretch=float(stretch),
+        )
+    pull = float(found[0])
+    if beyond := spring.law.beyond(pull):
+        return Message("is {pull:g} N, {beyond}", pull=pull, beyond=beyond)
+    return None
 
 
-def _span_fault(joint: Joint, level: Level, values: Values) -> str | None:
+def _span_fault(joint: Joint, level: Level, values: Values) -> Message | None:
     distance = span(joint, level.bodies, values)
     match joint:
         case Rod(length=length):
@@ -89,7 +96,11 @@ def _span_fault(joint: Joint, level: Level, values: Values) -> str | None:
         case Rope(length=Extent() as length) | Pulley(length=Extent() as length):
             return _string_fault(distance, length(values))
         case Pivot() | Motor() if distance > NEAR:
-            return f"a {joint.type}'s two points must be one, but they are {distance:g} m apart"
+            return Message(
+                "a {type}'s two points must be one, but they are {distance:g} m apart",
+                type=word(joint.type),
+                distance=distance,
+            )
         case Winding(radius=radius):
             return _winding_fault(distance, radius(values))
         case Rail() | Stop() | AngleStop() | Rack():
@@ -97,18 +108,20 @@ def _span_fault(joint: Joint, level: Level, values: Values) -> str | None:
     return None
 
 
-def _later_fault(joint: Joint, _level: Level, values: Values) -> str | None:
+def _later_fault(joint: Joint, _level: Level, values: Values) -> Message | None:
     """Say what is wrong with a joint that an event ties, wherever its ends are by then."""
     return _direction_fault(joint, values) if isinstance(joint, Rail | Stop | Rack) else None
 
 
-def _direction_fault(joint: Rail | Stop | Rack, values: Values) -> str | None:
+def _direction_fault(joint: Rail | Stop | Rack, values: Values) -> Message | None:
     if abs(complex(*evaluate(joint.direction, values))) > NEAR:
         return None
-    return f"a {joint.type} needs a 'direction' that is not [0, 0]"
+    return Message("a {type} needs a 'direction' that is not [0, 0]", type=word(joint.type))
 
 
-def _way_fault(joint: Rail | Stop | AngleStop | Rack, level: Level, values: Values) -> str | None:
+def _way_fault(
+    joint: Rail | Stop | AngleStop | Rack, level: Level, values: Values
+) -> Message | None:
     """Say what is wrong with the way along which a joint lets its ends go."""
     if isinstance(joint, AngleStop):
         return _angle_fault(joint, level, values)
@@ -125,50 +138,73 @@ def _way_fault(joint: Rail | Stop | AngleStop | Rack, level: Level, values: Valu
     )
 
 
-def _rail_fault(aside: float) -> str | None:
+def _rail_fault(aside: float) -> Message | None:
     if abs(aside) > NEAR:
-        return f"what runs on a rail must start on it, but it is {abs(aside):g} m beside it"
+        return Message(
+            "what runs on a rail must start on it, but it is {aside:g} m beside it",
+            aside=abs(aside),
+        )
     return None
 
 
-def _stop_fault(stop: Stop, along: float, values: Values) -> str | None:
+def _stop_fault(stop: Stop, along: float, values: Values) -> Message | None:
     least, most = (limit(values) for limit in stop.range)
     return _range_fault(along, (least, most), "m")
 
 
-def _angle_fault(stop: AngleStop, level: Level, values: Values) -> str | None:
+def _angle_fault(stop: AngleStop, level: Level, values: Values) -> Message | None:
     names = [body_of(end) for end in stop.ends]
     first, second = (0.0 if n is None else level.bodies[n].angle(values) for n in names)
     least, most = (limit(values) for limit in stop.range)
     return _range_fault(second - first, (least, most), "rad")
 
 
-def _range_fault(start: float, limits: tuple[float, float], unit: str) -> str | None:
+def _range_fault(start: float, limits: tuple[float, float], unit: str) -> Message | None:
     """Say that what is to stay between two stops does not start there."""
     least, most = limits
     if not least < most:
-        return f"a 'range' runs from the smaller to the larger, not from {least:g} to {most:g}"
+        return Message(
+            "a 'range' runs from the smaller to the larger, not from {least:g} to {most:g}",
+            least=least,
+            most=most,
+        )
     if least - NEAR <= start <= most + NEAR:
         return None
-    return f"it starts at {start:g} {unit}, beyond the stops at {least:g} and {most:g} {unit}"
+    return Message(
+        "it starts at {start:g} {unit}, beyond the stops at {least:g} and {most:g} {unit}",
+        start=start,
+        unit=unit,
+        least=least,
+        most=most,
+    )
 
 
-def _rod_fault(distance: float, long: float) -> str | None:
+def _rod_fault(distance: float, long: float) -> Message | None:
     if not distance > NEAR:
-        return "a rod cannot be 0 m long; a pivot keeps two points together"
+        return Message("a rod cannot be 0 m long; a pivot keeps two points together")
     if not abs(long - distance) <= NEAR * distance:
-        return f"the rod is {long:g} m long at the start, but its ends are {distance:g} m apart"
+        return Message(
+            "the rod is {long:g} m long at the start, but its ends are {distance:g} m apart",
+            long=long,
+            distance=distance,
+        )
     return None
 
 
-def _string_fault(path: float, long: float) -> str | None:
+def _string_fault(path: float, long: float) -> Message | None:
     if long < path * (1 - 1e-12):
-        return f"the string is {long:g} m long, but its path is {path:g} m"
+        return Message(
+            "the string is {long:g} m long, but its path is {path:g} m", long=long, path=path
+        )
     return None
 
 
-def _winding_fault(distance: float, radius: float) -> str | None:
+def _winding_fault(distance: float, radius: float) -> Message | None:
     if distance > radius * (1 + NEAR):
         return None
-    within = f"{distance:g} m from the wheel's centre, within its radius of {radius:g} m"
-    return f"the string's end is {within}; it must lie outside"
+    return Message(
+        "the string's end is {distance:g} m from the wheel's centre, within its radius of"
+        " {radius:g} m; it must lie outside",
+        distance=distance,
+        radius=radius,
+    )

@@ -12,6 +12,7 @@ from sandbox.model.expressions import Values
 from sandbox.model.landscape import Landscape
 from sandbox.model.level import Level
 from sandbox.model.level_parts import names_in
+from sandbox.model.message import Message
 from sandbox.model.shapes import Point, evaluate
 
 
@@ -27,16 +28,20 @@ def conditions(level: Level) -> Iterator[Condition]:
     yield Condition((*path, "potential"), names, partial(_curve_fault, landscape), 50)
 
 
-def _bounds_fault(bounds: Point, values: Values) -> str | None:
+def _bounds_fault(bounds: Point, values: Values) -> Message | None:
     low, high = evaluate(bounds, values)
-    return None if low < high else f"must go up, but goes from {low:g} m to {high:g} m"
+    if low < high:
+        return None
+    return Message("must go up, but goes from {low:g} m to {high:g} m", low=low, high=high)
 
 
-def _curve_fault(landscape: Landscape, values: Values) -> str | None:
+def _curve_fault(landscape: Landscape, values: Values) -> Message | None:
     try:
         x, potential = landscape.curve(values)
     except ExpressionError as error:
-        return str(error)
+        return error.message
     lost = x[~np.isfinite(potential)]
+    if not len(lost):
+        return None
     shown = brief(str(landscape.potential.source))
-    return f"'{shown}' has no finite value at x = {lost[0]:g} m" if len(lost) else None
+    return Message("'{shown}' has no finite value at x = {x:g} m", shown=shown, x=lost[0])

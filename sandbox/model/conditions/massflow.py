@@ -8,6 +8,7 @@ from sandbox.model.errors import brief
 from sandbox.model.expressions import Positive, Values
 from sandbox.model.level import Level
 from sandbox.model.level_parts import names_in
+from sandbox.model.message import Message
 
 
 def conditions(level: Level) -> Iterator[Condition]:
@@ -23,8 +24,13 @@ def conditions(level: Level) -> Iterator[Condition]:
 
 def _burnt_fault(
     body: str, mass: Positive, burns: Sequence[Positive], values: Values
-) -> str | None:
+) -> Message | None:
     whole, burnt = mass(values), sum(propellant(values) for propellant in burns)
     if burnt >= whole:
-        return f"'{brief(body)}' burns {burnt:g} kg, but all its mass is {whole:g} kg"
+        return Message(
+            "'{body}' burns {burnt:g} kg, but all its mass is {whole:g} kg",
+            body=brief(body),
+            burnt=burnt,
+            whole=whole,
+        )
     return None

@@ -8,6 +8,7 @@ from sandbox.model.conditions.condition import Condition
 from sandbox.model.expressions import Expression, Values
 from sandbox.model.level import Level
 from sandbox.model.level_parts import expressions
+from sandbox.model.message import Message
 
 MAX_STEPS = 10_000_000
 """How long a run may be: some minutes of computing."""
@@ -22,14 +23,18 @@ def conditions(level: Level) -> Iterator[Condition]:
     yield Condition(("duration",), level.duration.names, partial(_too_long, level))
 
 
-def _value_fault(expression: Expression, values: Values) -> str | None:
+def _value_fault(expression: Expression, values: Values) -> Message | None:
     try:
         expression(values)
     except ExpressionError as error:
-        return str(error)
+        return error.message
     return None
 
 
-def _too_long(level: Level, values: Values) -> str | None:
+def _too_long(level: Level, values: Values) -> Message | None:
     steps = level.duration(values) * level.stepping.rate
-    return f"that takes {steps:.1g} steps; {MAX_STEPS:,} are allowed" if steps > MAX_STEPS else None
+    if steps <= MAX_STEPS:
+        return None
+    return Message(
+        "that takes {steps:.1g} steps; {most:,} are allowed", steps=steps, most=MAX_STEPS
+    )

@@ -14,6 +14,7 @@ from sandbox.model.joints import Rod
 from sandbox.model.json_positions import Path
 from sandbox.model.level import Level
 from sandbox.model.level_parts import expressions
+from sandbox.model.message import Message
 
 MOST = 1000
 """Times at which a formula is looked at, at the most: those of the steps, if they are no more."""
@@ -23,6 +24,9 @@ HALVINGS = 40
 
 JUMP = 1e-6
 """The share of its most by which what jumps still changes in a 10¹²th of a step."""
+
+LENGTH, MOTION = Message("the rod's length"), Message("the motion")
+"""What may jump, in words."""
 
 STARTS = 1e-12
 """The share of itself, or of a metre or radian, by which a motion may be off at the start."""
@@ -36,13 +40,11 @@ def conditions(level: Level) -> Iterator[Condition]:
         if isinstance(joint, Rod) and joint.length and "t" in joint.length.names:
             path, names = ("joints", name, "length"), _names(joint.length, level)
             yield Condition(path, names, partial(_gone, joint.length, level), 50)
-            yield Condition(
-                path, names, partial(_jumps, "the rod's length", joint.length, level), 3000
-            )
+            yield Condition(path, names, partial(_jumps, LENGTH, joint.length, level), 3000)
     for path, formula in _motions(level):
         names = _names(formula, level)
         yield Condition(path, names, partial(_displaced, formula), 50)
-        yield Condition(path, names, partial(_jumps, "the motion", formula, level), 3000)
+        yield Condition(path, names, partial(_jumps, MOTION, formula, level), 3000)
 
 
 def _names(formula: Formula, level: Level) -> frozenset[str]:
@@ -73,46 +75,61 @@ def _times(level: Level, values: Values) -> Array:
     return np.linspace(0.0, duration, steps + 1)
 
 
-def _lost(formula: Formula, level: Level, values: Values) -> str | None:
+def _lost(formula: Formula, level: Level, values: Values) -> Message | None:
     """Say when a formula first has no value, or one that is too large."""
     times = _times(level, values)
     try:
         found = formula.over(values, times)
     except ExpressionError as error:
-        return str(error)
+        return error.message
     shown = brief(str(formula.source))
     if (lost := ~np.isfinite(found)).any():
-        return f"'{shown}' has no finite value at t = {times[lost.argmax()]:.3g} s"
+        return Message(
+            "'{shown}' has no finite value at t = {t:.3g} s",
+            shown=shown,
+            t=times[lost.argmax()],
+        )
     first = (np.abs(found) > formula.most).argmax()
     if beyond := formula.beyond(float(found[first])):
-        return f"'{shown}' is {found[first]:g} {formula.unit} at t = {times[first]:.3g} s, {beyond}"
+        return Message(
+            "'{shown}' is {found:g} {unit} at t = {t:.3g} s, {beyond}",
+            shown=shown,
+            found=found[first],
+            unit=formula.unit,
+            t=times[first],
+            beyond=beyond,
+        )
     return None
 
 
-def _gone(length: Formula, level: Level, values: Values) -> str | None:
+def _gone(length: Formula, level: Level, values: Values) -> Message | None:
     """Say when a rod is not longer than nothing any more."""
     times = _times(level, values)
     long = length.over(values, times)
     if not np.isfinite(long).all() or not (gone := long <= 0).any():
         return None  # what is not finite is told by itself
     first = gone.argmax()
-    return f"the rod is {long[first]:.3g} m long at t = {times[first]:.3g} s"
+    return Message(
+        "the rod is {long:.3g} m long at t = {t:.3g} s", long=long[first], t=times[first]
+    )
 
 
-def _displaced(formula: Formula, values: Values) -> str | None:
+def _displaced(formula: Formula, values: Values) -> Message | None:
     """Say that a motion does not begin where its body starts, or not at any speed."""
     at_start = np.zeros(())
     start, speed = (f.at(values, {"t": at_start}) for f in (formula, formula.slope("t")))
     if abs(start) > STARTS * (1 + np.abs(formula.over(values, at_start + 1))):
-        return (
-            f"is {start:.3g} {formula.unit} at the start, but must be 0: it is counted from there"
+        return Message(
+            "is {start:.3g} {unit} at the start, but must be 0: it is counted from there",
+            start=start,
+            unit=formula.unit,
         )
     if not np.isfinite(speed):
-        return "has no finite velocity at the start"
+        return Message("has no finite velocity at the start")
     return None
 
 
-def _jumps(what: str, formula: Formula, level: Level, values: Values) -> str | None:
+def _jumps(what: Message, formula: Formula, level: Level, values: Values) -> Message | None:
     """Say when a length or a motion changes all at once."""
     times = _times(level, values)
     over = formula.over(values, times)
@@ -129,4 +146,10 @@ def _jumps(what: str, formula: Formula, level: Level, values: Values) -> str | N
     if not jump.max() > JUMP * np.abs(over).max():
         return None
     far, t = jump.max(), end[jump.argmax()]
-    return f"{what} jumps by {far:.3g} {formula.unit} at t = {t:.3g} s; it must change gradually"
+    return Message(
+        "{what} jumps by {far:.3g} {unit} at t = {t:.3g} s; it must change gradually",
+        what=what,
+        far=far,
+        unit=formula.unit,
+        t=t,
+    )

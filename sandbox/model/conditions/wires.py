@@ -13,6 +13,7 @@ from sandbox.model.joint_ends import place
 from sandbox.model.joints import Wire, bodies_of
 from sandbox.model.level import Level
 from sandbox.model.level_parts import names_in
+from sandbox.model.message import Message, word
 from sandbox.model.shapes import Curve
 from sandbox.model.wires import NEAR, PIECES, Points, along, is_closed, places
 
@@ -58,17 +59,19 @@ def conditions(level: Level) -> Iterator[Condition]:
             yield Condition(path, names, partial(_curve_fault, body.shape), WORK)
 
 
-def _wire_fault(wire: Wire, level: Level, values: Values) -> str | None:
+def _wire_fault(wire: Wire, level: Level, values: Values) -> Message | None:
     points, rule = _looked_at(wire, values)
     if rule:
         return rule
     away = _distance(wire, place(wire.bead, level.bodies, values), values)
     if away > NEAR * max(1.0, float(np.abs(points).max())):
-        return f"the bead must start on the wire, but it is {away:g} m away from it"
+        return Message(
+            "the bead must start on the wire, but it is {away:g} m away from it", away=away
+        )
     return None
 
 
-def _curve_fault(curve: Curve, values: Values) -> str | None:
+def _curve_fault(curve: Curve, values: Values) -> Message | None:
     """Say what keeps a curve from being touched: it must be round everywhere, on both sides."""
     points, rule = _looked_at(curve, values)
     if rule:
@@ -77,17 +80,25 @@ def _curve_fault(curve: Curve, values: Values) -> str | None:
     off = _roughness(curve, values, points)
     if not off.max() <= ROUGH * size:
         at = _shown(points[off.argmax()])
-        return f"the curve is not smooth near {at}: its derivatives are not finite, or jump there"
+        return Message(
+            "the curve is not smooth near {at}: its derivatives are not finite, or jump there",
+            at=at,
+        )
     ahead, back = points[2:] - points[1:-1], points[:-2] - points[1:-1]
     bends = 2 * np.abs(_cross(ahead, back)) / np.abs(ahead * back * (ahead - back))
     most = float(bends.max())
     least, at = 1 / max(most, NEAR / size), _shown(points[1:-1][bends.argmax()])
-    if least < max(TIGHT * size, curve.thickness(values) / 2):
-        half = f"half its thickness, {curve.thickness(values) / 2:.3g} m"
-        bound = (
-            half if least >= TIGHT * size else f"{TIGHT:g} of its size; end it before, or round it"
+    half = curve.thickness(values) / 2
+    if least < max(TIGHT * size, half):
+        bound = Message("half its thickness, {half:.3g} m", half=half)
+        if least < TIGHT * size:
+            bound = Message("{tight:g} of its size; end it before, or round it", tight=TIGHT)
+        return Message(
+            "the radius of curvature at {at} is {least:.3g} m, less than {bound}",
+            at=at,
+            least=least,
+            bound=bound,
         )
-        return f"the radius of curvature at {at} is {least:.3g} m, less than {bound}"
     return None
 
 
@@ -102,35 +113,61 @@ def _roughness(curve: Curve, values: Values, points: Points) -> Array:
     return np.abs(quintic - between)
 
 
-def _looked_at(wire: Wire | Curve, values: Values) -> tuple[Points, str | None]:
+def _looked_at(wire: Wire | Curve, values: Values) -> tuple[Points, Message | None]:
     """Return the points of a wire or curve, and what is wrong with them, if anything is."""
     first, last = (end(values) for end in wire.s)
-    points, what = along(wire, values), wire.type
+    points, what = along(wire, values), word(wire.type)
     if not first < last:
-        return points, f"'s' must run upwards, but it runs from {first:g} to {last:g}"
+        rule = Message(
+            "'s' must run upwards, but it runs from {first:g} to {last:g}", first=first, last=last
+        )
+        return points, rule
     if not np.isfinite(points).all():
         lost = np.linspace(first, last, PIECES + 1)[~np.isfinite(points)][0]
-        return points, f"the {what} is nowhere finite at s = {lost:g}"
-    if beyond := Coordinate.beyond(float(np.abs(points).max())):
-        return points, f"the {what} is {np.abs(points).max():g} m away from the origin, {beyond}"
+        return points, Message("the {what} is nowhere finite at s = {s:g}", what=what, s=lost)
+    away = float(np.abs(points).max())
+    if beyond := Coordinate.beyond(away):
+        rule = Message(
+            "the {what} is {away:g} m away from the origin, {beyond}",
+            what=what,
+            away=away,
+            beyond=beyond,
+        )
+        return points, rule
     return points, _shape_fault(points, what)
 
 
-def _shape_fault(points: Points, what: str) -> str | None:
+def _shape_fault(points: Points, what: Message) -> Message | None:
     pieces = np.diff(points)
     if not np.abs(pieces).min() > 0:
-        return f"the {what} does not move on with s at {_shown(points[np.abs(pieces).argmin()])}"
+        return Message(
+            "the {what} does not move on with s at {place}",
+            what=what,
+            place=_shown(points[np.abs(pieces).argmin()]),
+        )
     corners = points[1:-1]
     if is_closed(points):
         pieces, corners = np.append(pieces, pieces[0]), points[1:]
     turns = np.abs(np.angle(pieces[1:] / pieces[:-1]))
     if turns.max() > SHARPEST:
-        place = _shown(corners[turns.argmax()])
-        rule = f"a {what} needs its corners rounded, but this one is sharp at {place}"
-        long = f"; or, if it is not, it is too long for {PIECES} pieces: make it of several"
-        return rule + (long if what == "curve" else "")
+        rule = Message(
+            "a {what} needs its corners rounded, but this one is sharp at {place}",
+            what=what,
+            place=_shown(corners[turns.argmax()]),
+        )
+        if what == "wire":
+            return rule
+        return Message(
+            "{rule}; or, if it is not, it is too long for {pieces} pieces: make it of several",
+            rule=rule,
+            pieces=PIECES,
+        )
     if (crossing := _crossing(points[:: PIECES // COARSE])) is not None:
-        return f"a {what} must not cross itself, but this one does near {_shown(crossing)}"
+        return Message(
+            "a {what} must not cross itself, but this one does near {place}",
+            what=what,
+            place=_shown(crossing),
+        )
     return None
 
 

@@ -6,6 +6,7 @@ from sandbox.model.body import Body
 from sandbox.model.errors import brief
 from sandbox.model.level import ApexEvent, LandingEvent, Level
 from sandbox.model.level_parts import Fault, instants
+from sandbox.model.message import Message, word
 from sandbox.model.quantities import ATTRIBUTES_OF_BODIES
 from sandbox.model.shapes import Area, Line, Polygon, Polyline, Shape
 
@@ -28,10 +29,17 @@ def fields_fit(level: Level) -> Iterator[Fault]:
     for name, body in level.bodies.items():
         path = ("bodies", name)
         if body.type == "dynamic" and body.mass is None:
-            yield Fault(path, "a dynamic body needs a mass")
+            yield Fault(path, Message("a dynamic body needs a mass"))
         for field in _FORBIDDEN[body.type]:
             if given(body, field):
-                yield Fault((*path, field), f"a {body.type} body has no {field.replace('_', ' ')}")
+                yield Fault(
+                    (*path, field),
+                    Message(
+                        "a {type} body has no {field}",
+                        type=word(body.type),
+                        field=word(field.replace("_", " ")),
+                    ),
+                )
 
 
 def motions_fit(level: Level) -> Iterator[Fault]:
@@ -42,10 +50,12 @@ def motions_fit(level: Level) -> Iterator[Fault]:
             continue
         for field in ("velocity", "angular_velocity"):
             if given(body, field):
-                message = "the 'motion' says how fast the body is at every time; leave it out"
+                message = Message(
+                    "the 'motion' says how fast the body is at every time; leave it out"
+                )
                 yield Fault(("bodies", name, field), message)
         if not dynamic:
-            message = "a body follows a 'motion' among dynamic bodies only; add one"
+            message = Message("a body follows a 'motion' among dynamic bodies only; add one")
             yield Fault(("bodies", name, "motion"), message)
 
 
@@ -56,7 +66,12 @@ def rise_and_fall(level: Level) -> Iterator[Fault]:
         if isinstance(at, ApexEvent | LandingEvent):
             body = level.bodies.get(at.body)
             if body and body.type in still[at.event]:
-                rule = f"'{brief(at.body)}' is {body.type}: it never comes to its {at.event}"
+                rule = Message(
+                    "'{body}' is {type}: it never comes to its {event}",
+                    body=brief(at.body),
+                    type=word(body.type),
+                    event=word(at.event),
+                )
                 yield Fault((*path, "body"), rule)
 
 
@@ -67,14 +82,17 @@ def sensors_fit(level: Level) -> Iterator[Fault]:
             continue
         path = ("bodies", name)
         if not isinstance(body.shape, Area):
-            rule = f"a sensor is an area, a disc, a box or a polygon, and not a {body.shape.type}"
+            rule = Message(
+                "a sensor is an area, a disc, a box or a polygon, and not a {type}",
+                type=word(body.shape.type),
+            )
             yield Fault((*path, "shape"), rule)
         if body.type == "dynamic":
-            rule = "a sensor is static or kinematic: nothing pushes it"
+            rule = Message("a sensor is static or kinematic: nothing pushes it")
             yield Fault((*path, "sensor"), rule)
         for field in ("friction", "static_friction", "restitution"):
             if given(body, field):
-                yield Fault((*path, field), "a sensor has no surface; leave it out")
+                yield Fault((*path, field), Message("a sensor has no surface; leave it out"))
 
 
 def one_way_fits(level: Level) -> Iterator[Fault]:
@@ -84,17 +102,21 @@ def one_way_fits(level: Level) -> Iterator[Fault]:
             continue
         path = ("bodies", name, "one_way")
         if not isinstance(body.shape, Line):
-            rule = (
-                "only a line lets bodies through one way, a segment, a polyline, an arc or a curve,"
-                f" and not a {body.shape.type}"
+            rule = Message(
+                "only a line lets bodies through one way, a segment, a polyline, an arc or a"
+                " curve, and not a {type}",
+                type=word(body.shape.type),
             )
             yield Fault(path, rule)
         if level.effects.contact is None:
-            yield Fault(path, "holds nothing without the effect 'contact'")
+            yield Fault(path, Message("holds nothing without the effect 'contact'"))
         sticking = level.effects.sticking
         for index, pair in enumerate(sticking.pairs if sticking else ()):
             if name in pair.bodies:
-                rule = f"nothing sticks to '{brief(name)}', which lets bodies through one way"
+                rule = Message(
+                    "nothing sticks to '{name}', which lets bodies through one way",
+                    name=brief(name),
+                )
                 yield Fault(("effects", "sticking", "pairs", index), rule)
 
 
@@ -103,7 +125,10 @@ def in_one_group(level: Level) -> Iterator[Fault]:
     taken: set[str] = set()
     for index, group in enumerate(level.view.together):
         for name in sorted(taken.intersection(group)):
-            yield Fault(("view", "together", index), f"'{brief(name)}' is in another group already")
+            yield Fault(
+                ("view", "together", index),
+                Message("'{name}' is in another group already", name=brief(name)),
+            )
         taken.update(group)
 
 
@@ -117,9 +142,12 @@ def not_too_many_edges(level: Level) -> Iterator[Fault]:
     corners = [len(b.shape.vertices) for b in level.bodies.values() if isinstance(b.shape, Polygon)]
     pairs = sum(count**2 for count in corners)
     if pairs > MAX_PAIRS_OF_EDGES:
-        rule = (
-            f"have polygons with {sum(corners):,} corners in all: {pairs:,} pairs of edges would"
-            f" have to be looked at for crossings, and {MAX_PAIRS_OF_EDGES:,} are the most"
+        rule = Message(
+            "have polygons with {corners:,} corners in all: {pairs:,} pairs of edges would have"
+            " to be looked at for crossings, and {most:,} are the most",
+            corners=sum(corners),
+            pairs=pairs,
+            most=MAX_PAIRS_OF_EDGES,
         )
         yield Fault(("bodies",), rule)
 
@@ -130,7 +158,11 @@ def not_too_many(level: Level) -> Iterator[Fault]:
         return
     count = sum(_pieces(body.shape) for body in level.bodies.values() if not body.sensor)
     if count > MAX_SURFACES:
-        rule = f"have {count:,} surfaces in all; {MAX_SURFACES:,} are the most that may touch"
+        rule = Message(
+            "have {count:,} surfaces in all; {most:,} are the most that may touch",
+            count=count,
+            most=MAX_SURFACES,
+        )
         yield Fault(("bodies",), rule)
 
 
@@ -148,5 +180,7 @@ def points_fit(level: Level) -> Iterator[Fault]:
     """Points of bodies have names that no quantity has."""
     for body, said in level.bodies.items():
         for name in sorted(ATTRIBUTES_OF_BODIES.intersection(said.points)):
-            rule = f"'{name}' is what is measured of the body itself; choose another name"
+            rule = Message(
+                "'{name}' is what is measured of the body itself; choose another name", name=name
+            )
             yield Fault(("bodies", body, "points", name), rule)

@@ -8,6 +8,7 @@ from sandbox.model.did_you_mean import suggestion
 from sandbox.model.errors import brief
 from sandbox.model.level import Level
 from sandbox.model.level_parts import Fault
+from sandbox.model.message import Message
 
 
 def known_parameters(level: Level) -> Iterator[Fault]:
@@ -17,14 +18,20 @@ def known_parameters(level: Level) -> Iterator[Fault]:
     for path, name in named_parameters(level):
         if name not in level.parameters:
             hint = suggestion(name, level.parameters)
-            yield Fault(path, f"unknown parameter '{brief(name)}'{hint}")
+            yield Fault(
+                path, Message("unknown parameter '{name}'{hint}", name=brief(name), hint=hint)
+            )
     free = level.challenge.free
     for index, name in enumerate(free):
         if name in level.parameters and name in free[:index]:
-            yield Fault(("challenge", "free", index), f"'{name}' is named twice")
+            yield Fault(("challenge", "free", index), Message("'{name}' is named twice", name=name))
     for name in level.challenge.solution:
         if name not in free:
-            rule = f"'{brief(name)}' is not one of the 'free' parameters{suggestion(name, free)}"
+            rule = Message(
+                "'{name}' is not one of the 'free' parameters{hint}",
+                name=brief(name),
+                hint=suggestion(name, free),
+            )
             yield Fault(("challenge", "solution", name), rule)
 
 
@@ -34,8 +41,13 @@ def solution_within_ranges(level: Level) -> Iterator[Fault]:
     for name, value in solution.items():
         parameter = level.parameters.get(name)
         if parameter and not parameter.min <= value <= parameter.max:
-            bounds = f"between 'min', {parameter.min:g}, and 'max', {parameter.max:g}"
-            yield Fault(("challenge", "solution", name), f"is {value:g}, but must lie {bounds}")
+            rule = Message(
+                "is {value:g}, but must lie between 'min', {least:g}, and 'max', {most:g}",
+                value=value,
+                least=parameter.min,
+                most=parameter.max,
+            )
+            yield Fault(("challenge", "solution", name), rule)
 
 
 def goals_are_bounded(level: Level) -> Iterator[Fault]:
@@ -43,7 +55,7 @@ def goals_are_bounded(level: Level) -> Iterator[Fault]:
     for kind in ("goals", "stars"):
         for index, goal in enumerate(getattr(level.challenge, kind, ())):
             if goal.above is None and goal.below is None:
-                yield Fault(("challenge", kind, index), "needs 'above', 'below', or both")
+                yield Fault(("challenge", kind, index), Message("needs 'above', 'below', or both"))
 
 
 def goals_can_be_met(level: Level) -> Iterator[Fault]:
@@ -62,5 +74,9 @@ def goals_can_be_met(level: Level) -> Iterator[Fault]:
             except ExpressionError:
                 continue
             if least > most:
-                rule = f"is {least:g}, above 'below', {most:g}: nothing lies between them"
+                rule = Message(
+                    "is {least:g}, above 'below', {most:g}: nothing lies between them",
+                    least=least,
+                    most=most,
+                )
                 yield Fault(("challenge", kind, index, "above"), rule)

@@ -10,6 +10,7 @@ from sandbox.model.errors import brief
 from sandbox.model.joints import Held, points
 from sandbox.model.level import Level
 from sandbox.model.level_parts import Fault
+from sandbox.model.message import Message, either, word
 from sandbox.model.shapes import Area
 
 
@@ -17,17 +18,24 @@ def laws_act(level: Level) -> Iterator[Fault]:
     """Effects do something, and what a force acts on can move."""
     for effect, place, said in level.effects.said:
         if effect.needs and all(getattr(said, field).source == 0 for field in effect.needs):
-            rule = f"needs {' or '.join(map(repr, effect.needs))} greater than 0"
+            rule = Message("needs {needs} greater than 0", needs=either(map(repr, effect.needs)))
             yield Fault(place, rule)
     for path, name in acted_on(level):
         if (kind := level.bodies[name].type) != "dynamic":
-            yield Fault(path, f"'{brief(name)}' is {kind}, so no force moves it")
+            yield Fault(
+                path,
+                Message(
+                    "'{name}' is {kind}, so no force moves it", name=brief(name), kind=word(kind)
+                ),
+            )
     for path, bodies in lists_of_bodies(level):
         if len(set(bodies)) < len(bodies):
-            yield Fault(path, "a body is named twice")
+            yield Fault(path, Message("a body is named twice"))
     dynamic = [name for name, body in level.bodies.items() if body.type == "dynamic"]
     if level.effects.gravitation and len(dynamic) == 1:
-        rule = "bodies attract each other, but only one is dynamic; 'attraction' has a fixed centre"
+        rule = Message(
+            "bodies attract each other, but only one is dynamic; 'attraction' has a fixed centre"
+        )
         yield Fault(("effects", "gravitation"), rule)
 
 
@@ -35,10 +43,12 @@ def effects_used(level: Level) -> Iterator[Fault]:
     """Effects that are declared have bodies to act on."""
     dynamic = any(body.type == "dynamic" for body in level.bodies.values())
     for name in () if dynamic else level.effects.declared:
-        yield Fault(("effects", name), f"'{name}' is declared but no body is dynamic")
+        yield Fault(
+            ("effects", name), Message("'{name}' is declared but no body is dynamic", name=name)
+        )
     touching = sum(not body.sensor for body in level.bodies.values())
     if level.effects.contact and dynamic and touching < 2:
-        rule = "'contact' is declared but there is only one body that can touch another"
+        rule = Message("'contact' is declared but there is only one body that can touch another")
         yield Fault(("effects", "contact"), rule)
     for kind, effect in EFFECTS.items():
         if effect.coefficient:
@@ -51,7 +61,7 @@ def turned_apart(level: Level) -> Iterator[Fault]:
         if effect.name not in ("torque", "torsion"):
             continue
         if said.against == said.body:
-            rule = f"'{brief(said.body)}' cannot be turned against itself"
+            rule = Message("'{body}' cannot be turned against itself", body=brief(said.body))
             yield Fault((*place, "against"), rule)
         if level.effects.rotation is None:
             yield undeclared(place, effect.name, "rotation")
@@ -63,7 +73,9 @@ def rotation_used(level: Level) -> Iterator[Fault]:
     turning = any(given(body, "angular_velocity") for body in dynamic.values())
     if level.effects.rotation:
         if not (turning or level.effects.contact or _levers(level)):
-            rule = "'rotation' is declared but nothing turns a body: no contact, no joint, no spin"
+            rule = Message(
+                "'rotation' is declared but nothing turns a body: no contact, no joint, no spin"
+            )
             yield Fault(("effects", "rotation"), rule)
         return
     for name, body in dynamic.items():
@@ -91,11 +103,15 @@ def liquid_fits(level: Level) -> Iterator[Fault]:
         return
     for index, name in enumerate(buoyancy.bodies or ()):
         if not isinstance(shape := level.bodies[name].shape, Area):
-            rule = f"'{brief(name)}' is a {shape.type}, which displaces no liquid"
+            rule = Message(
+                "'{name}' is a {type}, which displaces no liquid",
+                name=brief(name),
+                type=word(shape.type),
+            )
             yield Fault(("effects", "buoyancy", "bodies", index), rule)
     dynamic = (body.shape for body in level.bodies.values() if body.type == "dynamic")
     if not any(isinstance(shape, Area) for shape in dynamic):
-        rule = "nothing displaces the liquid: no dynamic disc, box or polygon"
+        rule = Message("nothing displaces the liquid: no dynamic disc, box or polygon")
         yield Fault(("effects", "buoyancy"), rule)
 
 
@@ -106,8 +122,14 @@ def landscape_fits(level: Level) -> Iterator[Fault]:
         return
     body = level.bodies.get(landscape.body)
     if body and body.type != "dynamic":
-        rule = f"'{brief(landscape.body)}' is {body.type}, so it has no energy to draw"
+        rule = Message(
+            "'{body}' is {type}, so it has no energy to draw",
+            body=brief(landscape.body),
+            type=word(body.type),
+        )
         yield Fault(("view", "landscape", "body"), rule)
     if (place := landscape.potential.variable) in level.parameters:
-        rule = f"'{place}' is the place in the landscape's potential; choose another name"
+        rule = Message(
+            "'{place}' is the place in the landscape's potential; choose another name", place=place
+        )
         yield Fault(("parameters", place), rule)

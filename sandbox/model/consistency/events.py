@@ -10,6 +10,7 @@ from sandbox.model.json_positions import Path
 from sandbox.model.level import Level
 from sandbox.model.level_parts import Fault
 from sandbox.model.measuring_instants import CrossingEvent
+from sandbox.model.message import Message
 from sandbox.model.quantities import QuantityError, quantity
 from sandbox.model.switches import switchable
 
@@ -18,12 +19,24 @@ def known_parts(level: Level) -> Iterator[Fault]:
     """Joints that are cut, and forces that are switched, exist."""
     for path, name in _named(level, "joints"):
         if name not in level.joints:
-            yield Fault(path, f"unknown joint '{brief(name)}'{suggestion(name, level.joints)}")
+            yield Fault(
+                path,
+                Message(
+                    "unknown joint '{name}'{hint}",
+                    name=brief(name),
+                    hint=suggestion(name, level.joints),
+                ),
+            )
     known = tuple(dict.fromkeys(switchable(level)))
     for path, name in _named(level, "forces"):
         if name not in known:
-            rule = f"'{brief(name)}' is no force that can be switched{suggestion(name, known)}"
-            yield Fault(path, f"{rule}; one of 'force' or 'torque' is, by its 'name'")
+            rule = Message(
+                "'{name}' is no force that can be switched{hint}; one of 'force' or 'torque' is, by"
+                " its 'name'",
+                name=brief(name),
+                hint=suggestion(name, known),
+            )
+            yield Fault(path, rule)
 
 
 def _named(level: Level, of: str) -> Iterator[tuple[Path, str]]:
@@ -39,7 +52,7 @@ def names_apart(level: Level) -> Iterator[Fault]:
     for _, path, one in level.effects.said:
         if name := getattr(one, "name", None):
             if name in taken:
-                yield Fault((*path, "name"), f"the name '{name}' is taken")
+                yield Fault((*path, "name"), Message("the name '{name}' is taken", name=name))
             taken.add(name)
 
 
@@ -48,12 +61,19 @@ def events_act(level: Level) -> Iterator[Fault]:
     for name, event in level.events.items():
         path = ("events", name)
         if not (event.cut or event.tie or event.on or event.off):
-            rule = "say what it is to 'cut' or to 'tie', or to switch 'on' or 'off'"
-            yield Fault(path, f"does nothing: {rule}")
+            rule = Message(
+                "does nothing: say what it is to 'cut' or to 'tie', or to switch 'on' or 'off'"
+            )
+            yield Fault(path, rule)
         for joint in sorted({*event.cut} & {*event.tie}):
-            yield Fault((*path, "tie"), f"'{brief(joint)}' is cut and tied at once")
+            yield Fault(
+                (*path, "tie"), Message("'{joint}' is cut and tied at once", joint=brief(joint))
+            )
         for force in sorted({*event.on} & {*event.off}):
-            yield Fault((*path, "off"), f"'{brief(force)}' is switched on and off at once")
+            yield Fault(
+                (*path, "off"),
+                Message("'{force}' is switched on and off at once", force=brief(force)),
+            )
         if isinstance(event.at, CrossingEvent):
             yield from _seen(event.at.quantity, (*path, "at", "quantity"), level)
 
@@ -64,27 +84,34 @@ def _seen(name: str, path: Path, level: Level) -> Iterator[Fault]:
     except QuantityError:
         return  # which is told by itself
     if not found.momentary or found.attribute.startswith("contact."):
-        rule = "is not known between two steps; wait for a place, a velocity, a length or a tension"
-        yield Fault(path, f"'{brief(name)}' {rule}")
+        rule = Message(
+            "'{name}' is not known between two steps; wait for a place, a velocity, a length or a"
+            " tension",
+            name=brief(name),
+        )
+        yield Fault(path, rule)
 
 
-def _what(level: Level) -> str:
+def _what(level: Level) -> Message:
     """Return what happens in a level between two steps."""
     if level.events:
-        return "'events'"
-    breaks = any(True for _ in breakable(level.joints))
-    return "joints that break ('breaks_at')" if breaks else "stops with a 'restitution'"
+        return Message("'events'")
+    if any(True for _ in breakable(level.joints)):
+        return Message("joints that break ('breaks_at')")
+    return Message("stops with a 'restitution'")
 
 
 def drifts_cut_once(level: Level) -> Iterator[Fault]:
     """Nothing else happens where impacts, or ends of slipping, cut a drift as well."""
     if not level.happens:
         return
-    what = _what(level)
-    effects, rule = level.effects, f"cannot be had together with {what}; leave out one"
+    effects, what = level.effects, _what(level)
     for effect in (effects.contact, effects.friction):
         if effect and effect.located is not None:
-            yield Fault(("effects", effect.effect.name, "located"), f"'located' {rule}")
+            rule = Message("'located' cannot be had together with {what}; leave out one", what=what)
+            yield Fault(("effects", effect.effect.name, "located"), rule)
     if effects.in_sequence:
-        place = ("effects", "restitution", "impacts")
-        yield Fault(place, f"impacts in 'sequence' {rule}")
+        rule = Message(
+            "impacts in 'sequence' cannot be had together with {what}; leave out one", what=what
+        )
+        yield Fault(("effects", "restitution", "impacts"), rule)

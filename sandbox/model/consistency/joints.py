@@ -18,11 +18,22 @@ from sandbox.model.joints import (
 )
 from sandbox.model.level import Level
 from sandbox.model.level_parts import Fault, names_in
+from sandbox.model.message import Message
 from sandbox.model.shapes import Curve
 
 MAX_WIRES = 200
 """How many wires and curves a level may have: to look at one takes 3 ms, at the defaults and at
 both ends."""
+
+
+NO_WIRE = Message(
+    "a joint that an event ties cannot be a wire; tie a rail, or let a body start on its wire"
+)
+AS_FOUND = Message("a joint that an event ties is as long as it is found; leave out 'length'")
+SLACK_AT = Message(
+    "a joint that an event ties must say the 'length' at which it is slack, if it is a spring"
+)
+"""What is wrong with a joint that an event ties."""
 
 
 def something_to_hold(level: Level) -> Iterator[Fault]:
@@ -33,15 +44,21 @@ def something_to_hold(level: Level) -> Iterator[Fault]:
         moves = any(body.type == "dynamic" for body in held)
         if isinstance(joint, Wire):
             if not moves:
-                yield Fault(("joints", name, "bead"), "the bead must be a dynamic body")
+                yield Fault(("joints", name, "bead"), Message("the bead must be a dynamic body"))
         elif same := _twice(joint):
-            yield Fault(path, f"'{brief(same)}' is tied to itself; two different bodies are needed")
+            yield Fault(
+                path,
+                Message(
+                    "'{same}' is tied to itself; two different bodies are needed", same=brief(same)
+                ),
+            )
         elif not moves:
-            yield Fault(path, "at least one end must be a dynamic body")
+            yield Fault(path, Message("at least one end must be a dynamic body"))
     wires, curves = _wires_and_curves(level)
     if "s" in level.parameters and (wires or curves):
-        what = "wires" if wires else "curves"
-        yield Fault(("parameters", "s"), f"'s' runs along the {what}; choose another name")
+        what = Message("wires") if wires else Message("curves")
+        rule = Message("'s' runs along the {what}; choose another name", what=what)
+        yield Fault(("parameters", "s"), rule)
 
 
 def own_apart(level: Level) -> Iterator[Fault]:
@@ -55,12 +72,17 @@ def own_apart(level: Level) -> Iterator[Fault]:
             continue
         path = ("joints", name, "exact")
         if "t" in names_in(joint):
-            yield Fault(path, "only an exact joint can change with the time 't'; leave out 'exact'")
+            yield Fault(
+                path, Message("only an exact joint can change with the time 't'; leave out 'exact'")
+            )
         for body in moving.intersection(bodies_of(joint)) & exact:
-            rule = f"'{brief(body)}' is held exactly, too; let all that holds it be exact, or none"
+            rule = Message(
+                "'{body}' is held exactly, too; let all that holds it be exact, or none",
+                body=brief(body),
+            )
             yield Fault(path, rule)
         if level.effects.in_sequence:
-            yield Fault(path, "impacts in 'sequence' need exact joints; leave out 'exact'")
+            yield Fault(path, Message("impacts in 'sequence' need exact joints; leave out 'exact'"))
 
 
 def ties_fit(level: Level) -> Iterator[Fault]:
@@ -71,7 +93,9 @@ def ties_fit(level: Level) -> Iterator[Fault]:
             yield Fault(("joints", name, field), rule)
     contact, exact = level.effects.contact, any(is_exact(level.joints[name]) for name in names)
     if contact and contact.solver == "iterative" and exact:
-        rule = "a joint that an event ties needs contacts that are solved directly; leave it out"
+        rule = Message(
+            "a joint that an event ties needs contacts that are solved directly; leave it out"
+        )
         yield Fault(("effects", "contact", "solver"), rule)
 
 
@@ -80,31 +104,37 @@ def stops_bounce(level: Level) -> Iterator[Fault]:
     contact = level.effects.contact
     if contact and contact.solver == "iterative":
         for name, _ in bouncing(level.joints):
-            rule = "needs contacts that are solved directly; leave one out, or their 'solver'"
+            rule = Message(
+                "needs contacts that are solved directly; leave one out, or their 'solver'"
+            )
             yield Fault(("joints", name, "restitution"), rule)
 
 
-def _untied(joint: Joint) -> Iterator[tuple[str, str]]:
+def _untied(joint: Joint) -> Iterator[tuple[str, Message]]:
     """Yield the fields of a joint that does not fit an event which ties it, and why."""
-    then = "a joint that an event ties"
     if isinstance(joint, Wire):
-        yield "type", f"{then} cannot be a wire; tie a rail, or let a body start on its wire"
+        yield "type", NO_WIRE
     if isinstance(joint, Rod) and joint.length is not None:
-        yield "length", f"{then} is as long as it is found; leave out 'length'"
+        yield "length", AS_FOUND
     if isinstance(joint, Spring) and joint.length is None:
-        yield "length", f"{then} must say the 'length' at which it is slack, if it is a spring"
+        yield "length", SLACK_AT
     if getattr(joint, "exact", True) is False:
-        yield "exact", f"{then} must be exact; leave out 'exact'"
+        yield "exact", Message("a joint that an event ties must be exact; leave out 'exact'")
     if getattr(joint, "restitution", None) is not None:
-        yield "restitution", f"{then} cannot bounce; leave out 'restitution'"
+        rule = Message("a joint that an event ties cannot bounce; leave out 'restitution'")
+        yield "restitution", rule
 
 
 def not_too_many_wires(level: Level) -> Iterator[Fault]:
     """Wires and curves are no more than can be looked at for corners and crossings."""
     wires, curves = _wires_and_curves(level)
     if wires + curves > MAX_WIRES:
-        have = f"{wires:,} wires" if not curves else f"{wires + curves:,} wires and curves"
-        rule = f"have {have}; {MAX_WIRES} are the most that can be looked at for crossings"
+        have = Message("{count:,} wires and curves", count=wires + curves)
+        rule = Message(
+            "have {have}; {most} are the most that can be looked at for crossings",
+            have=have if curves else Message("{count:,} wires", count=wires),
+            most=MAX_WIRES,
+        )
         yield Fault(("joints" if wires else "bodies",), rule)
 
 
@@ -130,5 +160,7 @@ def constant_masses(level: Level) -> Iterator[Fault]:
     for name, joint in level.joints.items():
         for body in changing.intersection(bodies_of(joint)):
             if not joint.kind.force:
-                rule = f"'{brief(body)}' changes its mass, so only a spring can hold it"
+                rule = Message(
+                    "'{body}' changes its mass, so only a spring can hold it", body=brief(body)
+                )
                 yield Fault(("joints", name, "ends"), rule)

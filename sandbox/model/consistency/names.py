@@ -11,6 +11,7 @@ from sandbox.model.errors import brief
 from sandbox.model.formulas import VARIABLES, Curve, Formula
 from sandbox.model.level import Level
 from sandbox.model.level_parts import Fault, expressions
+from sandbox.model.message import Message
 from sandbox.model.quantities import QuantityError, quantity
 
 LONGEST_CIRCLE = 10
@@ -25,17 +26,32 @@ def parameters_fit(level: Level) -> Iterator[Fault]:
     for name, parameter in level.parameters.items():
         path = ("parameters", name)
         if _is_taken(name):
-            yield Fault(path, f"'{name}' already has a meaning in formulas; choose another name")
+            yield Fault(
+                path,
+                Message(
+                    "'{name}' already has a meaning in formulas; choose another name", name=name
+                ),
+            )
         if parameter.min > parameter.max:
-            yield Fault((*path, "min"), f"must not be greater than 'max', {parameter.max:g}")
+            yield Fault(
+                (*path, "min"),
+                Message("must not be greater than 'max', {most:g}", most=parameter.max),
+            )
         elif not parameter.min <= parameter.value <= parameter.max:
-            bounds = f"between 'min', {parameter.min:g}, and 'max', {parameter.max:g}"
-            yield Fault((*path, "value"), f"must lie {bounds}")
+            rule = Message(
+                "must lie between 'min', {least:g}, and 'max', {most:g}",
+                least=parameter.min,
+                most=parameter.max,
+            )
+            yield Fault((*path, "value"), rule)
         if name not in scene | formulas:
-            yield Fault(path, f"'{name}' is declared but nothing uses it")
+            yield Fault(path, Message("'{name}' is declared but nothing uses it", name=name))
         elif name not in scene:
-            only = f"only checks, ghosts or the landscape use '{name}'"
-            rule = f"{only}, so it changes nothing in the scene"
+            rule = Message(
+                "only checks, ghosts or the landscape use '{name}', so it changes nothing in the"
+                " scene",
+                name=name,
+            )
             yield Fault(path, rule)
 
 
@@ -47,11 +63,16 @@ def constants_fit(level: Level) -> Iterator[Fault]:
     for name in level.constants:
         path = ("constants", name)
         if _is_taken(name) or name in VARIABLES:
-            yield Fault(path, f"'{name}' already has a meaning in formulas; choose another name")
+            yield Fault(
+                path,
+                Message(
+                    "'{name}' already has a meaning in formulas; choose another name", name=name
+                ),
+            )
         elif name in level.parameters:
-            yield Fault(path, f"'{name}' is already the name of a parameter")
+            yield Fault(path, Message("'{name}' is already the name of a parameter", name=name))
         if name not in used:
-            yield Fault(path, f"'{name}' is declared but nothing uses it")
+            yield Fault(path, Message("'{name}' is declared but nothing uses it", name=name))
 
 
 def _is_taken(name: str) -> bool:
@@ -78,9 +99,16 @@ def known_names(level: Level) -> Iterator[Fault]:
         known = [*level.parameters, *level.constants, *expression.variables]
         for name in sorted(expression.written.difference(known)):
             if name == "t":
-                yield Fault(path, "the time 't' has no meaning here")
+                yield Fault(path, Message("the time 't' has no meaning here"))
             else:
-                yield Fault(path, f"unknown parameter '{brief(name)}'{suggestion(name, known)}")
+                yield Fault(
+                    path,
+                    Message(
+                        "unknown parameter '{name}'{hint}",
+                        name=brief(name),
+                        hint=suggestion(name, known),
+                    ),
+                )
     yield from _taken_names(level)
 
 
@@ -88,16 +116,21 @@ def _taken_names(level: Level) -> Iterator[Fault]:
     for kind, names in (("bodies", level.bodies), ("joints", level.joints)):
         for name in names:
             if name in ("system", "t"):
-                yield Fault((kind, name), f"the name '{name}' is taken")
+                yield Fault((kind, name), Message("the name '{name}' is taken", name=name))
             elif kind == "joints" and name in level.bodies:
-                yield Fault((kind, name), f"'{name}' is already the name of a body")
+                yield Fault(
+                    (kind, name), Message("'{name}' is already the name of a body", name=name)
+                )
 
 
 def no_circle(level: Level) -> Iterator[Fault]:
     """No constant leads back to itself."""
     if found := circle(level.constants):
         shown = found if len(found) <= LONGEST_CIRCLE else [*found[:3], "…", *found[-2:]]
-        rule = f"leads back to itself: {' -> '.join(map(brief, shown))}; each may use only others"
+        rule = Message(
+            "leads back to itself: {shown}; each may use only others",
+            shown=" -> ".join(map(brief, shown)),
+        )
         yield Fault(("constants", found[0]), rule)
 
 
@@ -106,8 +139,11 @@ def variables_apart(level: Level) -> Iterator[Fault]:
     for part in ("effects", "joints"):
         for path, formula in expressions(getattr(level, part), (part,)):
             own = () if isinstance(formula, Curve) else formula.variables
-            over = ", ".join(formula.variables)
-            message = f"'{'.'.join(map(str, path))}' is a formula over {over}; choose another name"
+            message = Message(
+                "'{path}' is a formula over {over}; choose another name",
+                path=".".join(map(str, path)),
+                over=", ".join(formula.variables),
+            )
             for kind in ("parameters", "constants"):
                 for name in sorted(getattr(level, kind).keys() & set(own)):
                     yield Fault((kind, name), message)
@@ -117,7 +153,7 @@ def timeless_conditions(level: Level) -> Iterator[Fault]:
     """Conditions of checks hold for a whole run or not at all."""
     for index, check in enumerate(level.checks):
         if check.valid_if and "t" in check.valid_if.names:
-            rule = "is a condition over the parameters; it cannot depend on the time 't'"
+            rule = Message("is a condition over the parameters; it cannot depend on the time 't'")
             yield Fault(("checks", index, "valid_if"), rule)
 
 
@@ -125,11 +161,22 @@ def known_bodies(level: Level) -> Iterator[Fault]:
     """Bodies that are named exist, and pairs are of two."""
     for path, name in named_bodies(level):
         if name not in level.bodies:
-            yield Fault(path, f"unknown body '{brief(name)}'{suggestion(name, level.bodies)}")
+            yield Fault(
+                path,
+                Message(
+                    "unknown body '{name}'{hint}",
+                    name=brief(name),
+                    hint=suggestion(name, level.bodies),
+                ),
+            )
     for path, names in couples(level):
         if names[0] == names[1]:
             yield Fault(
-                path, f"'{brief(names[0])}' is named twice; two different bodies are needed"
+                path,
+                Message(
+                    "'{name}' is named twice; two different bodies are needed",
+                    name=brief(names[0]),
+                ),
             )
 
 
@@ -146,4 +193,4 @@ def known_quantities(level: Level) -> Iterator[Fault]:
         try:
             quantity(name, level)
         except QuantityError as error:
-            yield Fault(path, str(error))
+            yield Fault(path, error.message)

@@ -4,6 +4,7 @@ from collections.abc import Iterator
 
 from sandbox.model.level import Level
 from sandbox.model.level_parts import Fault
+from sandbox.model.message import Message
 
 MOST_PULLS = 4_000_000
 """How many pulls there may be in a step, of bodies on each other and of centres on bodies: with so
@@ -22,12 +23,22 @@ def not_too_many_pulls(level: Level) -> Iterator[Fault]:
         count = dynamic if mutual.bodies is None else len(mutual.bodies)
         if count**2 > MOST_PULLS:
             most = int(MOST_PULLS**0.5)
-            message = f"{count:,} bodies attract each other; {most:,} are the most in a step"
+            message = Message(
+                "{count:,} bodies attract each other; {most:,} are the most in a step",
+                count=count,
+                most=most,
+            )
             yield Fault(("effects", "gravitation"), message)
     centres = len(effects.attraction or ())
     if centres * dynamic > MOST_PULLS:
-        pulls = f"{centres:,} centres attract {dynamic:,} bodies"
-        message = f"{pulls}: {centres * dynamic:,} pulls, and a step can take {MOST_PULLS:,}"
+        message = Message(
+            "{centres:,} centres attract {dynamic:,} bodies: {pulls:,} pulls, and a step can take"
+            " {most:,}",
+            centres=centres,
+            dynamic=dynamic,
+            pulls=centres * dynamic,
+            most=MOST_PULLS,
+        )
         yield Fault(("effects", "attraction"), message)
 
 
@@ -39,8 +50,11 @@ def not_too_many_sticking(level: Level) -> Iterator[Fault]:
     stick = sum(body.static_friction is not None for body in rub)
     pairs = stick * (stick - 1) // 2 + stick * (len(rub) - stick)
     if pairs > MOST_STICKING:
-        message = (
-            f"{stick:,} bodies have a 'static_friction', which makes {pairs:,} pairs of bodies to"
-            f" be watched, and {MOST_STICKING:,} are the most; leave it out where it is not needed"
+        message = Message(
+            "{stick:,} bodies have a 'static_friction', which makes {pairs:,} pairs of bodies to"
+            " be watched, and {most:,} are the most; leave it out where it is not needed",
+            stick=stick,
+            pairs=pairs,
+            most=MOST_STICKING,
         )
         yield Fault(("bodies",), message)

@@ -4,6 +4,7 @@ from collections.abc import Iterator
 
 from sandbox.model.level import FINEST, Level
 from sandbox.model.level_parts import Fault
+from sandbox.model.message import Message
 from sandbox.model.schemes import unsmooth
 
 
@@ -17,7 +18,9 @@ def accuracy_alone(level: Level) -> Iterator[Fault]:
     """Refuse a setting that is chosen and asked for by its accuracy as well."""
     if level.stepping.accuracy is not None:
         for name in sorted(level.stepping.model_fields_set - {"accuracy"}):
-            rule = "is chosen beside an 'accuracy' that is asked for; leave one of the two out"
+            rule = Message(
+                "is chosen beside an 'accuracy' that is asked for; leave one of the two out"
+            )
             yield Fault(("stepping", name), rule)
 
 
@@ -25,5 +28,9 @@ def accuracy_within_reach(level: Level) -> Iterator[Fault]:
     """Refuse an accuracy that no run can have."""
     asked = level.stepping.accuracy
     if asked is not None and asked < FINEST:
-        rule = f"an accuracy of {asked:g} is below rounding; {FINEST:g} is the least"
+        rule = Message(
+            "an accuracy of {asked:g} is below rounding; {finest:g} is the least",
+            asked=asked,
+            finest=FINEST,
+        )
         yield Fault(("stepping", "accuracy"), rule)

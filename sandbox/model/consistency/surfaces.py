@@ -18,6 +18,7 @@ from sandbox.model.joints import Own, bodies_of, is_exact
 from sandbox.model.json_positions import Path
 from sandbox.model.level import ContactEvent, Level, SeparationEvent, is_alone
 from sandbox.model.level_parts import Fault
+from sandbox.model.message import Message, both
 from sandbox.model.shapes import Arc, Curve, Disc, Hoop
 
 
@@ -26,7 +27,9 @@ def contact_declared(level: Level) -> Iterator[Fault]:
     contact = level.effects.contact
     if contact:
         if contact.piles and contact.slop is not None:
-            rule = "'piles' choose the overlap that is left alone; leave out one of the two"
+            rule = Message(
+                "'piles' choose the overlap that is left alone; leave out one of the two"
+            )
             yield Fault(("effects", "contact", "slop"), rule)
         if contact.solver == "direct":
             yield from _left_to_pymunk(level)
@@ -43,11 +46,13 @@ def _left_to_pymunk(level: Level) -> Iterator[Fault]:
     """Refuse what needs pymunk's solver where contacts are solved directly."""
     for name, joint in level.joints.items():
         if isinstance(joint, Own) and not joint.exact:
-            rule = "is left to pymunk's solver, which a 'direct' solver of contacts does not ask"
+            rule = Message(
+                "is left to pymunk's solver, which a 'direct' solver of contacts does not ask"
+            )
             yield Fault(("joints", name, "exact"), rule)
     friction = level.effects.friction
     if friction and friction.located:
-        rule = "the end of slipping is located by the 'iterative' solver of contacts only"
+        rule = Message("the end of slipping is located by the 'iterative' solver of contacts only")
         yield Fault(("effects", "friction", "located"), rule)
 
 
@@ -61,29 +66,37 @@ def coefficients_fit(level: Level, kind: str) -> Iterator[Fault]:
         yield from (undeclared(("bodies", name, kind), kind, kind) for name in given)
         return
     if level.effects.contact is None:
-        yield Fault(("effects", kind), f"'{kind}' needs the effect 'contact'")
+        yield Fault(("effects", kind), Message("'{kind}' needs the effect 'contact'", kind=kind))
     if kind == "friction" and level.effects.in_sequence:
-        rule = "impacts in 'sequence' do not rub; leave out 'friction', or let them be 'together'"
+        rule = Message(
+            "impacts in 'sequence' do not rub; leave out 'friction', or let them be 'together'"
+        )
         yield Fault(("effects", "restitution", "impacts"), rule)
     paired = {name for pair in effect.pairs for name in pair.bodies}
     if not given and not paired:
-        yield Fault(("effects", kind), f"'{kind}' is declared but no body has a coefficient")
+        yield Fault(
+            ("effects", kind),
+            Message("'{kind}' is declared but no body has a coefficient", kind=kind),
+        )
         return
     known = paired.union(given)
     for name, body in level.bodies.items():
         if name not in known and not body.sensor:
             yield Fault(
                 ("bodies", name),
-                f"needs a '{kind}' coefficient, for the level declares '{kind}'"
-                " (1 leaves the other body's as it is, 0 is none)",
+                Message(
+                    "needs a '{kind}' coefficient, for the level declares '{kind}' (1 leaves the"
+                    " other body's as it is, 0 is none)",
+                    kind=kind,
+                ),
             )
-    yield from _repeated_pairs(effect.pairs, kind, "has a coefficient already")
+    yield from _repeated_pairs(effect.pairs, kind, Message("has a coefficient already"))
 
 
 def _static_alone(level: Level) -> Iterator[Fault]:
     for name, body in level.bodies.items():
         if body.static_friction is not None and body.friction is None:
-            rule = "needs 'friction' beside it, the coefficient while the body slips"
+            rule = Message("needs 'friction' beside it, the coefficient while the body slips")
             yield Fault(("bodies", name, "static_friction"), rule)
 
 
@@ -95,7 +108,9 @@ def sensors_untouched(level: Level) -> Iterator[Fault]:
     for path, names, mention in mentions(level):
         touches = mention.of == "couple" or path[:2] == ("effects", "contact")
         for name in sorted(sensors.intersection(names)) if touches else ():
-            rule = f"'{brief(name)}' is a sensor, which nothing touches; wait for '.within.'"
+            rule = Message(
+                "'{name}' is a sensor, which nothing touches; wait for '.within.'", name=brief(name)
+            )
             yield Fault(path, rule)
 
 
@@ -105,7 +120,7 @@ def apart_fits(level: Level) -> Iterator[Fault]:
     if contact is None:
         return
     if sum(len(group) ** 2 // 2 for group in contact.apart) > MOST_PAIRS:
-        rule = f"keep more than {MOST_PAIRS:,} pairs of bodies apart"
+        rule = Message("keep more than {most:,} pairs of bodies apart", most=MOST_PAIRS)
         yield Fault(("effects", "contact", "apart"), rule)
         return
     never = apart(level)
@@ -114,7 +129,11 @@ def apart_fits(level: Level) -> Iterator[Fault]:
         for index, pair in enumerate(effect.pairs if effect else ()):
             one, other = sorted(pair.bodies)
             if (one, other) in never:
-                rule = f"'{brief(one)}' and '{brief(other)}' never meet, as 'contact' says"
+                rule = Message(
+                    "'{one}' and '{other}' never meet, as 'contact' says",
+                    one=brief(one),
+                    other=brief(other),
+                )
                 yield Fault(("effects", kind, "pairs", index), rule)
 
 
@@ -124,22 +143,23 @@ def sticking_fits(level: Level) -> Iterator[Fault]:
     if sticking is None:
         return
     if level.effects.contact is None:
-        yield Fault(("effects", "sticking"), "'sticking' needs the effect 'contact'")
+        yield Fault(("effects", "sticking"), Message("'sticking' needs the effect 'contact'"))
     if level.effects.in_sequence:
-        rule = "what sticks cannot be declared with impacts in 'sequence'"
+        rule = Message("what sticks cannot be declared with impacts in 'sequence'")
         yield Fault(("effects", "sticking"), rule)
     located = (level.effects.contact and level.effects.contact.located) or ()
     for name in {name for pair in sticking.pairs for name in pair.bodies}.intersection(located):
-        rule = (
-            f"'{brief(name)}' sticks at its first touch; such an impact cannot be located in time"
+        rule = Message(
+            "'{name}' sticks at its first touch; such an impact cannot be located in time",
+            name=brief(name),
         )
         yield Fault(("effects", "contact", "located", located.index(name)), rule)
     for index, pair in enumerate(sticking.pairs):
         held = [level.bodies[body] for body in pair.bodies if body in level.bodies]
         if len(held) == 2 and not any(body.type == "dynamic" for body in held):
             path = ("effects", "sticking", "pairs", index)
-            yield Fault(path, "at least one of the two must be a dynamic body")
-    yield from _repeated_pairs(sticking.pairs, "sticking", "is named already")
+            yield Fault(path, Message("at least one of the two must be a dynamic body"))
+    yield from _repeated_pairs(sticking.pairs, "sticking", Message("is named already"))
 
 
 def located_slips_fit(level: Level) -> Iterator[Fault]:
@@ -149,13 +169,18 @@ def located_slips_fit(level: Level) -> Iterator[Fault]:
     for index, body in enumerate((friction and friction.located) or ()):
         path = ("effects", "friction", "located", index)
         if body in flows:
-            rule = f"'{brief(body)}' changes its mass, so where slipping ends cannot be located"
+            rule = Message(
+                "'{body}' changes its mass, so where slipping ends cannot be located",
+                body=brief(body),
+            )
             yield Fault(path, rule)
         for name, joint in level.joints.items():
             if body in bodies_of(joint) and is_exact(joint) and not is_alone(name, level):
-                rule = (
-                    f"'{brief(body)}' is held by '{brief(name)}'; where slipping ends can be"
-                    " located for bodies that are free, on springs, or on one string over pegs"
+                rule = Message(
+                    "'{body}' is held by '{name}'; where slipping ends can be located for bodies"
+                    " that are free, on springs, or on one string over pegs",
+                    body=brief(body),
+                    name=brief(name),
                 )
                 yield Fault(path, rule)
 
@@ -167,11 +192,16 @@ def impacts_of_constant_masses(level: Level) -> Iterator[Fault]:
         return
     contact, effect = level.effects.contact, brief(changing[0])
     if level.effects.in_sequence:
-        rule = f"'{effect}' changes its mass; those that collide in 'sequence' must keep theirs"
+        rule = Message(
+            "'{effect}' changes its mass; those that collide in 'sequence' must keep theirs",
+            effect=effect,
+        )
         yield Fault(("effects", "restitution", "impacts"), rule)
     if contact and contact.located:
-        keep = "where impacts are located, all bodies must keep theirs"
-        rule = f"'{effect}' changes its mass; {keep}"
+        rule = Message(
+            "'{effect}' changes its mass; where impacts are located, all bodies must keep theirs",
+            effect=effect,
+        )
         yield Fault(("effects", "contact", "located"), rule)
 
 
@@ -179,17 +209,23 @@ def arcs_fit(level: Level) -> Iterator[Fault]:
     """Arcs and curves: what is found at the step after it is not located before, nor sticks."""
     contact, sticking = level.effects.contact, level.effects.sticking
     arcs = {
-        name: "an arc" if isinstance(body.shape, Arc) else "a curve"
+        name: Message("an arc") if isinstance(body.shape, Arc) else Message("a curve")
         for name, body in level.bodies.items()
         if isinstance(body.shape, Arc | Curve)
     }
     if arcs and contact and contact.located:
         name, kind = next(iter(arcs.items()))
-        rule = f"'{brief(name)}' is {kind}; where there is one, no impacts can be located"
+        rule = Message(
+            "'{name}' is {kind}; where there is one, no impacts can be located",
+            name=brief(name),
+            kind=kind,
+        )
         yield Fault(("effects", "contact", "located"), rule)
     for index, pair in enumerate(sticking.pairs if sticking else ()):
         for name in set(pair.bodies).intersection(arcs):
-            rule = f"'{brief(name)}' is {arcs[name]}; nothing can stick to one"
+            rule = Message(
+                "'{name}' is {kind}; nothing can stick to one", name=brief(name), kind=arcs[name]
+            )
             yield Fault(("effects", "sticking", "pairs", index), rule)
 
 
@@ -198,13 +234,17 @@ def curves_fit(level: Level) -> Iterator[Fault]:
     curves = [name for name, body in level.bodies.items() if isinstance(body.shape, Curve)]
     for name in curves:
         if level.bodies[name].type == "dynamic":
-            rule = f"'{brief(name)}' is a curve; its 'type' must be 'static' or 'kinematic'"
+            rule = Message(
+                "'{name}' is a curve; its 'type' must be 'static' or 'kinematic'", name=brief(name)
+            )
             yield Fault(("bodies", name, "type"), rule)
     for name, body in level.bodies.items() if curves and level.effects.contact else ():
         if isinstance(body.shape, Arc) and body.type == "dynamic":
-            rule = (
-                f"'{brief(name)}' is an arc that moves, and cannot touch the curve"
-                f" '{brief(curves[0])}'; make it a hoop, or the curve of arcs"
+            rule = Message(
+                "'{name}' is an arc that moves, and cannot touch the curve '{curve}'; make it a"
+                " hoop, or the curve of arcs",
+                name=brief(name),
+                curve=brief(curves[0]),
             )
             yield Fault(("bodies", name, "shape"), rule)
 
@@ -217,7 +257,9 @@ def sticking_or_bouncing(level: Level) -> Iterator[Fault]:
     stuck = [set(pair.bodies) for pair in effects.sticking.pairs]
     for index, pair in enumerate(effects.restitution.pairs):
         if set(pair.bodies) in stuck:
-            rule = "the two stick at their first touch, so they do not bounce; leave out one"
+            rule = Message(
+                "the two stick at their first touch, so they do not bounce; leave out one"
+            )
             yield Fault(("effects", "restitution", "pairs", index), rule)
 
 
@@ -228,34 +270,49 @@ def belts_fit(level: Level) -> Iterator[Fault]:
         path = ("effects", "belt", index, "body")
         for needed in ("contact", "friction"):
             if getattr(level.effects, needed) is None:
-                yield Fault(path[:-1], f"'belt' needs the effect '{needed}'")
+                yield Fault(path[:-1], Message("'belt' needs the effect '{needed}'", needed=needed))
         if belt.body in seen:
-            yield Fault(path, f"'{brief(belt.body)}' is a belt already")
+            yield Fault(path, Message("'{body}' is a belt already", body=brief(belt.body)))
         seen.add(belt.body)
         if body := level.bodies.get(belt.body):
             yield from (Fault(path, rule) for rule in _no_belt(belt.body, body))
 
 
-def _no_belt(name: str, body: Body) -> Iterator[str]:
+def _no_belt(name: str, body: Body) -> Iterator[Message]:
     """Yield why a body can be no belt."""
     if body.type == "dynamic":
-        yield f"'{brief(name)}' is dynamic, but a belt is static or kinematic"
+        yield Message("'{name}' is dynamic, but a belt is static or kinematic", name=brief(name))
     if isinstance(body.shape, Disc | Hoop | Arc | Curve):
-        yield f"'{brief(name)}' is round, but a belt has straight sides; let a kinematic one turn"
+        yield Message(
+            "'{name}' is round, but a belt has straight sides; let a kinematic one turn",
+            name=brief(name),
+        )
     if body.type == "kinematic" and given(body, "angular_velocity"):
-        yield f"'{brief(name)}' turns, but a belt keeps its direction"
+        yield Message("'{name}' turns, but a belt keeps its direction", name=brief(name))
 
 
 def undeclared(path: Path, used: str, effect: str) -> Fault:
     """Say that something is used whose effect is not declared."""
-    return Fault(path, f"'{used}' is used but the effect '{effect}' is not declared")
+    return Fault(
+        path,
+        Message(
+            "'{used}' is used but the effect '{effect}' is not declared", used=used, effect=effect
+        ),
+    )
 
 
-def _repeated_pairs(pairs: Sequence[Pair], kind: str, message: str) -> Iterator[Fault]:
+def _repeated_pairs(pairs: Sequence[Pair], kind: str, message: Message) -> Iterator[Fault]:
     seen: set[frozenset[str]] = set()
     for index, pair in enumerate(pairs):
         bodies = frozenset(pair.bodies)
         if bodies in seen:
             path = ("effects", kind, "pairs", index)
-            yield Fault(path, f"the pair {' and '.join(map(brief, pair.bodies))} {message}")
+            yield Fault(
+                path,
+                Message(
+                    "the pair {bodies} {message}",
+                    bodies=both(map(brief, pair.bodies)),
+                    message=message,
+                ),
+            )
         seen.add(bodies)

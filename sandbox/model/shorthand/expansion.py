@@ -5,6 +5,7 @@ from typing import Any, NamedTuple
 
 from sandbox.model.json_positions import Path
 from sandbox.model.level_parts import Fault
+from sandbox.model.message import Message
 from sandbox.model.shorthand.expansion_notes import MOST, Moves, Notes, TooLongError, followed
 from sandbox.model.shorthand.groups import COPY, placed
 from sandbox.model.shorthand.repeating import GROUPS, REPEAT, repeated
@@ -55,7 +56,10 @@ class WrittenOut(NamedTuple):
                 break
             part = part[step]
             if isinstance(part, dict) and unknown[1] in (part.get(REPEAT) or ()):
-                return fault._replace(rule=f"{unknown[0]}; the index is typed {{{unknown[1]}}}")
+                rule = Message(
+                    "unknown parameter '{name}'; the index is typed {{{name}}}", name=unknown[1]
+                )
+                return fault._replace(rule=rule)
         return fault
 
 
@@ -81,8 +85,11 @@ def write_out(data: Any, text: str) -> WrittenOut:  # noqa: ANN401 (whatever JSO
         if not notes.faults:
             made = placed(made, notes)
     except TooLongError as error:
-        rule = f"comes to more than {MOST:,} characters when it is written out; that is the most"
+        rule = Message(
+            "comes to more than {most:,} characters when it is written out; that is the most",
+            most=MOST,
+        )
         return WrittenOut(data, {}, {}, [Fault(error.args[0], rule)])
     except RecursionError:
-        return WrittenOut(data, {}, {}, [Fault((), "is nested too deeply")])
+        return WrittenOut(data, {}, {}, [Fault((), Message("is nested too deeply"))])
     return WrittenOut(made, notes.placed, notes.typed, notes.faults)

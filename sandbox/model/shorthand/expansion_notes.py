@@ -4,6 +4,7 @@ from dataclasses import dataclass, field
 
 from sandbox.model.json_positions import Path
 from sandbox.model.level_parts import Fault
+from sandbox.model.message import Message
 
 MOST = 5_000_000
 """How many characters a level may come to, about: as many as the largest file has."""
@@ -49,7 +50,7 @@ class Notes:
     faults: list[Fault] = field(default_factory=list)
     left: int = MOST
 
-    def refuse(self, path: Path, rule: str) -> None:
+    def refuse(self, path: Path, rule: Message) -> None:
         """Note that something is wrong."""
         self.faults.append(Fault(path, rule))
 

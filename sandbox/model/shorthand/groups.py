@@ -21,6 +21,7 @@ from sandbox.model.did_you_mean import suggestion
 from sandbox.model.errors import brief
 from sandbox.model.joints import Joint
 from sandbox.model.json_positions import Path
+from sandbox.model.message import Message
 from sandbox.model.naming import Name
 from sandbox.model.shapes import Point
 from sandbox.model.shorthand.expansion_notes import Notes, followed
@@ -67,7 +68,7 @@ def placed(data: Any, notes: Notes) -> Any:  # noqa: ANN401 (whatever JSON holds
     plain = {key: value for key, value in data.items() if key != GROUPS}
     if not isinstance(groups, dict) or not isinstance(bodies, dict) or not isinstance(joints, dict):
         if not isinstance(groups, dict):
-            notes.refuse((GROUPS,), "must be an object, {...}")
+            notes.refuse((GROUPS,), Message("must be an object, {...}"))
         return plain
     placing = _Placing(groups, notes)
     plain["bodies"] = placing.bodies(bodies)
@@ -92,18 +93,20 @@ class _Placing:
         before = len(self._notes.faults)
         place = (GROUPS, name)
         if not isinstance(group, dict):
-            self._refuse(place, "must be an object with 'bodies' and 'joints'")
+            self._refuse(place, Message("must be an object with 'bodies' and 'joints'"))
             return False
         for key, part in group.items():
             if key not in Group.model_fields:
                 hint = suggestion(key, Group.model_fields)
-                self._refuse((*place, key), f"unknown key '{brief(key)}'{hint}")
+                rule = Message("unknown key '{name}'{hint}", name=brief(key), hint=hint)
+                self._refuse((*place, key), rule)
             elif not isinstance(part, dict):
-                self._refuse((*place, key), "must be an object, {...}")
+                self._refuse((*place, key), Message("must be an object, {...}"))
         if not group.get("bodies"):
-            self._refuse(place, "'bodies' is missing")
+            self._refuse(place, Message("'{last}' is missing", last="bodies"))
         elif COPY in (inside := _keys_within(group["bodies"])):
-            self._refuse((*place, "bodies", inside[COPY]), "a group cannot hold another one")
+            rule = Message("a group cannot hold another one")
+            self._refuse((*place, "bodies", inside[COPY]), rule)
         return len(self._notes.faults) == before
 
     def bodies(self, bodies: Mapping[str, Any]) -> dict[str, Any]:
@@ -122,7 +125,8 @@ class _Placing:
         for name, value in items:
             if name in found:
                 path = followed((kind, name), self._notes.placed)
-                self._refuse(path, f"'{brief(name)}' comes out twice, once from a group")
+                rule = Message("'{name}' comes out twice, once from a group", name=brief(name))
+                self._refuse(path, rule)
             found[name] = value
         return found
 
@@ -148,28 +152,39 @@ class _Placing:
         known = [field.alias or name for name, field in Copy.model_fields.items()]
         for key in copy:
             if key not in known:
-                rule = f"unknown key '{brief(key)}' of a group that is placed"
-                self._refuse((*path, key), f"{rule}{suggestion(key, known)}")
+                rule = Message(
+                    "unknown key '{name}' of a group that is placed{hint}",
+                    name=brief(key),
+                    hint=suggestion(key, known),
+                )
+                self._refuse((*path, key), rule)
         group = copy[COPY]
         if not isinstance(group, str) or group not in self._known:
             hint = suggestion(str(group), self._known)
-            self._refuse((*path, COPY), f"unknown group '{brief(str(group))}'{hint}")
+            rule = Message("unknown group '{name}'{hint}", name=brief(str(group)), hint=hint)
+            self._refuse((*path, COPY), rule)
             return None
         self._unused.discard(group)
-        if not _is_point(copy.get("position", [0, 0])) or not _is_number(copy.get("angle", 0)):
-            key = "position" if not _is_point(copy.get("position", [0, 0])) else "angle"
-            what = "two numbers or expressions, [x, y]" if key == "position" else "a number"
-            self._refuse((*path, key), f"must be {what}")
+        if not _is_point(copy.get("position", [0, 0])):
+            rule = Message("must be two numbers or expressions, [x, y]")
+            self._refuse((*path, "position"), rule)
+            return None
+        if not _is_number(copy.get("angle", 0)):
+            self._refuse((*path, "angle"), Message("must be a number"))
             return None
         return self._groups.get(group)
 
-    def _refuse(self, path: Path, rule: str) -> None:
+    def _refuse(self, path: Path, rule: Message) -> None:
         self._notes.refuse(followed(path, self._notes.typed), rule)
 
     def refuse_unused(self) -> None:
         """Tell which groups nobody has placed: what they hold would never be looked at."""
         for name in sorted(self._unused):
-            rule = f'nothing places this group; a body {{"{COPY}": "{brief(name)}"}} does'
+            rule = Message(
+                'nothing places this group; a body {{"{copy}": "{name}"}} does',
+                copy=COPY,
+                name=brief(name),
+            )
             self._refuse((GROUPS, name), rule)
 
 

@@ -6,9 +6,10 @@ from typing import Any
 
 from sandbox.model.arithmetic import RESERVED, ExpressionError
 from sandbox.model.did_you_mean import suggestion
-from sandbox.model.errors import brief
+from sandbox.model.errors import SandboxError, brief
 from sandbox.model.expressions import Expression
 from sandbox.model.json_positions import Path
+from sandbox.model.message import NOTHING, Message
 from sandbox.model.shorthand.expansion_notes import Notes
 
 Indices = Mapping[str, float]
@@ -19,10 +20,10 @@ MOST_TIMES = 20_000
 _BRACES = re.compile(r"\{([^{}]*)\}")
 _NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
 
-HOW = 'a count, {"i": 5} for 0 to 4, or the first and the last, {"i": [1, 5]}'
+HOW = Message('a count, {"i": 5} for 0 to 4, or the first and the last, {"i": [1, 5]}')
 
 
-class IndexFault(ValueError):  # noqa: N818 (it says what is wrong, and is caught beside)
+class IndexFault(SandboxError):  # noqa: N818 (it says what is wrong, and is caught beside)
     """A text in braces that is no whole number; its own is fit to be shown."""
 
 
@@ -50,12 +51,19 @@ def _number(source: str, indices: Indices) -> int:
         if unknown := expression.names - indices.keys():
             name = min(unknown)
             hint = suggestion(name, indices)
-            raise IndexFault(f"{said} holds only indices, and '{name}' is none{hint}")
+            raise IndexFault(
+                Message(
+                    "{said} holds only indices, and '{name}' is none{hint}",
+                    said=said,
+                    name=name,
+                    hint=hint,
+                )
+            )
         value = expression(indices)
     except ExpressionError as error:
-        raise IndexFault(f"{said}: {error}") from None
+        raise IndexFault(Message("{said}: {error}", said=said, error=error.message)) from None
     if not value.is_integer():
-        raise IndexFault(f"{said} is {value:g}, not a whole number")
+        raise IndexFault(Message("{said} is {value:g}, not a whole number", said=said, value=value))
     return int(value)
 
 
@@ -74,7 +82,7 @@ def runs(said: Any, path: Path, indices: Indices, notes: Notes) -> Iterator[Indi
         What is wrong is noted here, and nothing more is yielded.
     """
     if not isinstance(said, dict) or not said:
-        notes.refuse(path, f"must name an index and how far it counts: {HOW}")
+        notes.refuse(path, Message("must name an index and how far it counts: {how}", how=HOW))
         return
     yield from _nested(list(said.items()), path, indices, notes)
 
@@ -93,7 +101,7 @@ def _nested(
     try:
         first, last = _bounds(bounds, indices)
     except IndexFault as fault:
-        notes.refuse(place, str(fault))
+        notes.refuse(place, fault.message)
         return
     for index in range(first, last + 1):
         notes.charge(0, path)
@@ -103,12 +111,16 @@ def _nested(
             return  # the others would only say the same
 
 
-def _misnamed(name: str, indices: Indices) -> str:
+def _misnamed(name: str, indices: Indices) -> Message:
     if not _NAME.fullmatch(name):
-        return f"'{brief(name)}' is not a name: a letter, then letters, digits or _"
+        return Message(
+            "'{name}' is not a name: a letter, then letters, digits or _", name=brief(name)
+        )
     if name in RESERVED:
-        return f"'{name}' already has a meaning in formulas; choose another name"
-    return f"the index '{name}' is that of what is around this, too" if name in indices else ""
+        return Message("'{name}' already has a meaning in formulas; choose another name", name=name)
+    if name in indices:
+        return Message("the index '{name}' is that of what is around this, too", name=name)
+    return NOTHING
 
 
 def _bounds(said: Any, indices: Indices) -> tuple[int, int]:  # noqa: ANN401 (whatever JSON holds)
@@ -118,9 +130,11 @@ def _bounds(said: Any, indices: Indices) -> tuple[int, int]:  # noqa: ANN401 (wh
     else:
         first, last = 0, _whole(said, indices) - 1
     if max(abs(first), abs(last)) > 2 * MOST_TIMES or last - first >= MOST_TIMES:
-        raise IndexFault(f"counts too far; {MOST_TIMES:,} is the most")
+        raise IndexFault(Message("counts too far; {most:,} is the most", most=MOST_TIMES))
     if last < first - 1:
-        raise IndexFault(f"ends before it begins, from {first} to {last}")
+        raise IndexFault(
+            Message("ends before it begins, from {first} to {last}", first=first, last=last)
+        )
     return first, last
 
 
@@ -129,5 +143,7 @@ def _whole(said: Any, indices: Indices) -> int:  # noqa: ANN401 (whatever JSON h
     if isinstance(said, str) and (braces := _BRACES.fullmatch(said.strip())):
         return _number(braces[1], indices)
     if isinstance(said, bool) or not isinstance(said, int):
-        raise IndexFault(f"must be {HOW}; whole numbers, or in braces what other indices make")
+        raise IndexFault(
+            Message("must be {how}; whole numbers, or in braces what other indices make", how=HOW)
+        )
     return said

@@ -11,6 +11,7 @@ from typing import Any, get_origin
 from sandbox.model.errors import brief
 from sandbox.model.json_positions import Path
 from sandbox.model.level import Level
+from sandbox.model.message import Message
 from sandbox.model.shorthand.expansion_notes import Notes
 from sandbox.model.shorthand.indices import IndexFault, Indices, filled, runs
 
@@ -69,8 +70,14 @@ class _Copying:
             for member, where, inner in self._copies(value, (*typed, key), indices, named):
                 name = self._text(key, (*typed, key), inner)
                 if name in found and not self._notes.faults:
-                    braces = f"put an index into its name, such as {name}{{{[*inner, 'i'][0]}}}"
-                    self._notes.refuse((*typed, key), f"'{brief(name)}' comes out twice; {braces}")
+                    rule = Message(
+                        "'{name}' comes out twice; put an index into its name, such as"
+                        " {typed}{{{index}}}",
+                        name=brief(name),
+                        typed=name,
+                        index=[*inner, "i"][0],
+                    )
+                    self._notes.refuse((*typed, key), rule)
                 place = (*made, name)
                 self._note(place, where, aside=name != key or where[-1] != key)
                 found[name] = self.part(member, where, place, inner)
@@ -100,7 +107,11 @@ class _Copying:
         each = list(rest) == [EACH]
         if EACH in rest and not each:
             other = next(key for key in rest if key != EACH)
-            rule = f"'{brief(other)}' stands beside '{EACH}', which says all of what repeats"
+            rule = Message(
+                "'{other}' stands beside '{each}', which says all of what repeats",
+                other=brief(other),
+                each=EACH,
+            )
             self._notes.refuse((*typed, other), rule)
             return
         for inner in runs(value[REPEAT], (*typed, REPEAT), indices, self._notes):
@@ -117,7 +128,7 @@ class _Copying:
         try:
             return filled(text, indices)
         except IndexFault as fault:
-            self._notes.refuse(typed, str(fault))
+            self._notes.refuse(typed, fault.message)
             return text
 
 

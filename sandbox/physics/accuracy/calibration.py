@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 from sandbox.model.expressions import Values
 from sandbox.model.level import FINEST, Level
+from sandbox.model.message import Message, both
 from sandbox.physics.accuracy.candidates import REAL_TIME, Offer
 from sandbox.physics.accuracy.chaos import chaotic, foretold
 from sandbox.physics.accuracy.cheapest_setting import Found, Seeker
@@ -110,7 +111,13 @@ def calibrate(
     """
     values = level.defaults if values is None else values
     if not target >= FINEST:
-        raise AccuracyError(f"an accuracy of {target:g} is below rounding; {FINEST:g} is the least")
+        raise AccuracyError(
+            Message(
+                "an accuracy of {target:g} is below rounding; {finest:g} is the least",
+                target=target,
+                finest=FINEST,
+            )
+        )
     seeker = Seeker(level, values, target, budget, progress, stop)
     wanted, judged_by = _judges(level, values, also)
     found = seeker.found(wanted)
@@ -118,9 +125,15 @@ def calibrate(
         return _setting(found, judged_by)
     known = foretold(found.offers.refinements, found.wanted, target)
     chaos = chaotic(level, values, found.offers.fine, stop)
-    until = f"predictable until t = {known:.3g} s" if known else "not predictable at all"
+    until = Message("not predictable at all")
+    if known:
+        until = Message("predictable until t = {t:.3g} s", t=known)
     if chaos:
-        judged_by = f"its energy, for it is chaotic: {chaos}; where things are is {until}"
+        judged_by = Message(
+            "its energy, for it is chaotic: {chaos}; where things are is {until}",
+            chaos=chaos,
+            until=until,
+        )
         found = seeker.found((_ENERGY,))
     if found.chosen.error > target:
         raise _refused(found, target, judged_by, until)
@@ -137,20 +150,31 @@ def _setting(found: Found, judged_by: str) -> Setting:
     )
 
 
-def _refused(found: Found, target: float, judged_by: str, until: str) -> AccuracyError:
+def _refused(found: Found, target: float, judged_by: Message, until: Message) -> AccuracyError:
     """Say that an accuracy cannot be had, and what can."""
-    decided = f", of which {found.decided_by} decided" if found.decided_by else ""
+    if found.decided_by:
+        judged_by = Message(
+            "{judged_by}, of which {name} decided", judged_by=judged_by, name=found.decided_by
+        )
     return AccuracyError(
-        f"an accuracy of {target:g} cannot be had; there is {found.timed()}, judged by "
-        f"{judged_by}{decided}; to {target:g} it is {until}"
+        Message(
+            "an accuracy of {target:g} cannot be had; there is {timed}, judged by"
+            " {judged_by}; to {target:g} it is {until}",
+            target=target,
+            timed=found.timed().told,
+            judged_by=judged_by,
+            until=until,
+        )
     )
 
 
-def _judges(level: Level, values: Values, also: Sequence[str]) -> tuple[tuple[Watched, ...], str]:
+def _judges(
+    level: Level, values: Values, also: Sequence[str]
+) -> tuple[tuple[Watched, ...], Message]:
     """Return whose errors count, and what that is in words."""
     wanted = watched(level, values, also)
     if not wanted:
-        raise AccuracyError("nothing moves freely, so there is nothing to be accurate")
+        raise AccuracyError(Message("nothing moves freely, so there is nothing to be accurate"))
     checked = any(applies(check, values) for check in level.checks)
-    parts = ["its checks"] * checked + ["what is recorded"] * bool(also)
-    return wanted, " and ".join([*parts, "places and velocities"])
+    parts = [Message("its checks")] * checked + [Message("what is recorded")] * bool(also)
+    return wanted, both([*parts, Message("places and velocities")])

@@ -6,6 +6,7 @@ from math import floor
 from typing import NamedTuple
 
 from sandbox.model.level import HIGHEST_RATE, Stepping
+from sandbox.model.message import Message
 from sandbox.physics.accuracy.compared_runs import Watched
 from sandbox.physics.accuracy.event_errors import lateness
 from sandbox.physics.accuracy.refinement import PARTS, SLOWEST, Refinement, furthest, in_step
@@ -40,10 +41,24 @@ class Offer:
     cost: float
 
     def __str__(self) -> str:
+        return str(self.told)
+
+    @property
+    def told(self) -> Message:
+        """The setting and what it costs, in words."""
         s = self.stepping
-        cost = f"{self.cost * 1e3:.3g} ms of computing for a second of the scene"
-        solved = ", contacts solved directly" if s.solver else ""
-        return f"{s.scheme} at {s.rate:g} Hz{solved}, estimated error {self.error:.1e}, {cost}"
+        setting = Message("{scheme} at {rate:g} Hz", scheme=s.scheme, rate=s.rate)
+        if s.solver:
+            setting = Message(
+                "{scheme} at {rate:g} Hz, contacts solved directly", scheme=s.scheme, rate=s.rate
+            )
+        return Message(
+            "{setting}, estimated error {error:.1e}, {cost:.3g} ms of computing for a second of the"
+            " scene",
+            setting=setting,
+            error=self.error,
+            cost=self.cost * 1e3,
+        )
 
 
 class Candidate(NamedTuple):

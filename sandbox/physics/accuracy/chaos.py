@@ -10,6 +10,7 @@ import numpy as np
 
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level, Stepping
+from sandbox.model.message import NOTHING, Message
 from sandbox.physics.accuracy.compared_runs import BLOCK, Stop, Watched, departure
 from sandbox.physics.accuracy.errors import Cancelled
 from sandbox.physics.accuracy.event_errors import timely
@@ -31,7 +32,7 @@ the same factor again and again; what a first touch makes of it all at once is m
 in proportion to time loses but one more in twice the time."""
 
 
-def chaotic(level: Level, values: Values, stepping: Stepping, stop: Stop) -> str:
+def chaotic(level: Level, values: Values, stepping: Stepping, stop: Stop) -> Message:
     """Return how a small change grows, in words, if it does so again and again; empty if not.
 
     Parameters
@@ -49,12 +50,12 @@ def chaotic(level: Level, values: Values, stepping: Stepping, stop: Stop) -> str
     t, times = growth(level, values, stepping, stop)
     chaotic = np.flatnonzero(times >= CHAOTIC)
     if not len(chaotic):
-        return ""
+        return NOTHING
     at = int(chaotic[0])
     half = float(times[: at // 2 + 1].max())
     if log(max(half, 1.0)) > STEADY * log(times[at]):
-        return ""
-    return f"a small change grows {times[at]:.0e} times in {t[at]:.3g} s"
+        return NOTHING
+    return Message("a small change grows {times:.0e} times in {t:.3g} s", times=times[at], t=t[at])
 
 
 def growth(level: Level, values: Values, stepping: Stepping, stop: Stop) -> tuple[Array, Array]:

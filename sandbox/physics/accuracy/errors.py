@@ -1,6 +1,7 @@
 """Errors: why an accuracy cannot be reached."""
 
 from sandbox.model.errors import SandboxError
+from sandbox.model.message import Message
 
 
 class AccuracyError(SandboxError):
@@ -11,4 +12,4 @@ class Cancelled(SandboxError):  # noqa: N818 (a wish rather than an error)
     """A calibration that somebody did not want to wait for."""
 
     def __init__(self) -> None:
-        super().__init__("the calibration was cancelled")
+        super().__init__(Message("the calibration was cancelled"))

@@ -14,6 +14,7 @@ from typing import Literal
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level, Scheme, Stepping
+from sandbox.model.message import Message
 from sandbox.model.quantities import momentary
 from sandbox.physics.accuracy.calibration import Setting, calibrate
 from sandbox.physics.accuracy.cheapest_setting import with_scales
@@ -120,7 +121,7 @@ class Split:
 class Failed:
     """Why there is no more to be found."""
 
-    reason: str
+    reason: Message
 
 
 Finding = Progress | Point | Here | Split | Trust | Setting | Failed
@@ -132,7 +133,7 @@ def study(level: Level, values: Values) -> Iterator[Finding]:
         yield from _others(level, values)
         yield from _own(level, values)
     except SandboxError as error:
-        yield Failed(str(error))
+        yield Failed(error.message)
 
 
 def split(level: Level, values: Values) -> Iterator[Finding]:
@@ -140,7 +141,7 @@ def split(level: Level, values: Values) -> Iterator[Finding]:
     try:
         yield from _own(level, values)
     except SandboxError as error:
-        yield Failed(str(error))
+        yield Failed(error.message)
 
 
 def seek(level: Level, values: Values, target: float, seconds: float = SEARCH) -> Iterator[Finding]:
@@ -149,7 +150,7 @@ def seek(level: Level, values: Values, target: float, seconds: float = SEARCH) -
         yield Progress(0.1, "looking for the cheapest setting")
         yield calibrate(level, values, target, seconds)
     except SandboxError as error:
-        yield Failed(str(error))
+        yield Failed(error.message)
 
 
 def trusted(level: Level, values: Values, names: Iterable[str]) -> tuple[Trust, ...]:

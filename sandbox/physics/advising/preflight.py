@@ -66,7 +66,7 @@ def _refused(level: Level, values: Values) -> SimulationError | None:
     except SimulationError as error:
         return error
     except JointFailure as error:
-        return SimulationError(error.joint, 0.0, str(error))
+        return SimulationError(error.joint, 0.0, error.reason)
     except Exception as error:  # noqa: BLE001 (whatever it is, whoever checks gets an answer)
         return BreakdownError(error, 0.0)
     return None

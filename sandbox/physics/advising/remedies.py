@@ -15,12 +15,13 @@ from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Values
 from sandbox.model.joints import Own, is_exact
 from sandbox.model.level import HIGHEST_RATE, Level, Stepping, is_direct
+from sandbox.model.message import NOTHING, Message, both, joined
 from sandbox.physics.measuring.recording import count_steps
 from sandbox.physics.run import build
 from sandbox.physics.state.errors import BreakdownError, SimulationError
 from sandbox.physics.stepping.world import World
 
-DIRECT = 'with "contact": {"solver": "direct"}'
+DIRECT = Message('with "contact": {"solver": "direct"}')
 
 SECONDS = 2.0
 """How long trying may take in all, of the processor [s]: on a busy machine the same is found.
@@ -49,7 +50,7 @@ class Advice(NamedTuple):
         The one that holds, if one was found [Hz].
     """
 
-    text: str
+    text: Message
     rate: float | None = None
 
 
@@ -57,18 +58,27 @@ class Advice(NamedTuple):
 class _Trial:
     """How a remedy did."""
 
-    description: str
+    description: Message
     rate: float | None
     t: float
     whole: bool
     stopped: bool
 
     @property
-    def outcome(self) -> str:
+    def outcome(self) -> Message:
         if self.stopped:
-            return f"{self.description} it stops at t = {self.t:.4g} s"
-        end = "to its end, " if self.whole else "until "
-        return f"{self.description} it holds {end}t = {self.t:.4g} s"
+            return Message(
+                "{description} it stops at t = {t:.4g} s", description=self.description, t=self.t
+            )
+        if self.whole:
+            return Message(
+                "{description} it holds to its end, t = {t:.4g} s",
+                description=self.description,
+                t=self.t,
+            )
+        return Message(
+            "{description} it holds until t = {t:.4g} s", description=self.description, t=self.t
+        )
 
 
 def tried(
@@ -107,7 +117,7 @@ def advise(
 ) -> Advice:
     """Try what may help, for so long [s], and return what does; for the others, see `tried`."""
     if stepping.accuracy is not None:
-        return Advice("")
+        return Advice(NOTHING)
     end = level.duration(values) if duration is None else duration
     attempt = partial(_attempt, values=values, before=error.time, end=end)
     deadline, failed = process_time() + seconds, list[_Trial]()
@@ -121,11 +131,14 @@ def advise(
         if trial is None:
             continue
         if not trial.stopped:
-            return Advice(f"tried: {_dismissed(failed)}{trial.outcome}", trial.rate)
+            return Advice(_found(failed, trial), trial.rate)
         failed.append(trial)
     if not failed:
-        return Advice(f"no remedy is known: nothing came as far within {seconds:g} s")
-    return Advice(f"nothing that was tried helps: {'; '.join(t.outcome for t in failed)}")
+        return Advice(
+            Message("no remedy is known: nothing came as far within {seconds:g} s", seconds=seconds)
+        )
+    outcomes = joined((trial.outcome for trial in failed), "; ")
+    return Advice(Message("nothing that was tried helps: {outcomes}", outcomes=outcomes))
 
 
 def findings(
@@ -135,10 +148,16 @@ def findings(
     yield advise(error, level, values, stepping, duration)
 
 
-def _dismissed(failed: list[_Trial]) -> str:
-    """Say that higher rates did not help, if some were tried."""
-    rates = [f"{trial.rate:,.0f}" for trial in failed if trial.rate]
-    return f"a higher rate does not help ({' and '.join(rates)} Hz), but " if rates else ""
+def _found(failed: list[_Trial], trial: _Trial) -> Message:
+    """Say what helps, and that higher rates did not, if some were tried."""
+    rates = [Message("{rate:,.0f}", rate=trial.rate) for trial in failed if trial.rate]
+    if not rates:
+        return Message("tried: {outcome}", outcome=trial.outcome)
+    return Message(
+        "tried: a higher rate does not help ({rates} Hz), but {outcome}",
+        rates=both(rates),
+        outcome=trial.outcome,
+    )
 
 
 def leaning(level: Level, values: Values, stepping: Stepping) -> str:
@@ -161,7 +180,7 @@ def solved_directly(level: Level) -> Level:
     )
 
 
-Remedy = tuple[str, Level | None, Stepping, float | None]
+Remedy = tuple[Message, Level | None, Stepping, float | None]
 
 
 def _finer(error: SimulationError, stepping: Stepping) -> Iterator[Remedy]:
@@ -170,14 +189,14 @@ def _finer(error: SimulationError, stepping: Stepping) -> Iterator[Remedy]:
     first = error.rate or FINER * stepping.rate
     for rate in (float(first), 2.0 * first):
         if stepping.rate < rate <= HIGHEST_RATE:
-            yield f"at {rate:,.0f} Hz", None, stepping.at(rate), rate
+            yield Message("at {rate:,.0f} Hz", rate=rate), None, stepping.at(rate), rate
 
 
 def _others(level: Level, stepping: Stepping) -> Iterator[Remedy]:
     """Yield what else may help, in the words of a level."""
     if stepping.is_stock:
         other = stepping.model_copy(update={"scheme": "leapfrog"})
-        yield "with the scheme 'leapfrog'", None, other, None
+        yield Message("with the scheme 'leapfrog'"), None, other, None
     contact = level.effects.contact
     held = {name: joint for name, joint in level.joints.items() if is_exact(joint)}
     own = any(isinstance(joint, Own) and not joint.exact for joint in level.joints.values())
@@ -189,11 +208,11 @@ def _others(level: Level, stepping: Stepping) -> Iterator[Remedy]:
         effects = level.effects.model_copy(update={"contact": swept})
         joints = {**level.joints, **loose}
         changed = level.model_copy(update={"joints": joints, "effects": effects})
-        yield 'with "exact": false for its joints', changed, stepping, None
+        yield Message('with "exact": false for its joints'), changed, stepping, None
 
 
 def _attempt(
-    description: str,
+    description: Message,
     level: Level,
     stepping: Stepping,
     rate: float | None,

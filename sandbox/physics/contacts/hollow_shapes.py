@@ -10,6 +10,7 @@ import pymunk
 from sandbox.model.body import Body
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level
+from sandbox.model.message import Message
 from sandbox.model.shapes import ROUND_OFF, Box, Disc, Hoop, Polygon
 from sandbox.model.shapes import Arc as ArcShape
 from sandbox.model.shapes import Curve as CurveShape
@@ -146,9 +147,12 @@ def _core(shape: pymunk.Shape) -> list[complex]:
 def _refuse_within(name: str, hollow: Made, radius: float, other: str, body: Made) -> None:
     """Refuse what starts in a hoop, where first touches from inside would have to be found."""
     if abs(complex(*hollow.body.position) - complex(*body.body.position)) < radius:
-        rule = (
-            f"'{other}' starts in the hoop '{name}': where 'contact' locates impacts, or the two"
-            " are to stick, hoops are touched from outside only; leave out 'located' or 'sticking'"
+        rule = Message(
+            "'{other}' starts in the hoop '{name}': where 'contact' locates impacts, or the two"
+            " are to stick, hoops are touched from outside only; leave out 'located' or"
+            " 'sticking'",
+            other=other,
+            name=name,
         )
         raise SimulationError(other, 0.0, rule)
 

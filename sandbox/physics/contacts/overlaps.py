@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 import pymunk
 
+from sandbox.model.message import Message
 from sandbox.physics.contacts.contact_queries import touched
 from sandbox.physics.contacts.hollow_contacts import Hollows
 from sandbox.physics.state.errors import SimulationError
@@ -42,9 +43,12 @@ def refuse_overlaps(
     found = max(islice(_pairs(space, bodies, hollows, gates), ENOUGH), default=None)
     if found:
         depth, one, other = found
-        rule = (
-            f"'{one}' and '{other}' overlap by {depth:.3g} m at the start; move them apart, or let"
-            " 'contact' say \"overlaps\": true"
+        rule = Message(
+            "'{one}' and '{other}' overlap by {depth:.3g} m at the start; move them apart, or let"
+            " 'contact' say \"overlaps\": true",
+            one=one,
+            other=other,
+            depth=depth,
         )
         raise SimulationError(one, 0.0, rule)
 

@@ -11,6 +11,7 @@ import numpy as np
 import pymunk
 
 from sandbox.model.expressions import Array
+from sandbox.model.message import Message
 from sandbox.physics.engine.batch import Booleans, Integers
 from sandbox.physics.state.errors import SimulationError
 
@@ -60,10 +61,14 @@ def _moves(shape: pymunk.Shape) -> bool:
     return shape.body is not None and shape.body.body_type != pymunk.Body.STATIC
 
 
-def crowded(name: str, most: int) -> str:
+def crowded(name: str, most: int) -> Message:
     """Return why so many pairs are refused, of which a body is in most."""
-    rule = f"more than {most:,} pairs of bodies are within reach of each other"
-    return f"{rule}, which no step can carry; '{name}' is in most of them: spread the bodies out"
+    return Message(
+        "more than {most:,} pairs of bodies are within reach of each other, which no step can"
+        " carry; '{name}' is in most of them: spread the bodies out",
+        most=most,
+        name=name,
+    )
 
 
 def _meeting(boxes: Array, rows: Integers, moves: Booleans) -> Iterator[tuple[Integers, Integers]]:

@@ -9,9 +9,10 @@ bounce, and what is left is solved at once: no pair may approach, and only pushe
 import numpy as np
 
 from sandbox.model.expressions import Array
+from sandbox.model.message import Message
+from sandbox.physics.contacts.endless_impacts import EndlessImpacts
 from sandbox.physics.engine.batch import Integers
 from sandbox.physics.state.cancellation import cancellation_point
-from sandbox.physics.state.errors import EndlessImpacts
 
 ROUNDING = 1e-12
 """An approach slower than this share of the speeds that it is the difference of is none."""
@@ -46,9 +47,9 @@ LOST = 8
 """How many units in the last place of all that is added up may be lost: a light body between two
 heavy ones feels but the difference of what they push with."""
 
-WEDGED = (
-    "elastic bodies are wedged in, and would collide for ever: what presses them together does not"
-    " give way; let their 'restitution' be less than 1, or leave them room"
+WEDGED = Message(
+    "elastic bodies are wedged in, and would collide for ever: what presses them together does"
+    " not give way; let their 'restitution' be less than 1, or leave them room",
 )
 
 TINY = 1e-300

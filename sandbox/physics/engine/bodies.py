@@ -10,6 +10,7 @@ import pymunk
 from sandbox.model.body import Body
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level
+from sandbox.model.message import Message
 from sandbox.model.shapes import (
     XY,
     Arc,
@@ -51,7 +52,10 @@ def make_body(name: str, level: Level, values: Values) -> pymunk.Body:
         mass = spec.mass(values)
         moment = _moment(spec, mass, values) if level.effects.rotation else inf
         if not moment > 0:  # of which pymunk ends the process
-            rule = f"its moment of inertia comes out as {moment:g} kg m²; its corners are no shape"
+            rule = Message(
+                "its moment of inertia comes out as {moment:g} kg m²; its corners are no shape",
+                moment=moment,
+            )
             raise SimulationError(name, 0.0, rule)
         body = pymunk.Body(mass, moment)
     else:

@@ -4,10 +4,11 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
+from sandbox.model.message import Message
+from sandbox.physics.contacts.endless_impacts import OFTEN, EndlessImpacts
 from sandbox.physics.contacts.simultaneous_impacts import EQUAL, GENTLE, MANY
 from sandbox.physics.engine.batch import Booleans
 from sandbox.physics.events.time_of_impact import Hit
-from sandbox.physics.state.errors import OFTEN, EndlessImpacts
 
 MOST = 500
 """How many impacts a body may have in a step: they take 0.2 s."""
@@ -15,9 +16,9 @@ MOST = 500
 INSTANT = 1e-9
 """The share of a step within which impacts come at the same time."""
 
-CRAMPED = (
-    f"{{body}} would have more than {MOST} impacts in one step: it is too fast for the room that it"
-    " has; leave it more, or take a higher 'rate'"
+CRAMPED = Message(
+    "{body} would have more than {most} impacts in one step: it is too fast for the room that"
+    " it has; leave it more, or take a higher 'rate'",
 )
 
 Restitution = Callable[[Hit], float]
@@ -98,7 +99,7 @@ class Tally:
             self._all[body] += 1
             self._now[body] += 1
             if self._all[body] > MOST:
-                raise EndlessImpacts(body, CRAMPED if self._now[body] < MANY else OFTEN)
+                raise EndlessImpacts(body, CRAMPED if self._now[body] < MANY else OFTEN, most=MOST)
         return bool(self._now[bodies].max() > MANY)
 
     def gentle(self, around: Sequence[Hit]) -> bool:

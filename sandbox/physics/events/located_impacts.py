@@ -18,7 +18,9 @@ import numpy as np
 from sandbox.model.expressions import Array, Values
 from sandbox.model.joints import bodies_of
 from sandbox.model.level import Level
+from sandbox.model.message import Message
 from sandbox.physics.contacts.collision_filter import meets
+from sandbox.physics.contacts.endless_impacts import EndlessImpacts
 from sandbox.physics.contacts.pair_coefficients import pair_coefficients
 from sandbox.physics.contacts.post_impact_velocity import impacts
 from sandbox.physics.contacts.simultaneous_impacts import PRESSED
@@ -30,10 +32,9 @@ from sandbox.physics.geometry.distance import Outline, outlines
 from sandbox.physics.joints.exact.reactions import Grip
 from sandbox.physics.scene.scene import Scene
 from sandbox.physics.state.cancellation import cancellation_point
-from sandbox.physics.state.errors import EndlessImpacts
 from sandbox.physics.state.motion import momentum
 
-SHUT_IN = "{body} is wedged in: what presses on it does not give way; leave it more room"
+SHUT_IN = Message("{body} is wedged in: what presses on it does not give way; leave it more room")
 
 
 class Cut(NamedTuple):

@@ -8,6 +8,7 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.model.level import Stepping
+from sandbox.model.message import NOTHING, Message
 from sandbox.physics.engine.batch import Contacts
 from sandbox.physics.scene.scene import Scene
 from sandbox.physics.state.errors import SimulationError, way_out
@@ -17,7 +18,7 @@ from sandbox.physics.state.snapshot import Snapshot
 MARGIN = 4
 """How many times the rate is advised where nothing else is known."""
 
-Cause = Callable[[int], tuple[str, float | None]]
+Cause = Callable[[int], tuple[Message, float | None]]
 """Tells what was too strong for a body, by its row, and the rate that it needs [Hz]."""
 
 
@@ -56,10 +57,15 @@ class Lost:
             refuse_lost(self._names, now, self._stepping.rate, self._cause, _unknown)
         self._last = now
 
-    def _cause(self, _row: int) -> tuple[str, float | None]:
+    def _cause(self, _row: int) -> tuple[Message, float | None]:
         if self._stepping.is_stock:
-            return f": the scheme '{self._stepping.scheme}' gives some in every step", None
-        return "", MARGIN * self._stepping.rate
+            return gives_some(self._stepping.scheme), None
+        return NOTHING, MARGIN * self._stepping.rate
+
+
+def gives_some(scheme: str) -> Message:
+    """Return where energy comes from with a scheme of the textbooks."""
+    return Message(": the scheme '{scheme}' gives some in every step", scheme=scheme)
 
 
 def is_sound(now: Snapshot) -> bool:
@@ -93,15 +99,17 @@ def refuse_lost(
     gone, lost = (~np.isfinite(part).all(axis=1) for part in (rows, rows * rows))
     if gone.any():
         row = int(gone.argmax())
-        reason = f"the body '{names[row]}' is no longer anywhere finite"
         cause, needed = gone_by(row)
-        stop(names[row], now, f"{reason}{cause}", needed, rate)
+        reason = Message(
+            "the body '{name}' is no longer anywhere finite{cause}", name=names[row], cause=cause
+        )
+        stop(names[row], now, reason, needed, rate)
     if lost.any():
         refuse_beyond(names, int(lost.argmax()), now, rate, beyond_by)
 
 
-def _unknown(_row: int) -> tuple[str, float | None]:
-    return "", None
+def _unknown(_row: int) -> tuple[Message, float | None]:
+    return NOTHING, None
 
 
 def refuse_beyond(
@@ -109,11 +117,15 @@ def refuse_beyond(
 ) -> NoReturn:
     """Stop, for a body's energy is beyond the largest number; see `refuse_lost`."""
     cause, needed = cause_of(row)
-    why = "is so fast, so far away or so heavy that its energy is no finite number"
-    stop(names[row], now, f"'{names[row]}' {why}{cause}", needed, rate)
+    reason = Message(
+        "'{name}' is so fast, so far away or so heavy that its energy is no finite number{cause}",
+        name=names[row],
+        cause=cause,
+    )
+    stop(names[row], now, reason, needed, rate)
 
 
-def stop(name: str, now: Snapshot, reason: str, needed: float | None, rate: float) -> NoReturn:
+def stop(name: str, now: Snapshot, reason: Message, needed: float | None, rate: float) -> NoReturn:
     """Stop for a reason, and tell at which rate it should hold, if that is known [Hz]."""
-    hint = "" if needed is None else way_out(needed, rate)
+    hint = NOTHING if needed is None else way_out(needed, rate)
     raise SimulationError(name, float(now.t), reason, needed, hint=hint)

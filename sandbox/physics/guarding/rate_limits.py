@@ -14,6 +14,7 @@ from typing import NamedTuple
 import numpy as np
 
 from sandbox.model.expressions import Array
+from sandbox.model.message import Message
 from sandbox.physics.forces.law import Law
 from sandbox.physics.forces.spring import SpringForce
 from sandbox.physics.geometry.distance import plain, width
@@ -42,7 +43,7 @@ class Need(NamedTuple):
     """
 
     rate: float
-    subject: str
+    subject: Message
 
 
 def needs(scene: Scene, now: Snapshot, located: Container[str] = ()) -> list[Need]:
@@ -66,7 +67,7 @@ def needs(scene: Scene, now: Snapshot, located: Container[str] = ()) -> list[Nee
 def _springs(scene: Scene, now: Snapshot) -> Iterator[Need]:
     rate, name = limit(scene.joints.springs, scene.inverse_mass, now.angle)
     if rate:
-        yield Need(rate, f"the spring '{name}'")
+        yield Need(rate, Message("the spring '{name}'", name=name))
 
 
 def _taut(scene: Scene, now: Snapshot) -> Iterator[Need]:
@@ -82,7 +83,7 @@ def _taut(scene: Scene, now: Snapshot) -> Iterator[Need]:
                 taut[f"{index} {name}"] = SpringForce(ends, pulls / far, far, 0.0)
     rate, name = limit(taut, scene.inverse_mass, now.angle)
     if rate:
-        yield Need(rate, f"the joint '{name.partition(' ')[2]}'")
+        yield Need(rate, Message("the joint '{name}'", name=name.partition(" ")[2]))
 
 
 def _fast(scene: Scene, now: Snapshot, located: Container[str]) -> Iterator[Need]:
@@ -93,7 +94,7 @@ def _fast(scene: Scene, now: Snapshot, located: Container[str]) -> Iterator[Need
     ):
         wide = min(map(width, plain(body.shapes)), default=0.0)
         if moves and wide > 0 and speed > 0 and name not in located:
-            yield Need(speed / wide, f"the body '{name}'")
+            yield Need(speed / wide, Message("the body '{name}'", name=name))
 
 
 def steepness(scene: Scene, row: int, then: Motion, nudge: float) -> Iterator[Need]:
@@ -168,9 +169,9 @@ def _force(law: Law, row: int, motion: Instant) -> Array:
     return wrench[row, :2]
 
 
-def called(scene: Scene, law: Law) -> str:
+def called(scene: Scene, law: Law) -> Message:
     """Return what declares a law, in words."""
     for name, spring in scene.joints.springs.items():
         if spring is law:
-            return f"the spring '{name}'"
-    return f"the effect '{law.effect.name}'"
+            return Message("the spring '{name}'", name=name)
+    return Message("the effect '{name}'", name=law.effect.name)

@@ -15,6 +15,7 @@ from sandbox.model import ledger_accounts
 from sandbox.model.body import Body
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level, Stepping
+from sandbox.model.message import NOTHING, Message
 from sandbox.model.shapes import Arc, Box, Curve, Disc, Hoop, Polygon, Polyline, Segment
 from sandbox.physics.contacts.pair_count import crowded, most_pairs
 from sandbox.physics.engine.batch import Contacts, Integers
@@ -22,7 +23,13 @@ from sandbox.physics.engine.bodies import local_points
 from sandbox.physics.geometry.convex_decomposition import twice_area
 from sandbox.physics.guarding.energy_audit import Audit
 from sandbox.physics.guarding.energy_drift import Gains
-from sandbox.physics.guarding.lost_bodies import is_sound, refuse_beyond, refuse_lost, stop
+from sandbox.physics.guarding.lost_bodies import (
+    gives_some,
+    is_sound,
+    refuse_beyond,
+    refuse_lost,
+    stop,
+)
 from sandbox.physics.guarding.rate_limits import Need, called, slowing, steepness
 from sandbox.physics.scene.scene import Scene
 from sandbox.physics.scene.stability_limits import MARGIN, limit
@@ -46,7 +53,9 @@ LITTLE = 0.01
 PARTED = 0.05
 """The share of the thinnest body's thickness by which an exact joint may be off."""
 
-TURNS = "forces of contact and exact joints are found in turn here, and do not come to terms"
+TURNS = Message(
+    "forces of contact and exact joints are found in turn here, and do not come to terms"
+)
 """What goes wrong where contacts are not solved directly: a heavy body on a light one."""
 
 UNNOTICED = 1e-3
@@ -181,13 +190,13 @@ class Watchdog:
         if not is_sound(now):
             refuse_lost(self._names, now, self._rate, lambda row: self._gone_by(row, now), self._by)
 
-    def _gone_by(self, row: int, now: Snapshot) -> tuple[str, float | None]:
+    def _gone_by(self, row: int, now: Snapshot) -> tuple[Message, float | None]:
         return self._without_value(row, now) or self._cause(row)
 
-    def _by(self, row: int) -> tuple[str, float | None]:
-        return self._known_cause(row) or ("", None)
+    def _by(self, row: int) -> tuple[Message, float | None]:
+        return self._known_cause(row) or (NOTHING, None)
 
-    def _without_value(self, row: int, now: Snapshot) -> tuple[str, None] | None:
+    def _without_value(self, row: int, now: Snapshot) -> tuple[Message, None] | None:
         """Return the law that had no value any more, where or when a body had got to."""
         before = self._recent[-1]
         place = np.where(np.isfinite(now.position), now.position, before.position)
@@ -196,14 +205,15 @@ class Watchdog:
             wrench = np.zeros((len(place), 3))
             law.add(motion, wrench)
             if not np.isfinite(wrench[row]).all():
-                return f": {called(self._scene, law)} has no finite value any more", None
+                law_name = called(self._scene, law)
+                return Message(": {law} has no finite value any more", law=law_name), None
         return None
 
     def _refuse_beyond(self, row: int, now: Snapshot) -> NoReturn:
         """Stop, for a body's energy is beyond the largest number."""
         refuse_beyond(self._names, row, now, self._rate, self._by)
 
-    def _stop(self, row: int, now: Snapshot, reason: str, rate: float | None) -> NoReturn:
+    def _stop(self, row: int, now: Snapshot, reason: Message, rate: float | None) -> NoReturn:
         stop(self._names[row], now, reason, rate, self._rate)
 
     def _refuse_crowd(self, now: Snapshot, contacts: Contacts) -> NoReturn:
@@ -215,8 +225,8 @@ class Watchdog:
         depth = self._depth(contacts)
         worst = int(depth.argmax())
         if depth[worst] > self._deepest:
-            how = f"{contacts.depth[worst]:.3g} m deep in '{{}}', more than half its thickness"
-            self._refuse_sunk(now, contacts.bodies[worst].tolist(), how)
+            deep = float(contacts.depth[worst])
+            self._refuse_sunk(now, contacts.bodies[worst].tolist(), deep)
         was_deep, self._deep = self._deep, {}
         if self._deepest > 1 or not (was_deep or depth[worst] > HALFWAY):
             return
@@ -225,23 +235,32 @@ class Watchdog:
         ):
             before = was_deep.get((pair[0], pair[1]))
             if before is not None and before @ direction < 0:
-                self._refuse_sunk(now, pair, "pressed through '{}'")
+                self._refuse_sunk(now, pair)
             if deep:
                 self._deep[pair[0], pair[1]] = direction
 
-    def _refuse_sunk(self, now: Snapshot, pair: list[int], how: str) -> NoReturn:
+    def _refuse_sunk(self, now: Snapshot, pair: list[int], deep: float | None = None) -> NoReturn:
         """Stop, for of two bodies the thinner is too deep in the other, or beyond it."""
         self.doubts = True
         a, b = sorted(pair, key=lambda row: float(self._thick[row]))
-        reason = f"'{self._names[a]}' is {how.format(self._names[b])}"
+        thin, other = self._names[a], self._names[b]
+        reason = Message("'{thin}' is pressed through '{other}'", thin=thin, other=other)
+        if deep is not None:
+            reason = Message(
+                "'{thin}' is {deep:.3g} m deep in '{other}', more than half its thickness",
+                thin=thin,
+                other=other,
+                deep=deep,
+            )
         speed = np.hypot(*(self._recent[-1].velocity[a] - self._recent[-1].velocity[b]))
         way = DEEP * self._thick[a]
         if speed > way * self._rate:
             needed = 2 * speed / way
-            reason += f": at {speed:.3g} m/s a step is too long for it"
+            cause = Message(": at {speed:.3g} m/s a step is too long for it", speed=speed)
         else:
             needed = 4 * self._rate
-            reason += ": what presses on it is too much for the solver"
+            cause = Message(": what presses on it is too much for the solver")
+        reason = Message("{reason}{cause}", reason=reason, cause=cause)
         self._stop(a, now, reason, needed)
 
     def _depth(self, contacts: Contacts) -> Array:
@@ -256,12 +275,14 @@ class Watchdog:
         name, gap = self._scene.joints.parting()
         if gap > PARTED * thin:
             self.doubts = True
-            reason = f"the joint '{name}' has parted by {gap:.3g} m"
-            hint = "let bodies start apart, or give 'contact' a 'correction' of 0"
+            reason = Message("the joint '{name}' has parted by {gap:.3g} m", name=name, gap=gap)
+            hint = Message("let bodies start apart, or give 'contact' a 'correction' of 0")
             if self._turns and self._apart:
-                reason, hint = f"{reason}: {TURNS}", f"{hint}, or the 'solver' \"direct\""
+                cause = TURNS
+                hint = Message("{hint}, or the 'solver' \"direct\"", hint=hint)
             else:
-                reason = f"{reason}: bodies that overlap are pushed apart against it"
+                cause = Message("bodies that overlap are pushed apart against it")
+            reason = Message("{reason}: {cause}", reason=reason, cause=cause)
             raise SimulationError(name, float(now.t), reason, hint=hint)
 
     def _refuse_if(self, now: Snapshot, gained: float) -> None:
@@ -276,30 +297,35 @@ class Watchdog:
             self._refuse_beyond(row, now)
         self.doubts = True
         name = self._names[row]
-        reason = f"{gained:.3g} J have come from nowhere, and '{name}' has most of it"
         cause, rate = self._cause(row)
-        self._stop(row, now, f"{reason}{cause}", rate)
+        reason = Message(
+            "{gained:.3g} J have come from nowhere, and '{name}' has most of it{cause}",
+            gained=gained,
+            name=name,
+            cause=cause,
+        )
+        self._stop(row, now, reason, rate)
 
     def _swings(self, start: Snapshot) -> float:
         """Return by how much leapfrog lets the energy of a spring swing: 1 / (1 − (ω dt / 2)²)."""
         needed, _ = limit(self._scene.joints.springs, self._scene.inverse_mass, start.angle)
         return 1 / max(1 - (needed / self._rate) ** 2, TIGHTEST)
 
-    def _cause(self, row: int) -> tuple[str, float | None]:
+    def _cause(self, row: int) -> tuple[Message, float | None]:
         """Return the force that was too strong for a body, and the rate that it needs [Hz]."""
         if not self._strict:
-            return f": the scheme '{self._scheme}' gives some in every step", None
+            return gives_some(self._scheme), None
         if known := self._known_cause(row):
             return known
-        return f": {TURNS}" if self._turns else "", MARGIN * self._rate
+        cause = Message(": {turns}", turns=TURNS) if self._turns else NOTHING
+        return cause, MARGIN * self._rate
 
-    def _known_cause(self, row: int) -> tuple[str, float] | None:
+    def _known_cause(self, row: int) -> tuple[Message, float] | None:
         worst = max(self._blamed(row), default=None)
         if worst is None:
             return None
         needed = MARGIN * worst.rate
-        cause = f"{worst.subject} changes too fast for a step"
-        return f": {cause}", needed
+        return Message(": {subject} changes too fast for a step", subject=worst.subject), needed
 
     def _blamed(self, row: int) -> list[Need]:
         """Return what asked for more than the rate, with room to spare.

@@ -31,6 +31,7 @@ from sandbox.model.joints import (
     points,
 )
 from sandbox.model.level import Level, is_alone
+from sandbox.model.message import Message
 from sandbox.model.shapes import evaluate
 from sandbox.physics.engine.batch import Batch
 from sandbox.physics.joints.exact.angles import (
@@ -188,7 +189,11 @@ class _Assembly:
         if not given:
             together.keep(t)
         elif (beyond := together.beyond(t)) > NEAR:
-            rule = f"'{name}' is tied where what it holds is {beyond:.3g} beyond its bounds already"
+            rule = Message(
+                "'{name}' is tied where what it holds is {beyond:.3g} beyond its bounds already",
+                name=name,
+                beyond=beyond,
+            )
             raise JointFailure(name, rule)
         self._make_one(name)
 

@@ -25,6 +25,7 @@ from math import hypot
 
 import pymunk
 
+from sandbox.model.message import Message
 from sandbox.model.shapes import XY
 from sandbox.physics.engine.private_handles import Pair
 from sandbox.physics.state.errors import JointFailure
@@ -112,7 +113,9 @@ class PulleyString:
                 kick, (ax, ay, far_a, ux, uy, px, py), (bx, by, far_b, vx, vy, qx, qy)
             )
         except ZeroDivisionError:
-            raise JointFailure(self._name, f"an end of '{self._name}' has run into a peg") from None
+            raise JointFailure(
+                self._name, Message("an end of '{name}' has run into a peg", name=self._name)
+            ) from None
         if impulse:
             self._pair.set_velocity(
                 ux - impulse * px, uy - impulse * py, vx - impulse * qx, vy - impulse * qy
@@ -147,7 +150,9 @@ class PulleyString:
                 impulse = least
             if -close <= excess <= close or impulse == before:
                 return impulse
-        raise JointFailure(self._name, f"no tension keeps '{self._name}' at its length")
+        raise JointFailure(
+            self._name, Message("no tension keeps '{name}' at its length", name=self._name)
+        )
 
 
 def _inverse_mass(body: pymunk.Body) -> float:

@@ -17,6 +17,7 @@ from sandbox.model.level import (
 )
 from sandbox.model.level_parts import measured
 from sandbox.model.measuring_instants import MOST_MEETINGS
+from sandbox.model.message import Message
 from sandbox.model.quantities import TIME, base, quantity
 from sandbox.optional_packages import needed_for
 from sandbox.physics.energy.book_closure import Closing
@@ -221,9 +222,14 @@ class Recorder:
             If they are.
         """
         if count > self._most:
-            message = f"{count:,} instants are to be recorded, and with so many quantities"
-            hint = "record fewer, or for a shorter time"
-            reason = f"{message} {self._most:,} are the most that {LARGEST / 1e9:g} GB hold"
+            hint = Message("record fewer, or for a shorter time")
+            reason = Message(
+                "{count:,} instants are to be recorded, and with so many quantities {most:,} are"
+                " the most that {size:g} GB hold",
+                count=count,
+                most=self._most,
+                size=LARGEST / 1e9,
+            )
             raise SimulationError("", self._world.t, reason, hint=hint)
 
     def _touch(self, bodies: Integers, struck: Collection[Pair]) -> None:

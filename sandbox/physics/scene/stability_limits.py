@@ -7,6 +7,7 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.model.json_positions import Path
+from sandbox.model.message import Message
 from sandbox.physics.forces.law import Law, Turn
 from sandbox.physics.forces.spring import SpringForce
 from sandbox.physics.joints.exact.joint_failures import SINGULAR
@@ -58,11 +59,11 @@ def check_drag(
         braked = _braking(law, start, inverse_mass[:, 2])
     if (needed := float(braked.max(initial=0.0))) > rate * CLOSE:
         name = names[int(braked.argmax())]
-        cause = f"the effect '{law.effect.name}' on '{name}'"
+        cause = _acting(law.effect.name, name)
         raise _refused(name, cause, needed, rate, ("effects", law.effect.name))
     row = int(taken.argmax())
     if taken[row] > rate * CLOSE and (needed := _held(taken, inverse_mass, joints)) > rate * CLOSE:
-        cause = f"the effect '{law.effect.name}' on '{names[row]}'"
+        cause = _acting(law.effect.name, names[row])
         raise _refused(names[row], cause, needed, rate, ("effects", law.effect.name))
 
 
@@ -75,7 +76,7 @@ def check_turn(turn: Turn, names: Sequence[str], start: Motion, rate: float) -> 
         turning = np.abs(turn.rate(start))
     row = int(turning.argmax())
     if (needed := float(turning[row]) / 2) > rate * CLOSE:
-        cause = f"the effect '{turn.effect.name}' on '{names[row]}'"
+        cause = _acting(turn.effect.name, names[row])
         raise _refused(names[row], cause, needed, rate, ("effects", turn.effect.name))
 
 
@@ -156,12 +157,26 @@ def check_springs(
     needed, name = limit(springs, inverse_mass, angle)
     needed *= 2 / reach
     if needed > rate * CLOSE:
-        raise _refused(name, f"the spring '{name}'", needed, rate, ("joints", name))
+        cause = Message("the spring '{name}'", name=name)
+        raise _refused(name, cause, needed, rate, ("joints", name))
 
 
-def _refused(subject: str, cause: str, needed: float, rate: float, path: Path) -> SimulationError:
-    least = f"{np.ceil(needed):,.0f}" if needed < READABLE else f"{needed:.3g}"
-    reason = f"{cause} needs a 'rate' of at least {least}, not {rate:g}"
+def _acting(effect: str, body: str) -> Message:
+    return Message("the effect '{effect}' on '{body}'", effect=effect, body=body)
+
+
+def _refused(
+    subject: str, cause: Message, needed: float, rate: float, path: Path
+) -> SimulationError:
+    least = Message("{least:.3g}", least=needed)
+    if needed < READABLE:
+        least = Message("{least:,.0f}", least=np.ceil(needed))
+    reason = Message(
+        "{cause} needs a 'rate' of at least {least}, not {rate:g}",
+        cause=cause,
+        least=least,
+        rate=rate,
+    )
     return SimulationError(subject, 0.0, reason, MARGIN * needed, path)
 
 

@@ -6,13 +6,14 @@ from sandbox.model.effects.contract import IncompleteError
 from sandbox.model.errors import SandboxError
 from sandbox.model.json_positions import Path
 from sandbox.model.level import HIGHEST_RATE, Level
+from sandbox.model.message import NOTHING, Message
 
 
-def way_out(needed: float, rate: float) -> str:
+def way_out(needed: float, rate: float) -> Message:
     """Return what to do where a higher rate would hold [Hz], if a level may have that."""
     if needed > HIGHEST_RATE:
-        return "no 'rate' that a level may have is enough"
-    return f"take a higher 'rate': {ceil(needed):,}, not {rate:g}"
+        return Message("no 'rate' that a level may have is enough")
+    return Message("take a higher 'rate': {needed:,}, not {rate:g}", needed=ceil(needed), rate=rate)
 
 
 class SimulationError(SandboxError):
@@ -38,10 +39,10 @@ class SimulationError(SandboxError):
         self,
         subject: str,
         time: float,
-        reason: str,
+        reason: Message,
         rate: float | None = None,
         path: Path = (),
-        hint: str = "",
+        hint: Message = NOTHING,
     ) -> None:
         self.subject = subject
         self.time = time
@@ -58,19 +59,25 @@ class SimulationError(SandboxError):
         return type(self), arguments, {"place": self.place}
 
     def __str__(self) -> str:
+        return str(self.message)
+
+    @property
+    def message(self) -> Message:
+        """What is wrong and when, with the hint, to be translated."""
         return self.with_advice(self.hint)
 
-    def with_advice(self, advice: str) -> str:
+    def with_advice(self, advice: Message) -> Message:
         """Return the message with some advice; none if that is empty."""
-        begin = self.place or f"stopped at t = {self.time:.6g} s"
-        return f"{begin}: {self.reason}" + (f"; {advice}" if advice else "")
+        begin = self.place or Message("stopped at t = {t:.6g} s", t=self.time)
+        told = Message("{begin}: {reason}", begin=begin, reason=self.reason)
+        return Message("{told}; {advice}", told=told, advice=advice) if advice else told
 
     def when(self, condition: str) -> "SimulationError":
         """Return the same, of values of the parameters only."""
-        reason = f"{self.reason} when {condition}"
+        reason = Message("{reason} when {condition}", reason=self.reason, condition=condition)
         return SimulationError(self.subject, self.time, reason, self.rate, self._path, self.hint)
 
-    def advised(self, hint: str, rate: float | None) -> "SimulationError":
+    def advised(self, hint: Message, rate: float | None) -> "SimulationError":
         """Return the same with what was found to help, and a rate that holds [Hz]."""
         found = SimulationError(self.subject, self.time, self.reason, rate, self._path, hint)
         found.place = self.place
@@ -93,9 +100,12 @@ class BreakdownError(SimulationError):
     """
 
     def __init__(self, error: Exception, time: float) -> None:
-        what = " ".join(f"{error}".split()) or "no more is known"
-        scene = f"the numbers of this scene lead where nothing can be computed ({what})"
-        message = what if isinstance(error, IncompleteError) else scene
+        what = " ".join(f"{error}".split()) or Message("no more is known")
+        message = Message(
+            "the numbers of this scene lead where nothing can be computed ({what})", what=what
+        )
+        if isinstance(error, IncompleteError):
+            message = Message("{what}", what=what)
         super().__init__("", time, message)
         self._error = error
 
@@ -113,8 +123,8 @@ class JointFailure(Exception):  # noqa: N818 (not an error to be shown: the worl
     It could with `finer` times as many steps, if that is known.
     """
 
-    def __init__(self, joint: str, reason: str, finer: float | None = None) -> None:
-        self.joint, self.finer = joint, finer
+    def __init__(self, joint: str, reason: Message, finer: float | None = None) -> None:
+        self.joint, self.reason, self.finer = joint, reason, finer
         super().__init__(reason)
 
 
@@ -124,23 +134,3 @@ class NoForces(Exception):  # noqa: N818 (as above)
     def __init__(self, a: int, b: int) -> None:
         self.bodies = a, b
         super().__init__(f"bodies {a} and {b}")
-
-
-OFTEN = (
-    "bodies that touch collide too often to be followed: their masses are too far apart, or they"
-    " are wedged in; let their 'restitution' be less"
-)
-
-
-class EndlessImpacts(Exception):  # noqa: N818 (as above)
-    """Bodies that collide in one moment more often than can be followed.
-
-    Attributes
-    ----------
-    body
-        The index of one of them; the reason may name it, as {body}.
-    """
-
-    def __init__(self, body: int, reason: str = OFTEN) -> None:
-        self.body = body
-        super().__init__(reason)

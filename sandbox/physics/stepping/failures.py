@@ -3,11 +3,12 @@
 from collections.abc import Sequence
 
 from sandbox.model.errors import SandboxError
+from sandbox.model.message import NOTHING, Message
 from sandbox.physics.contacts.direct.constraint_rows import TooMuch
+from sandbox.physics.contacts.endless_impacts import EndlessImpacts
 from sandbox.physics.scene.stability_limits import MARGIN
 from sandbox.physics.state.errors import (
     BreakdownError,
-    EndlessImpacts,
     JointFailure,
     NoForces,
     SimulationError,
@@ -34,14 +35,18 @@ def explained(error: Exception, bodies: Sequence[str], t: float, rate: float) ->
             return error
         case NoForces(bodies=(a, b)):
             needed = MARGIN * rate
-            message = f"no forces were found between '{bodies[a]}' and '{bodies[b]}'"
+            message = Message(
+                "no forces were found between '{one}' and '{other}'", one=bodies[a], other=bodies[b]
+            )
             return SimulationError(bodies[a], t, message, needed, hint=way_out(needed, rate))
         case JointFailure():
             finer = error.finer and error.finer * rate
-            hint = way_out(finer, rate) if finer else ""
-            return SimulationError(error.joint, t, str(error), finer, hint=hint)
-        case EndlessImpacts() | TooMuch():
+            hint = way_out(finer, rate) if finer else NOTHING
+            return SimulationError(error.joint, t, error.reason, finer, hint=hint)
+        case EndlessImpacts():
             body = bodies[error.body]
-            return SimulationError(body, t, str(error).format(body=f"'{body}'"))
+            return SimulationError(body, t, error.told(body))
+        case TooMuch():
+            return SimulationError(bodies[error.body], t, error.reason)
         case _:
             return BreakdownError(error, t)

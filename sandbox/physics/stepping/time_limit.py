@@ -7,6 +7,7 @@ A step is broken off at a cancellation point; where it has none, the run ends af
 from contextlib import AbstractContextManager
 from time import perf_counter, thread_time
 
+from sandbox.model.message import Message
 from sandbox.physics.state.cancellation import cancellable
 from sandbox.physics.state.errors import SimulationError
 from sandbox.physics.state.snapshot import Snapshot
@@ -15,7 +16,7 @@ from sandbox.physics.stepping.world import World
 LONGEST = 30.0
 """s, that a step may take."""
 
-HINT = "let it have fewer bodies that touch or are joined, or fewer 'iterations'"
+HINT = Message("let it have fewer bodies that touch or are joined, or fewer 'iterations'")
 
 
 class Patience:
@@ -71,5 +72,7 @@ class Patience:
 
 def _spent(t: float, took: float, longest: float) -> SimulationError:
     """Return the message for a step that took too long, and for the limit [s]."""
-    message = f"a step takes {took:.0f} s, and {longest:g} s are the most"
+    message = Message(
+        "a step takes {took:.0f} s, and {longest:g} s are the most", took=took, longest=longest
+    )
     return SimulationError("", t, message, hint=HINT)

@@ -336,11 +336,17 @@ def test_what_else_the_window_writes_is_said_in_the_language(
 def test_a_level_that_cannot_be_opened_is_told_in_the_language(
     speech: Speech, person: Person, tmp_path: Path
 ) -> None:
-    """What is wrong with it is told in English, as on the command line."""
-    person.open(tmp_path, json.dumps({"format": 1}))
+    """So is what is wrong with it, each mistake at its place."""
+    ball = {"type": "dynamic", "shape": {"type": "disc", "radius": -1}, "position": ["2m", 0]}
+    effects = {"gravitee": {}, "drag": {"linear": "1/0", "quadratic": True}}
+    person.open(tmp_path, json.dumps({"format": 1, "effects": effects, "bodies": {"B": ball}}))
     speech.look(person)
+    said = [text for text in speech.heard if "EFFECTS.GRAVITEE" in text.upper()]
 
     assert "THIS LEVEL CANNOT BE OPENED" in speech.heard
+    assert any("UNKNOWN EFFECT 'gravitee'; DID YOU MEAN 'gravity'?" in text for text in said)
+    assert any("A PRODUCT IS WRITTEN 2*M, NOT 2M" in text for text in speech.heard)
+    assert any("'title' IS MISSING" in text for text in speech.heard)
     assert speech.capitals.strays == set()
 
 

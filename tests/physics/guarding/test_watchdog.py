@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from sandbox.model.level import Level, Stepping
+from sandbox.model.message import Message
 from sandbox.physics.run import build
 from sandbox.physics.state.errors import SimulationError
 from sandbox.physics.stepping.world import World
@@ -297,7 +298,7 @@ def test_a_bare_step_is_not_watched(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_why_a_run_stopped_can_be_told_in_another_process() -> None:
-    error = SimulationError("ball", 1.5, "it is lost", 240.0)
+    error = SimulationError("ball", 1.5, Message("it is lost"), 240.0)
     error.place = "level.json, line 3, column 5"
 
     told = pickle.loads(pickle.dumps(error))

@@ -10,6 +10,7 @@ from sandbox.model.crowd_levels import crowd
 from sandbox.model.errors import SandboxError
 from sandbox.model.level import Level
 from sandbox.model.loading import parse
+from sandbox.model.message import Message
 from sandbox.physics.run import build
 from sandbox.physics.state.cancellation import cancellable, cancellation_point
 from sandbox.physics.stepping.world import World
@@ -44,7 +45,7 @@ def rocked(**impacts: str) -> Level:
 
 
 def refuse() -> None:
-    raise SandboxError("enough")
+    raise SandboxError(Message("enough"))
 
 
 def looks(world: World, steps: int) -> int:

@@ -67,7 +67,7 @@ def status(
     surface = pygame.Surface(size)
     surface.fill(theme.PANEL)
     if failure:
-        for i, line in enumerate(pen.paragraph(failure, size[0], 11, theme.FAILED)[:2]):
+        for i, line in enumerate(pen.paragraph(say(failure), size[0], 11, theme.FAILED)[:2]):
             surface.blit(line, (0, i * pen.px(13) - 1))
     elif progress:
         message = say(progress.stage, scheme=formatting.scheme(progress.scheme))

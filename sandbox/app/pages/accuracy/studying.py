@@ -10,6 +10,7 @@ from sandbox.app.words import formatting
 from sandbox.app.words.language import say
 from sandbox.model.errors import SandboxError
 from sandbox.model.level import Level
+from sandbox.model.message import NOTHING, Message
 from sandbox.physics.accuracy import study
 from sandbox.physics.accuracy.calibration import BUDGET, Setting
 from sandbox.physics.accuracy.study import Failed, Here, Point, Progress, Split
@@ -19,6 +20,9 @@ if TYPE_CHECKING:
     from sandbox.physics.accuracy.candidates import Offer
 
 PATIENCE = 0.5  # s without a change, before the work begins
+
+
+CANCELLED = Message("the search for a setting has been cancelled")
 
 
 class Studying:
@@ -51,7 +55,7 @@ class Studying:
 
     def _forget(self) -> None:
         self.points: list[Point] = []
-        self.failure = ""
+        self.failure: Message = NOTHING
         self._forget_run()
 
     def _forget_run(self) -> None:
@@ -107,7 +111,7 @@ class Studying:
     def _settle(self, session: Session) -> None:
         """Find out the setting that a session waits for; once, if it cannot be found."""
         if self._sought is session.world:
-            session.give_up(self.failure or say("the search for a setting has been cancelled"))
+            session.give_up(self.failure or CANCELLED)
         else:
             self._sought = session.world
             self.seek(session, session.level.stepping.accuracy or 0.0, BUDGET)
@@ -135,7 +139,7 @@ class Studying:
         self._start(study.seek, _resolved(session), session.values, target, seconds)
 
     def _start(self, work: Work, *arguments: object) -> None:
-        self.failure, self.progress = "", Progress(0.0, "starting")
+        self.failure, self.progress = NOTHING, Progress(0.0, "starting")
         self.news = object()
         self._work.start(work, *arguments)
 
@@ -158,7 +162,7 @@ class Studying:
         if was_running and not self._work.running:
             self.progress, self.news = None, object()
             if not (found or self.here or self.failure):
-                self.failure = say("that took too long")
+                self.failure = Message("that took too long")
         return found
 
     def _take(self, finding: object) -> None:
@@ -201,7 +205,7 @@ def _play_with(session: Session, setting: Setting) -> str:
         else:
             whatif.repace(session, setting.playable.stepping)
     except SandboxError as error:
-        return str(error)
+        return say(error.message)
     return formatting.offer(setting)
 
 

@@ -114,7 +114,7 @@ class EffectsPage:
             else:
                 whatif.change(self._session, NONE)
         except SandboxError as error:
-            return str(error)
+            return say(error.message)
         return say(LEFT) if self._session.changes.left else ""
 
     def update(self) -> None:

@@ -20,6 +20,7 @@ from sandbox.model.level import Level
 
 HEIGHT = 190  # px, of the curve
 NOTHING = later("This level has no parameter to vary.")
+DID_NOT_HAPPEN = later("that did not happen in this run")
 HINT = later("Click on the curve to run with that value.")
 
 
@@ -92,7 +93,7 @@ def _point_text(card: Card, level: Level, chosen: Chosen, point: Point | None) -
         return
     value = formatting.quantity(point.at, level.parameters[chosen.parameter].unit, 4)
     if point.measured is None:
-        reason = point.failure or say("that did not happen in this run")
+        reason = say(point.failure or DID_NOT_HAPPEN)
         card.text(f"{chosen.parameter} = {value}: {reason}", 12, theme.NOTICE)
         return
     message = f"{chosen.parameter} = {value}: {formatting.number(point.measured, 5)}"
@@ -111,7 +112,7 @@ def _named(level: Level, name: str) -> str:
 def _progress(card: Card, exploring: Exploring) -> None:
     """Say how far the runs are, and which have failed."""
     if exploring.failure:
-        card.text(exploring.failure, 12, theme.FAILED)
+        card.text(say(exploring.failure), 12, theme.FAILED)
     elif exploring.share < 1:
         message = plural("{count} run so far", "{count} runs so far", len(exploring.points))
         card.text(message, 12, theme.DIM)
@@ -121,6 +122,6 @@ def _progress(card: Card, exploring: Exploring) -> None:
             "{count} run has failed: {reason}",
             "{count} runs have failed: {reason}",
             len(failed),
-            reason=failed[0],
+            reason=say(failed[0]),
         )
         card.text(message, 12, theme.FAILED)

@@ -6,9 +6,9 @@ from sandbox.app.background import Background
 from sandbox.app.pages.experiment.sampling import COUNT, Point, Refused, sample
 from sandbox.app.pages.graph.choice import offered
 from sandbox.app.runs.session import Session
-from sandbox.app.words.language import say
 from sandbox.experiments import suggested_measures
 from sandbox.model.level import Level
+from sandbox.model.message import NOTHING, Message
 
 PATIENCE = 0.5  # s without a change, before the runs begin
 
@@ -44,7 +44,7 @@ class Exploring:
 
     def _forget(self) -> None:
         self.points: list[Point] = []
-        self.failure = ""
+        self.failure: Message = NOTHING
         self._waited, self._begun = 0.0, False
         self.news = object()
 
@@ -110,8 +110,7 @@ class Exploring:
         if was_running and not self._work.running:
             self.news = object()
             if self.points and self.share < 1:
-                message = say("more would take too long: try it with 'sandbox experiment'")
-                self.failure = message
+                self.failure = Message("more would take too long: try it with 'sandbox experiment'")
 
     def cancel(self) -> None:
         """End the work; it begins again with another scene or choice."""

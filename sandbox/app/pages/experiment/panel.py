@@ -87,7 +87,7 @@ class ExperimentPage:
         try:
             self._session.restart({chosen.parameter: point.at})
         except SandboxError as error:
-            return str(error)
+            return say(error.message)
         unit = self._session.level.parameters[chosen.parameter].unit
         value = formatting.quantity(point.at, unit, 4)
         return say("now with {name} = {value}", name=chosen.parameter, value=value)

@@ -10,6 +10,7 @@ from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level
 from sandbox.model.level_parts import Fault
+from sandbox.model.message import Message, joined
 
 COUNT = 65
 """How many values of the parameter are tried: the ends, and halves of halves between them."""
@@ -29,7 +30,7 @@ class Point(NamedTuple):
 class Refused(NamedTuple):
     """Why there are no runs."""
 
-    reason: str
+    reason: Message
 
 
 def sample(level: Level, values: Values, parameter: str, measure: str) -> Iterator[Point | Refused]:
@@ -47,7 +48,7 @@ def sample(level: Level, values: Values, parameter: str, measure: str) -> Iterat
     try:
         plan = _plan(level, values, parameter, measure)
     except SandboxError as error:
-        yield Refused(str(error))
+        yield Refused(error.message)
         return
     for index in coarse_first(COUNT):
         (cells,) = measured(plan, index, index + 1)
@@ -79,11 +80,13 @@ def _plan(level: Level, values: Values, parameter: str, measure: str) -> Plan:
         plan, faults = make(experiment, level.title, level)
         if not faults:
             return plan
-    raise SandboxError("; ".join(_message(fault) for fault in faults))
+    raise SandboxError(joined(map(_message, faults), "; "))
 
 
-def _message(fault: Fault) -> str:
-    return f"{fault.path[-1]}: {fault.rule}" if fault.path else fault.rule
+def _message(fault: Fault) -> Message:
+    if not fault.path:
+        return fault.rule
+    return Message("{field}: {rule}", field=fault.path[-1], rule=fault.rule)
 
 
 def _number(cell: object) -> float | None:

@@ -156,7 +156,7 @@ class GraphPage:
         try:
             path = saving.graphed(session, up, across, choice.zoom(session).across)
         except SandboxError as error:
-            return str(error)
+            return say(error.message)
         return say("saved {path}", path=path)
 
     def _save_picture(self) -> str:
@@ -168,7 +168,7 @@ class GraphPage:
         try:
             return choice.draw(found, saving.path_for(session, ".png"))
         except SandboxError as error:
-            return str(error)
+            return say(error.message)
 
     def _inside(self, pixel: tuple[int, int]) -> tuple[int, int]:
         """Return where a pixel of the window is in the picture of the graphs."""

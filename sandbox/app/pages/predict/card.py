@@ -58,7 +58,7 @@ def refused(pen: Pen, width: int, refusal: str) -> pygame.Surface:
     """Draw why what was typed is no answer, or how to give one."""
     card = Card(pen, width)
     if refusal:
-        card.text(refusal, 13, theme.FAILED)
+        card.text(say(refusal), 13, theme.FAILED)
     else:
         card.text(say("Enter: then it runs."), 12, theme.DIM)
     return card.drawn()

@@ -11,6 +11,7 @@ from sandbox.app.runs.session import Session
 from sandbox.app.words.language import later, say
 from sandbox.model.arithmetic import ExpressionError
 from sandbox.model.level import Check
+from sandbox.model.message import NOTHING, Message
 
 if TYPE_CHECKING:
     from sandbox.model.expressions import Values
@@ -52,7 +53,7 @@ class Predicting:
             self._session.locked = False
         self.question: Check | None = None
         self.predicted: float | None = None
-        self.refusal = ""
+        self.refusal: Message = NOTHING
         self.outcome: Outcome | None = None
         self.trials: list[Trial] = []
         self.trying: Trying | None = None
@@ -87,9 +88,9 @@ class Predicting:
             unit = unit_of(self.question, session.level)
             self.predicted = read(typed, unit, session.values)
         except ExpressionError as error:
-            self.refusal = str(error)
+            self.refusal = error.message
             return False
-        self.refusal, session.locked = "", False
+        self.refusal, session.locked = NOTHING, False
         if session.world.disturbed:
             session.restart()
         self._judge_from_now_on(session, self.question, self.predicted)

@@ -17,6 +17,7 @@ from sandbox.model.level import (
     Level,
     SeparationEvent,
 )
+from sandbox.model.message import Message, either
 from sandbox.model.quantities import quantity
 from sandbox.physics.measuring.grading import applies
 
@@ -90,7 +91,7 @@ def read(typed: str, unit: str, values: Values) -> float:
         If it is anything else.
     """
     if not typed.strip():
-        raise ExpressionError(say("type a number first"))
+        raise ExpressionError(Message("type a number first"))
     try:
         return _value(typed, values)
     except ExpressionError as error:
@@ -107,10 +108,12 @@ def read(typed: str, unit: str, values: Values) -> float:
 def _value(typed: str, values: Values) -> float:
     expression = Expression(typed.strip())
     for name in sorted(expression.names - values.keys()):
-        known = say("there are no parameters")
+        known = Message("there are no parameters")
         if values:
-            known = say("the parameters are {names}", names=", ".join(values))
-        raise ExpressionError(say("'{name}' is not known here; {known}", name=name, known=known))
+            known = Message("the parameters are {names}", names=", ".join(values))
+        raise ExpressionError(
+            Message("'{name}' is not known here; {known}", name=name, known=known)
+        )
     return expression(values)
 
 
@@ -134,8 +137,10 @@ def _explained(refusal: ExpressionError, typed: str, unit: str) -> ExpressionErr
     if found is None or not _is_arithmetic(found[1]):
         return refusal
     if not unit:
-        message = say("'{typed}': type a number without a unit", typed=found[2])
+        message = Message("'{typed}': type a number without a unit", typed=found[2])
         return ExpressionError(message)
-    allowed = say(" or ").join([unit, *FACTORS.get(unit, {})])
-    message = later("'{typed}' is not a unit of this quantity: {allowed}")
-    return ExpressionError(say(message, typed=found[2], allowed=allowed))
+    allowed = either([unit, *FACTORS.get(unit, {})])
+    message = Message(
+        "'{typed}' is not a unit of this quantity: {allowed}", typed=found[2], allowed=allowed
+    )
+    return ExpressionError(message)

@@ -51,7 +51,7 @@ def _lanes(pen: Pen, width: int, found: Sequence[Lane], rate: float) -> pygame.S
         if remark := _REMARKS.get(lane.scheme):
             card.text(say(remark), 12, theme.DIM, indent=card.indent)
         if lane.failure:
-            card.text(lane.failure, 12, theme.FAILED, indent=card.indent)
+            card.text(say(lane.failure), 12, theme.FAILED, indent=card.indent)
         error = "–" if lane.error is None else formatting.error(lane.error)
         cost = "–" if lane.cost is None else f"{formatting.number(1e3 * lane.cost, 3)} ms"
         card.columns([(error, theme.TEXT), (cost, theme.TEXT), ("", theme.TEXT)], 14)

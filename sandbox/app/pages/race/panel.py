@@ -41,7 +41,7 @@ class RacePage:
         try:
             race.toggle(self._session)
         except SandboxError as error:
-            return str(error)
+            return say(error.message)
         return ""
 
     def update(self) -> None:

@@ -16,6 +16,7 @@ from sandbox.app.words.language import say
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level, Scheme
+from sandbox.model.message import NOTHING, Message
 from sandbox.physics.run import build
 from sandbox.physics.scene.schemes import usable
 
@@ -33,7 +34,7 @@ class Lane(NamedTuple):
     """the largest of its checks so far"""
     cost: float | None
     """s of computing a second of simulated time"""
-    failure: str
+    failure: Message
     """why it had to stop; empty if it did not"""
 
 
@@ -77,12 +78,12 @@ def lanes(session: Session) -> list[Lane]:
     """Return how every scheme does, that of the played run first."""
     rate, scheme = session.world.stepping.rate, session.world.stepping.scheme
     own = worst(session.readings())
-    failure = str(session.failure or "")
+    failure = session.failure.message if session.failure else NOTHING
     first = Lane(scheme, None, own, _cost(session.clock, rate), failure)
     return [first, *(
         Lane(
             other.world.stepping.scheme, other.variant.color, other.worst,
-            _cost(other.clock, rate), str(other.failure or ""),
+            _cost(other.clock, rate), other.failure.message if other.failure else NOTHING,
         )
         for other in session.companions
     )]  # fmt: skip

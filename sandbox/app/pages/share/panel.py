@@ -74,7 +74,7 @@ class SharePage:
         try:
             return self._actions[event.ui_element]()
         except SandboxError as error:
-            return str(error)
+            return say(error.message)
 
     def update(self) -> None:
         """Show how far a film is."""

@@ -47,7 +47,7 @@ class TablePage:
         try:
             path = saving.graphed(self._session, self._choice.up(self._session))
         except SandboxError as error:
-            return str(error)
+            return say(error.message)
         return say("saved {path}", path=path)
 
     def update(self) -> None:

@@ -7,6 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from sandbox.model.expressions import Array
+from sandbox.model.message import Message
 from sandbox.physics.engine.batch import Booleans, Integers
 
 
@@ -93,6 +94,6 @@ class Problem(NamedTuple):
 class TooMuch(Exception):  # noqa: N818 (whoever knows the time tells it)
     """More to solve than a step can carry; `body` is the index of one that has part in it."""
 
-    def __init__(self, body: int, reason: str) -> None:
-        self.body = body
+    def __init__(self, body: int, reason: Message) -> None:
+        self.body, self.reason = body, reason
         super().__init__(reason)

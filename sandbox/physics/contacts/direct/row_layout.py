@@ -8,6 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from sandbox.model.expressions import Array
+from sandbox.model.message import Message
 from sandbox.physics.contacts.direct.constraint_rows import Friction, Problem, TooMuch
 from sandbox.physics.contacts.direct.islands import islands
 from sandbox.physics.contacts.direct.outlines import Figures
@@ -238,9 +239,13 @@ def _refuse_large(parts: Sequence[Island], touching: Touching) -> None:
         return
     body = int(np.bincount(touching.bodies[touching.bodies >= 0]).argmax())
     most = max(len(part.rows) for part in parts)
-    message = f"{most:,} conditions of contacts and joints hang together"
-    way = "let fewer touch each other, or leave out the 'solver' \"direct\""
-    raise TooMuch(body, f"{message}, and {MOST_ROWS:,} can be solved directly: {way}")
+    reason = Message(
+        "{count:,} conditions of contacts and joints hang together, and {most:,} can be solved"
+        " directly: let fewer touch each other, or leave out the 'solver' \"direct\"",
+        count=most,
+        most=MOST_ROWS,
+    )
+    raise TooMuch(body, reason)
 
 
 def _alike(joints: Integers, whole: int) -> Integers | None:

@@ -8,6 +8,7 @@ from typing import TypeVar
 
 import numpy as np
 
+from sandbox.model.message import Message
 from sandbox.physics.joints.exact.constraints import Coordinates, Equation, Share
 from sandbox.physics.joints.exact.distances import Row
 from sandbox.physics.state.anchor import Anchor
@@ -104,7 +105,9 @@ class Wound:
         apart = complex(place.plane[body] + arm - place.plane[self.wheel])
         square = abs(apart) ** 2 - self.radius**2
         if square <= 0:
-            raise JointFailure(self.joint, f"the end of '{self.joint}' has run into its wheel")
+            raise JointFailure(
+                self.joint, Message("the end of '{joint}' has run into its wheel", joint=self.joint)
+            )
         free = sqrt(square)
         contact = phase(apart) - self.sense * atan2(free, self.radius)
         self._contact = contact + tau * float(np.rint((self._contact - contact) / tau))

@@ -10,6 +10,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from sandbox.model.expressions import Array
+from sandbox.model.message import Message
 from sandbox.physics.joints.exact.constraints import Condition
 from sandbox.physics.joints.exact.separate_joints import are_apart
 from sandbox.physics.state.errors import JointFailure
@@ -42,6 +43,11 @@ def refuse_too_many(equations: Sequence[Condition], inverse: Array) -> None:
         return
     if count * bodies > MOST_TERMS or not are_apart(equations, np.append(inverse, 0.0)):
         most = min(MOST_TERMS // bodies, int((MOST_PRODUCTS / bodies) ** 0.5))
-        message = f"the exact joints make {count:,} equations among {bodies:,} bodies, and"
-        hint = "let most of them be springs, or split the level"
-        raise JointFailure(equations[-1].joint, f"{message} {most:,} are the most; {hint}")
+        reason = Message(
+            "the exact joints make {count:,} equations among {bodies:,} bodies, and {most:,} are"
+            " the most; let most of them be springs, or split the level",
+            count=count,
+            bodies=bodies,
+            most=most,
+        )
+        raise JointFailure(equations[-1].joint, reason)

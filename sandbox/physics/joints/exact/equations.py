@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sandbox.model.expressions import Array
+from sandbox.model.message import Message
 from sandbox.physics.engine.batch import Booleans
 from sandbox.physics.joints.exact.angles import Turn
 from sandbox.physics.joints.exact.constraints import (
@@ -98,7 +99,10 @@ class Equations:
             if not isfinite(length[i]):
                 name = self.names[i]
                 raise JointFailure(
-                    name, f"what '{name}' keeps has no finite value at t = {t:.3g} s"
+                    name,
+                    Message(
+                        "what '{name}' keeps has no finite value at t = {t:.3g} s", name=name, t=t
+                    ),
                 )
         return length
 

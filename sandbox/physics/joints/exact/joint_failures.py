@@ -3,6 +3,7 @@
 import numpy as np
 
 from sandbox.model.expressions import Array
+from sandbox.model.message import Message
 from sandbox.physics.engine.batch import Integers
 from sandbox.physics.joints.exact.constraints import Coordinates, Rows
 from sandbox.physics.joints.exact.joint_system import JointSystem
@@ -21,7 +22,9 @@ REACHED = 1e-9
 
 def overlapping(name: str) -> JointFailure:
     """Say that a joint holds what others hold."""
-    reason = f"'{name}' holds what is held already, or cannot hold it; leave it out"
+    reason = Message(
+        "'{name}' holds what is held already, or cannot hold it; leave it out", name=name
+    )
     return JointFailure(name, reason)
 
 
@@ -89,10 +92,13 @@ def lost(
         free, shares = independence(delassus)
         if free < LOCKED * independent:
             name = joints.names[taut[np.argmax(shares)]]
-            reason = f"'{name}' and the joints beside it are stretched: none gives way in a step"
+            reason = Message(
+                "'{name}' and the joints beside it are stretched: none gives way in a step",
+                name=name,
+            )
             return JointFailure(name, reason, None if joints.is_driven(motion.values) else finer)
     name = joints.names[row]
-    reason = f"nothing keeps '{name}' as it is through the next step"
+    reason = Message("nothing keeps '{name}' as it is through the next step", name=name)
     return JointFailure(name, reason, finer)
 
 

@@ -8,6 +8,7 @@ from collections.abc import Callable
 
 import numpy as np
 
+from sandbox.model.message import Message
 from sandbox.model.wires import Points
 from sandbox.physics.geometry.quintics import Quintics
 from sandbox.physics.joints.exact.constraints import Coordinates, Share
@@ -87,7 +88,7 @@ class WireEquation:
         else:
             found = self._follow(bead, self._last[0]) or self._follow(bead, self._near(bead))
         if found is None:
-            reason = f"'{self.joint}' bends too sharply for a step of its bead"
+            reason = Message("'{joint}' bends too sharply for a step of its bead", joint=self.joint)
             raise JointFailure(self.joint, reason, FINER)
         at, foot, tangent = found
         self._check_end(at)
@@ -126,5 +127,7 @@ class WireEquation:
     def _check_end(self, at: float) -> None:
         curve = self._curve
         if not curve.closed and not -SLACK <= at <= curve.count + SLACK:
-            reason = f"the bead has come to the end of '{self.joint}'; make the wire longer"
+            reason = Message(
+                "the bead has come to the end of '{joint}'; make the wire longer", joint=self.joint
+            )
             raise JointFailure(self.joint, reason)

@@ -4,6 +4,7 @@ from math import hypot
 
 import numpy as np
 
+from sandbox.model.message import Message
 from sandbox.physics.scene.scene import Scene
 from sandbox.physics.state.errors import SimulationError
 from sandbox.physics.stepping.kicks import Kicks
@@ -23,8 +24,12 @@ def make(setup: Setup) -> Stage:
 
 def beyond(name: str, scene: Scene, t: float) -> SimulationError:
     """Return the message for a body that leaves the grid of a scene at a time [s]."""
-    where = f"the {scene.reach:.3g} m around the origin that so many shapes may be in"
-    return SimulationError(name, t, f"'{name}' leaves {where}")
+    reason = Message(
+        "'{name}' leaves the {reach:.3g} m around the origin that so many shapes may be in",
+        name=name,
+        reach=scene.reach,
+    )
+    return SimulationError(name, t, reason)
 
 
 class Fence:

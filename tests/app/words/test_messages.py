@@ -1,0 +1,92 @@
+"""What is told from below the window, errors first of all, is said in its language."""
+
+import ast
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+import sandbox
+from sandbox.app.declared_words import has_words
+from sandbox.cli.texts import said_in
+
+MAKERS = {"Message", "word"}
+"""What makes a message, of which a catalogue has the template."""
+
+OURS = re.compile("(Sandbox|Level|Expression|Simulation)Error").search
+"""Finds the errors that have a message."""
+
+
+def calls() -> Iterator[tuple[str, ast.Call]]:
+    """Yield where messages are made that the window may show: `mypy` lets errors take no other."""
+    for path in said_in(Path(sandbox.__file__).parent):
+        if path.name != "message.py":
+            for node in ast.walk(ast.parse(path.read_text("utf-8"))):
+                if isinstance(node, ast.Call) and ast.unparse(node.func) == "Message":
+                    yield f"{path.name}:{node.lineno}", node
+
+
+def bare(value: ast.AST) -> Iterator[str]:
+    """Yield the words of a value that no message says."""
+    if isinstance(value, ast.Call) and ast.unparse(value.func) in MAKERS:
+        return
+    if isinstance(value, ast.Constant) and isinstance(value.value, str) and has_words(value.value):
+        yield value.value
+    inner = (child for child in ast.iter_child_nodes(value) if not isinstance(value, ast.Subscript))
+    for child in inner:
+        yield from bare(child)
+
+
+def test_every_message_has_its_template_in_the_sources_where_catalogues_are_made_from() -> None:
+    found = list(calls())
+    strange = [where for where, call in found if not isinstance(call.args[0], ast.Constant)]
+
+    assert len(found) > 500
+    assert strange == []
+
+
+def test_no_value_of_a_message_is_english() -> None:
+    """What is put into a translated sentence has to be a message itself, or of the level."""
+    found = [
+        f"{where}: {said}"
+        for where, call in calls()
+        for keyword in call.keywords
+        if keyword.arg != "last"  # a key, as it stands in files
+        for said in bare(keyword.value)
+    ]
+
+    assert found == []
+
+
+def test_what_is_looked_for_in_the_sources_is_found() -> None:
+    code = 'Message("{a} {b}", a=x or "none", b=f"in {y[\'key\']} of {Message(\'z\')}")'
+    call = ast.parse(code, mode="eval").body
+    assert isinstance(call, ast.Call)
+
+    assert [said for keyword in call.keywords for said in bare(keyword.value)] == [
+        "none",
+        "in ",
+        " of ",
+    ]
+
+
+def handlers() -> Iterator[tuple[str, ast.ExceptHandler]]:
+    """Yield where the window catches what it tells a person."""
+    for path in sorted((Path(sandbox.__file__).parent / "app").rglob("*.py")):
+        for node in ast.walk(ast.parse(path.read_text("utf-8"))):
+            if isinstance(node, ast.ExceptHandler) and node.type and OURS(ast.unparse(node.type)):
+                yield path.name, node
+
+
+def test_no_error_is_shown_by_the_window_as_it_stands() -> None:
+    """It is said in the language: `say(error.message)`, or as a value of another message."""
+    found = list(handlers())
+    shown = [
+        f"{name}: {ast.unparse(node)}"
+        for name, handler in found
+        for node in ast.walk(handler)
+        if ast.unparse(node) == f"str({handler.name})"
+        or (isinstance(node, ast.FormattedValue) and ast.unparse(node.value) == handler.name)
+    ]
+
+    assert len(found) > 20
+    assert shown == []
