@@ -1,13 +1,21 @@
 """What is told from below the window, errors first of all, is said in its language."""
 
 import ast
+import pickle
 import re
 from collections.abc import Iterator
 from pathlib import Path
 
+import pytest
+
 import sandbox
 from sandbox.app.declared_words import has_words
+from sandbox.app.words import language
 from sandbox.cli.texts import said_in
+from sandbox.model.errors import LevelError
+from sandbox.model.loading import parse
+from sandbox.model.message import Message
+from sandbox.physics.state.errors import SimulationError, way_out
 
 MAKERS = {"Message", "word"}
 """What makes a message, of which a catalogue has the template."""
@@ -90,3 +98,41 @@ def test_no_error_is_shown_by_the_window_as_it_stands() -> None:
 
     assert len(found) > 20
     assert shown == []
+
+
+@pytest.fixture
+def _german() -> Iterator[None]:
+    language.use("de")
+    yield
+    language.use(language.ENGLISH)
+
+
+@pytest.mark.usefixtures("_german")
+def test_a_run_that_had_to_stop_elsewhere_is_told_in_german() -> None:
+    reason = Message("the joint '{name}' has parted by {gap:.3g} m", name="rod", gap=0.0123)
+    found = SimulationError("rod", 1.5, reason, hint=way_out(12345.0, 240.0))
+    error = pickle.loads(pickle.dumps(found))
+
+    assert language.say(error.message) == (
+        "angehalten bei t = 1.5 s: die Verbindung „rod“ klafft um 0.0123 m auseinander;"
+        " „rate“ erhöhen: 12\N{NO-BREAK SPACE}345 statt 240"
+    )
+    assert language.say("no film: {error}", error=error).endswith("statt 240")
+    assert str(error) == (
+        "stopped at t = 1.5 s: the joint 'rod' has parted by 0.0123 m;"
+        " take a higher 'rate': 12,345, not 240"
+    )
+
+
+@pytest.mark.usefixtures("_german")
+def test_every_mistake_of_a_level_is_told_in_german() -> None:
+    text = '{"format": 1, "title": "", "duration": "2s", "effects": {"gravitee": {}}, "bodies": {}}'
+    with pytest.raises(LevelError) as caught:
+        parse(text)
+
+    assert [language.say(mistake.told) for mistake in caught.value.mistakes] == [
+        'title: darf nicht leer sein (gefunden: "")',
+        "duration: „2s“ ist keine Rechnung; ein Produkt schreibt man 2*m, nicht 2m",
+        "effects.gravitee: unbekannter Effekt „gravitee“; ist „gravity“ gemeint?",
+        "bodies: hat 0 Einträge, braucht aber mindestens 1",
+    ]
