@@ -28,11 +28,13 @@ _SYNTAX: Mapping[str, Message] = {
     "Invalid control character at": Message("a text must not run over the end of a line"),
     "Illegal trailing comma before end of object": Message("this comma is one too many"),
     "Illegal trailing comma before end of array": Message("this comma is one too many"),
+    "Invalid \\uXXXX escape": Message("Invalid \\uXXXX escape"),
 }
 
 _OBJECT = Message("must be an object, {...}")
 
 _TYPES: Mapping[str, Message] = {
+    "bool_type": Message("input should be a valid boolean"),
     "dict_type": _OBJECT,
     "finite_number": Message("must be a finite number"),
     "float_type": Message("must be a number"),
