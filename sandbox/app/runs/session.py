@@ -150,7 +150,7 @@ class Session(Playback):
         SandboxError
             If that cannot be; then all stays as it was.
         """
-        if not self.world.steps:
+        if not self.world.steps and not self.recalled:
             self.restart(settings)
             return
         self._require_one_that_goes_on(say("with other parameters"))
@@ -173,8 +173,10 @@ class Session(Playback):
         self.run.alter(text)
 
     def _require_one_that_goes_on(self, how: str) -> None:
-        if self.companions or self.failure is not None:
+        if self.companions or self.failure is not None or self.recalled:
             why = say("other runs go beside it") if self.companions else say("it had to stop")
+            if self.recalled:
+                why = say("it is still on its way")
             raise SandboxError(say("this run cannot continue {how}: {why}", how=how, why=why))
 
     def resume(self, actions: Sequence[Action], steps: int, values: Values | None = None) -> None:
