@@ -17,6 +17,7 @@ from sandbox.app.stage.overlays.register import OVERLAYS
 from sandbox.app.widgets.file_dialog import SMALLEST
 from sandbox.app.words.language import say
 from sandbox.app.workspace import Workspace
+from sandbox.model import catalog
 from sandbox.model.errors import SandboxError
 
 
@@ -86,6 +87,7 @@ class CommandTable:
             "help": self._toggle_help,
             "leave": self._leave,
             "home": self._space.go_home,
+            "challenges": self._show_challenges,
             "open file": self._ask_for_file,
         }
 
@@ -202,6 +204,13 @@ class CommandTable:
         if self._space.panels.list is None:
             self._toggle_column("levels")
         self._space.panels.seek()
+
+    def _show_challenges(self) -> None:
+        """Show the cards, those of the challenges in view."""
+        entries = self._space.files.entries
+        first = next((each.path for each in entries if each.chapter == catalog.CHALLENGES), None)
+        self._space.panels.home.leave()
+        self._space.go_home(first)
 
     def _ask_for_file(self) -> None:
         """Let a person choose a file of their own, at first where the last one was."""

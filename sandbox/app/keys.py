@@ -22,15 +22,23 @@ CONTROL = pygame.KMOD_CTRL | pygame.KMOD_META
 
 PLAYING = (
     Binding("play", "Space", "play or pause", (pygame.K_SPACE,)),
-    Binding("step", "→ or .", "pause and take a single step", (pygame.K_RIGHT,), "."),
-    Binding("step back", "← or ,", "pause and go a single step back", (pygame.K_LEFT,), ","),
+    Binding("step", "Right arrow or .", "pause and take a single step", (pygame.K_RIGHT,), "."),
+    Binding(
+        "step back", "Left arrow or ,", "pause and go a single step back", (pygame.K_LEFT,), ","
+    ),
     Binding("restart", "R or Home", "restart", (pygame.K_HOME,), "rR"),
     Binding("faster", "+ or ]", "play faster", (pygame.K_KP_PLUS,), "+=]"),
     Binding("slower", "− or [", "play slower", (pygame.K_KP_MINUS,), "-["),
     Binding("stopwatch", "3", "start or stop the stopwatch", (), "3"),
     Binding("next level", "↓", "next level", (pygame.K_DOWN,)),
     Binding("previous level", "↑", "previous level", (pygame.K_UP,)),
-    Binding("home", "F2 or ⌫", "all levels as cards, and back", (pygame.K_F2, pygame.K_BACKSPACE)),
+    Binding(
+        "home",
+        "F2 or Backspace",
+        "all levels as cards, and back",
+        (pygame.K_F2, pygame.K_BACKSPACE),
+    ),
+    Binding("challenges", "F3", "all challenges as cards", (pygame.K_F3,)),
     Binding("find", "/", "find a level", (), "/"),
     Binding(
         "next field", "Tab", "next field or button; ↑ ↓ change, Enter presses", (pygame.K_TAB,)
@@ -83,7 +91,9 @@ MOUSE = (
 COMFORT = frozenset({"larger", "smaller", "usual size", "next theme"})
 """The commands that only change how the window looks."""
 
-AT_HOME = COMFORT | {"next field", "home", "find", "levels", "open file", "help", "leave"}
+AT_HOME = COMFORT | {
+    "next field", "home", "challenges", "find", "levels", "open file", "help", "leave",
+}  # fmt: skip
 """The commands that are carried out beside the cards; any other goes back to the stage first."""
 
 WHILE_TYPING = COMFORT | {"next field", "leave", "undo", "redo"}

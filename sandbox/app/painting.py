@@ -52,11 +52,13 @@ def _paint_stage(space: Workspace, view: pygame.Surface, session: Session) -> No
 
 def _paint_run(space: Workspace, view: pygame.Surface, session: Session) -> None:
     stage = space.stage
-    stage.view.looking = session.looking
+    recalled = session.recalled
+    stage.view.looking = None if recalled else session.looking
     stage.view.flashes = () if space.comfort.chosen.reduced else session.flashes
     stage.asked = page(space.panels.page).overlay if space.panels.side is not None else ""
     earlier = [run.trail for run in session.earlier]
-    stage.draw(view, session.trail, session.milestones(), session.companions, earlier)
+    trail = recalled.trail if recalled else session.trail
+    stage.draw(view, trail, session.milestones(), session.companions, earlier)
     x, y = pygame.mouse.get_pos()
     left, top = space.panels.layout.stage.topleft
     probe.draw(view, stage.view, session, (x - left, y - top))

@@ -242,10 +242,10 @@ class Workspace:
 
     def follow(self, session: Session) -> None:
         """Show the session's world, if it has been built anew, maybe from another file."""
-        if session.world is self._world:
+        if session.shown is self._world:
             return
-        self._world = session.world
-        self.stage.use(session.world)
+        self._world = session.shown
+        self.stage.use(session.shown)
         path = _file(session.original)
         if path != self.path:
             self.path, self._settings, self._accuracy = path, {}, None
@@ -255,15 +255,19 @@ class Workspace:
             self._entitle(session.original)
             self.lay_out()
 
-    def go_home(self) -> None:
-        """Show the levels as cards, or the stage again."""
+    def go_home(self, at: Path | None = None) -> None:
+        """Show all levels as cards, that of some level or of the present one in view; or go back.
+
+        Those that were sought, and are shown as cards already, make room for all of them first.
+        """
         home = self.panels.home
-        if home.open:
+        if home.open and not self.panels.sought:
             home.leave()
         else:
-            home.enter(self.path)
+            home.enter(at or self.path)
             if self.session is not None:
                 self.session.pause()
+        self.panels.list_all()
         self.lay_out()
 
     def cancel(self) -> None:

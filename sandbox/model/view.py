@@ -33,6 +33,9 @@ class View(Model):
     """[x, y] in m, of the middle of the picture"""
     width: Extent = Extent(10)
     """m, of the picture"""
+    middle: Annotated[float, Field(gt=0, le=1)] = 1.0
+    """the part of the width, about the center, in which things happen; a picture that is less wide
+    than 16 : 9 need not show more of it, and all is drawn larger"""
     components: bool = False
     """whether velocities are drawn with their components"""
     labels: Annotated[tuple[Label, ...], Field(max_length=MAX_LABELS)] = ()

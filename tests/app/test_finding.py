@@ -114,6 +114,41 @@ def test_what_is_sought_stays_while_levels_and_sizes_change(player: Person) -> N
     assert titles(player) == found
 
 
+def at_home(player: Person) -> bool:
+    return player.window.panels.home.open
+
+
+def test_the_way_home_shows_all_levels_again_not_what_was_sought_before(player: Person) -> None:
+    player.press(pygame.K_SLASH, "/")
+    player.type("cradle")
+    player.press(pygame.K_RETURN)
+    assert not at_home(player)
+
+    player.click(listed(player).way("home").rect)
+    assert at_home(player)
+    assert len(listed(player).found) == len(catalog.names())
+
+    player.press(pygame.K_SLASH, "/")
+    player.type("orbit")
+    player.click(listed(player).way("home").rect)
+    assert at_home(player)
+    assert len(listed(player).found) == len(catalog.names())
+    player.click(listed(player).way("home").rect)
+    assert not at_home(player)
+
+
+def test_what_is_typed_after_the_key_of_the_search_takes_the_place_of_what_was_sought(
+    player: Person,
+) -> None:
+    player.press(pygame.K_SLASH, "/")
+    player.type("helix")
+    player.press(pygame.K_RETURN)
+    player.press(pygame.K_SLASH, "/")
+    player.type("skater")
+
+    assert listed(player).sought == "skater"
+
+
 def test_nonsense_finds_nothing_and_says_so(player: Person) -> None:
     before = player.window.surface.copy()
     player.press(pygame.K_SLASH, "/")

@@ -16,6 +16,7 @@ from sandbox.app.files import progress
 from sandbox.app.home import draft_strip, pictures
 from sandbox.app.home.home import Home
 from sandbox.app.home.pictures import SIZE
+from sandbox.app.words.language import say
 from sandbox.editing import recovery
 from sandbox.editing.draft import Draft
 from sandbox.editing.recovery import Recovery, recoverable
@@ -426,3 +427,30 @@ def test_a_draft_that_says_no_title_is_offered_all_the_same() -> None:
     (left,) = recoverable()
 
     assert "a level without a name" in draft_strip.summary(left)
+
+
+def test_a_chapter_above_the_cards_leads_to_its_own(visitor: Person) -> None:
+    """Twelve cards are of two chapters; the window is so low that only one is seen."""
+    visitor.resize((900, 600))
+    bar, (first, second) = home(visitor).chapters, home(visitor).grid.headings
+
+    visitor.click(bar.place(second.text))
+
+    entry = home(visitor).focus
+    assert entry is not None
+    assert say(entry.chapter.capitalize()) == second.text
+    assert home(visitor)._top > first.y
+    assert home(visitor).place(titles(visitor).index(entry.title)).colliderect(home(visitor)._area)
+    visitor.click(bar.place(first.text))
+    assert home(visitor)._top < second.y
+
+
+def test_what_is_found_has_no_bar_of_chapters(visitor: Person) -> None:
+    top = visitor.window.panels.layout.stage.y
+    assert home(visitor)._area.y > top
+
+    visitor.press(pygame.K_SLASH, "/")
+    visitor.type("fall")
+    visitor.wait()
+
+    assert home(visitor)._area.y == top

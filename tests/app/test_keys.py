@@ -1,11 +1,14 @@
 """The table of keys."""
 
 from collections import Counter
+from importlib.resources import files
 
 import pygame
 import pytest
 
-from sandbox.app.commands import BINDINGS, command
+from sandbox.app.commands import BINDINGS, command, tip
+from sandbox.app.pages.register import PAGES
+from sandbox.app.panels.controls import LEFT, WAYS
 from tests.app.person import Person
 
 
@@ -64,3 +67,14 @@ def test_shortcuts_of_the_desktop_are_left_alone() -> None:
 @pytest.mark.parametrize("mod", [pygame.KMOD_LCTRL, pygame.KMOD_LMETA])
 def test_a_file_is_opened_as_everywhere(mod: int) -> None:
     assert pressed(pygame.K_o, "\x0f", mod) == "open file"
+
+
+def test_what_a_button_says_of_its_key_can_be_drawn_by_the_font_of_widgets() -> None:
+    """Tips are drawn by Noto Sans alone, which has no arrows."""
+    pygame.font.init()
+    font = pygame.font.Font(str(files("pygame_gui") / "data" / "NotoSans-Regular.ttf"), 14)
+    buttons = [*LEFT, *WAYS, ("home", ""), ("new scene", ""), ("open file", "")]
+    named = [*(name for name, _ in buttons), *(page.command for page in PAGES)]
+
+    for name in named:
+        assert None not in font.metrics(tip(name)), name

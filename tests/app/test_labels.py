@@ -6,6 +6,7 @@ from sandbox.app.drawing.text import Pen
 from sandbox.app.runs.session import Session
 from sandbox.app.stage.forces import Forces
 from sandbox.app.stage.labels import Labels
+from sandbox.app.stage.marks import boxes
 from sandbox.app.stage.stage import Stage
 from sandbox.model import catalog
 from sandbox.model.loading import load
@@ -55,6 +56,30 @@ def test_events_at_one_place_are_written_apart(pen: Pen) -> None:
     assert len(written) == len(texts) == 3
     shrunk = [place.inflate(0, -4) for place in written]  # lines of one text share their rims
     assert all(a.collidelist(shrunk[i + 1 :]) < 0 for i, a in enumerate(shrunk))
+
+
+def test_what_was_measured_keeps_off_bodies(pen: Pen) -> None:
+    session = Session(load(catalog.find("momentum/cradle")))
+    while session.t < 0.56:
+        session.step()
+    (milestone,) = session.milestones()
+    texts = [pen.outlined(text) for text in milestone.texts(str)]
+    places: list[pygame.Rect] = []
+
+    class Noting(pygame.Surface):
+        def blit(self, source: pygame.Surface, dest: pygame.Rect, *_: object) -> pygame.Rect:  # type: ignore[override]
+            if source in texts:
+                places.append(pygame.Rect(dest))
+            return super().blit(source, dest)
+
+    stage = Stage(pen, (715, 740))
+    stage.use(session.world)
+    stage.fit()
+    stage.draw(Noting((715, 740)), milestones=[milestone])
+
+    balls = [(each, *stage.view.state(each)) for each in stage.view.moving]
+    assert places
+    assert all(place.collidelist(boxes(stage.camera, balls)) < 0 for place in places)
 
 
 def test_what_was_measured_keeps_off_the_words_of_the_level(pen: Pen) -> None:

@@ -2,6 +2,7 @@
 
 from math import hypot
 
+import numpy as np
 import pygame
 import pytest
 
@@ -33,6 +34,21 @@ def test_a_probe_on_the_trail_tells_when_the_ball_was_there_and_how_fast(person:
     before = pygame.image.tobytes(person.window.surface, "RGB")
     person.move(person.on_screen(found.place))
     assert pygame.image.tobytes(person.window.surface, "RGB") != before
+
+
+def test_a_probe_does_not_tell_rounding(person: Person) -> None:
+    """The last ball of the cradle hangs still until it is struck, to 1e-14 m/s or so."""
+    person.window.open_level("momentum/cradle")
+    for _ in range(250):
+        person.session.step()
+    person.wait()
+    assert 0 < np.hypot(*person.session.world.snapshot.velocity[-1]) < 1e-11
+
+    found = at(person, (0.8, 0.0))
+
+    assert found is not None
+    assert "e" not in found.text.replace("ball5", "")
+    assert found.text.endswith("(0.8000, 0) m   0 m/s")
 
 
 def test_a_branch_leaves_the_old_trail_to_be_probed(person: Person) -> None:

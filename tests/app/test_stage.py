@@ -112,6 +112,22 @@ def test_the_arrow_points_where_the_ball_goes(session: Session, stage: Stage) ->
 RINGS = (("disc", 0.2), ("hoop", 1.0))  # m
 
 
+def test_arrows_grow_with_the_speed_where_nobody_knows_how_fast_a_run_will_be(pen: Pen) -> None:
+    """With an arrow as long as the highest speed so far, what speeds up had one that never grew."""
+    session, stage = Session(load(catalog.find("momentum/cradle"))), Stage(pen, SIZE)
+    stage.use(session.world)
+    lengths = []
+    for _ in range(250):
+        session.step()
+        speed = float(np.hypot(*session.world.snapshot.velocity.T).max())
+        lengths.append(speed / stage.view.fastest)
+
+    assert max(lengths) <= 1.1 + 1e-9
+    assert np.ptp(lengths[20:]) > 0.4
+    shorter = np.diff(lengths) < -1e-3
+    assert shorter.sum() <= 8  # 1, 2, 5, 10, … of the first speed
+
+
 def test_only_what_a_hand_can_move_is_picked(pen: Pen) -> None:
     session = Session(
         scenes.level(

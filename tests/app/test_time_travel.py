@@ -3,8 +3,10 @@
 import pygame
 import pytest
 
+from sandbox.app.runs import playback
 from sandbox.app.runs.session import Session
 from sandbox.model import catalog
+from sandbox.model.errors import SandboxError
 from sandbox.model.loading import load
 from tests.app.person import Person
 from tests.levels.playing import fingerprint
@@ -70,6 +72,85 @@ def test_what_a_hand_did_is_done_again_and_what_it_did_later_is_forgotten() -> N
     assert session.actions[-1].step == held
     free = opened("newton/atwood")
     assert fingerprint(session.world.snapshot) != take(free, held)
+
+
+def test_what_was_put_elsewhere_before_the_start_still_is_after_the_way_back_to_it() -> None:
+    session = opened("momentum/cradle")
+    session.grab("ball2", (0.2, 0.0))
+    session.drag((-0.4, 0.25))
+    session.release()
+    lifted = fingerprint(session.world.snapshot)
+    take(session, 30)
+
+    go_to(session, 0)
+
+    assert fingerprint(session.world.snapshot) == lifted
+    assert len(session.actions) == 1
+
+
+def slowly(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let a way back take more than a frame from now on."""
+    monkeypatch.setattr(playback, "AT_ONCE", 0.0)  # s
+    monkeypatch.setattr(playback, "ON_THE_WAY", 1e-4)  # s: a few steps
+
+
+def test_what_was_recorded_is_shown_before_a_long_way_is_done(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    session = opened("lagrange/double-pendulum")
+    states = {step: (take(session, 1), step)[0] for step in range(1, 61)}
+    slowly(monkeypatch)
+
+    for step in (20, 5, 50):
+        session.go_to(step)
+
+        assert session.world.steps < step
+        assert fingerprint(session.shown.snapshot) == states[step]
+        session.update(1 / 60)
+        assert session.shown is not session.world
+
+    arrive_in(session)
+    assert session.shown is session.world
+    assert fingerprint(session.shown.snapshot) == states[50]
+
+
+def test_nothing_recorded_is_shown_of_another_run(monkeypatch: pytest.MonkeyPatch) -> None:
+    """What a hand does after a way back makes the recorded rest that of another run."""
+    session = opened("newton/atwood")
+    take(session, 30)
+    go_to(session, 10)
+    session.grab("left", (-0.6, 0.0))
+    session.drag((-0.6, 1.0))
+    session.release()
+    slowly(monkeypatch)
+
+    session.go_to(25)
+    assert session.shown is session.world
+    arrive_in(session)
+    session.go_to(20)
+    assert session.shown is not session.world
+
+
+def test_a_single_step_on_the_way_moves_what_is_sought(monkeypatch: pytest.MonkeyPatch) -> None:
+    session = opened("lagrange/double-pendulum")
+    take(session, 60)
+    slowly(monkeypatch)
+    session.go_to(40)
+
+    session.step()
+    assert session.sought == 41
+    session.step_back()
+    assert session.sought == 40
+
+
+def test_a_run_on_its_way_does_not_branch(monkeypatch: pytest.MonkeyPatch) -> None:
+    session = opened("kinematics/projectile")
+    take(session, 60)
+    slowly(monkeypatch)
+    session.go_to(40)
+
+    with pytest.raises(SandboxError, match="still on its way"):
+        session.branch({"g": 3.0})
 
 
 def test_a_body_that_was_put_elsewhere_is_put_there_again() -> None:

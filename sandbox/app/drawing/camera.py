@@ -7,7 +7,10 @@ from sandbox.model.shapes import XY, evaluate
 from sandbox.model.view import View
 
 ASPECT = 16 / 9
-"""Width over height of the part of the plane that a level's view promises to show."""
+"""Width over height of the part of the plane that a level's view promises to show.
+
+Of its width a narrower picture shows the middle alone.
+"""
 
 LEAST, MOST = 1e-3, 1e5
 """Bounds of the scale [px/m]."""
@@ -32,18 +35,19 @@ class Camera:
         self.size = size
         self.center: XY = (0.0, 0.0)
         self.scale = 50.0
-        self._width = 10.0
+        self._width = self._middle = 10.0
         self.fitted = True
 
     def fit(self, view: View, values: Values) -> None:
         """Show what a level asks for."""
         self.center = evaluate(view.center, values)
         self._width = view.width(values)
+        self._middle = self._width * view.middle
         self.fitted = True
         self._fill()
 
     def _fill(self) -> None:
-        self.scale = min(self.size[0] / self._width, self.size[1] * ASPECT / self._width)
+        self.scale = min(self.size[0] / self._middle, self.size[1] * ASPECT / self._width)
 
     def resize(self, size: tuple[int, int]) -> None:
         """Keep the centre, and the part that is shown unless a person has chosen it."""

@@ -11,6 +11,7 @@ from sandbox.app.drawing.text import Pen
 from sandbox.app.files.level_entries import Entry
 from sandbox.app.files.progress import Progress
 from sandbox.app.home.card_grid import HEADING, MARGIN, Grid, lay_out, sections
+from sandbox.app.home.chapter_bar import ChapterBar
 from sandbox.app.home.draft_strip import Strip
 from sandbox.app.home.preview import Preview
 from sandbox.app.home.thumbnails import Thumbnails
@@ -50,6 +51,8 @@ class Home:
         The level that plays on its card.
     strip
         The drafts that are offered above them.
+    chapters
+        The bar that leads to the first cards of each chapter.
     """
 
     def __init__(self, pen: Pen) -> None:
@@ -58,6 +61,7 @@ class Home:
         self.chosen: Path | None = None
         self.recovered: Recoverable | None = None
         self.strip, self.preview = Strip(pen), Preview()
+        self.chapters = ChapterBar(pen)
         self.thumbnails = Thumbnails()
         self._progress = Progress()
         self._area = pygame.Rect(0, 0, 1, 1)
@@ -109,11 +113,10 @@ class Home:
     def update(self, area: pygame.Rect, found: Sequence[Entry], sought: str) -> None:
         """Follow the window's size and what is looked for, and let pictures come in."""
         area = self.strip.take_room(area)
-        wanted = area.size, tuple(found), sought.strip()
+        wanted = tuple(area), tuple(found), sought.strip()
         if wanted != self._laid_out:
             self._lay_out(area, found, sought, again=self._laid_out is not None)
             self._laid_out = wanted
-        self._area = area
         seen = [level.path for level, _ in self._seen()]
         self.thumbnails.follow(seen, [level.path for level, _ in self._grid.cards])
 
@@ -126,13 +129,21 @@ class Home:
         self, area: pygame.Rect, found: Sequence[Entry], sought: str, *, again: bool
     ) -> None:
         path = self.focus.path if again and self.focus is not None else self._here
-        self._area, self._grid = area, lay_out(area.width, sections(found, sought), self._pen.scale)
+        self._grid = lay_out(area.width, sections(found, sought), self._pen.scale)
+        self._area = self.chapters.take_room(area, self._grid.headings)
         self.thumbnails.resize(self._grid.picture)
         places = {level.path: i for i, (level, _) in enumerate(self._grid.cards)}
         self._focus = places.get(path, 0) if path is not None and not sought.strip() else 0
         self._hovered = None
-        self._top = 0.0
+        self._top = self._chapter_of_focus()
         self._show_focus()
+
+    def _chapter_of_focus(self) -> float:
+        """Return where the heading above the card with the focus is on the sheet [px]."""
+        if not self._grid.cards:
+            return 0.0
+        y = self._grid.cards[self._focus][1].y
+        return float(max(heading.y for heading in self._grid.headings if heading.y < y))
 
     def _show_focus(self) -> None:
         """Scroll as far as it takes to see the card with the focus, and the heading above it."""
@@ -162,7 +173,7 @@ class Home:
         if event.type not in (pygame.MOUSEMOTION, pygame.MOUSEBUTTONDOWN, pygame.MOUSEBUTTONUP):
             return False
         inside = self._point(event.pos)
-        beside = self.strip.follow(event.pos)
+        beside = self.strip.follow(event.pos) or self.chapters.follow(event.pos)
         if event.type == pygame.MOUSEMOTION:
             return False
         if event.button == 1:
@@ -181,10 +192,20 @@ class Home:
         if down:
             self._pressed, self._held = self._hovered, self.strip.hovered
             self._focus = self._focus if self._hovered is None else self._hovered
+            if self.chapters.hovered is not None:
+                self.show_chapter(self.chapters.hovered.text)
         elif self._hovered is not None and self._hovered == self._pressed:
             self.chosen = self._grid.cards[self._hovered][0].path
         elif self.strip.hovered is not None and self.strip.hovered is self._held:
             self.recovered = self.strip.hovered
+
+    def show_chapter(self, text: str) -> None:
+        """Scroll to the cards below a heading, the first of which has the focus then."""
+        heading = next((each for each in self._grid.headings if each.text == text), None)
+        if heading is not None:
+            below = (i for i, (_, place) in enumerate(self._grid.cards) if place.y > heading.y)
+            self._focus = next(below)
+            self._scroll_to(heading.y)
 
     def _key(self, event: pygame.event.Event) -> bool:
         focus, page = self.focus, self._area.height * 0.8
@@ -209,6 +230,7 @@ class Home:
     def draw(self, surface: pygame.Surface) -> None:
         """Draw what is in view, with the pictures that are there."""
         self.strip.draw(surface)
+        self.chapters.draw(surface, self._top)
         area = self._area.clip(surface.get_rect())
         if area.width == 0 or area.height == 0:
             return

@@ -17,6 +17,7 @@ REACH = 8.0
 """How near to a trail the mouse has to be [px]."""
 
 DIGITS = 4
+AWAY, PADDING = 16, 8  # px, from the instant to what is told of it, and around that
 
 
 class Found(NamedTuple):
@@ -30,6 +31,8 @@ class Found(NamedTuple):
         When, where, and how fast it was there [s, m, m/s].
     distance
         From there to the mouse [px].
+    scales
+        How much of the plane is seen [m], and the highest speed [m/s]: what values stand beside.
     """
 
     body: str
@@ -37,11 +40,17 @@ class Found(NamedTuple):
     place: XY
     speed: float
     distance: float
+    scales: tuple[float, float]
 
     @property
     def text(self) -> str:
         """The text that describes it."""
-        x, y, speed = (formatting.number(value, DIGITS) for value in (*self.place, self.speed))
+        wide, fastest = self.scales
+        told = zip((*self.place, self.speed), (wide, wide, fastest), strict=True)
+        x, y, speed = (
+            formatting.number(formatting.without_rounding(value, scale), DIGITS)
+            for value, scale in told
+        )
         return f"{self.body}   t = {self.t:.3f} s   ({x}, {y}) m   {speed} m/s"
 
 
@@ -76,7 +85,8 @@ def _near(view: View, history: History, pixel: XY) -> Iterator[Found]:
         if distance[i] <= REACH:
             speed = float(np.hypot(*states.velocity[i, outline.row]))
             x, y = places[i].tolist()
-            yield Found(name, float(states.t[i]), (x, y), speed, float(distance[i]))
+            scales = view.width, view.fastest
+            yield Found(name, float(states.t[i]), (x, y), speed, float(distance[i]), scales)
 
 
 def draw(surface: pygame.Surface, view: View, session: Session, pixel: XY) -> None:
@@ -87,6 +97,11 @@ def draw(surface: pygame.Surface, view: View, session: Session, pixel: XY) -> No
         return
     at = view.camera.to_screen(found.place)
     pygame.draw.aacircle(surface, theme.NOTICE, at, 5, 2)
-    text = view.pen.outlined(found.text, 14)
-    place = text.get_rect(midtop=(at[0], at[1] + 12))
-    surface.blit(text, place.clamp(surface.get_rect()))
+    text = view.pen.write(found.text, 13)
+    plate = text.get_rect(midtop=(at[0], at[1] + AWAY)).inflate(2 * PADDING, PADDING)
+    if plate.bottom > surface.get_height():
+        plate.bottom = round(at[1] - AWAY)
+    plate.clamp_ip(surface.get_rect())
+    pygame.draw.rect(surface, theme.RAISED, plate, border_radius=4)
+    pygame.draw.rect(surface, theme.EDGE, plate, 1, border_radius=4)
+    surface.blit(text, text.get_rect(center=plate.center))

@@ -39,6 +39,12 @@ class History:
             start += size
         return Snapshot(**parts)
 
+    def at(self, t: float) -> Snapshot:
+        """Return the state that is kept nearest to a time [s]."""
+        states = self.snapshots
+        row = int(np.abs(states.t - t).argmin())
+        return Snapshot(**{name: getattr(states, name)[row] for name in _FIELDS})
+
 
 def _flat(snapshots: Snapshot) -> Array:
     """Return all fields of states beside each other, a row for each."""

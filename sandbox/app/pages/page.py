@@ -91,6 +91,15 @@ class Zoomed(Protocol):
         ...
 
 
+@runtime_checkable
+class Leading(Protocol):
+    """A page with buttons that call for a command of the window."""
+
+    def leads(self, button: object) -> str | None:
+        """Return the command that a button of its calls for; None if it is another one."""
+        ...
+
+
 class Desk(NamedTuple):
     """What a page works with."""
 

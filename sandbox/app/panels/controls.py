@@ -128,7 +128,8 @@ class Controls:
     def _draw_clock(self, surface: pygame.Surface, session: Session) -> None:
         area, pen = self._clock, self._pen
         middle = area.centery
-        now = pen.write(f"t = {formatting.seconds(session.t)}", 15, bold=True)
+        shown = float(session.shown.snapshot.t)
+        now = pen.write(f"t = {formatting.seconds(shown)}", 15, bold=True)
         surface.blit(now, (area.x, middle - pen.px(20)))
         room = area.width - now.width - pen.px(10)
         written = (pen.write(text, 13, color) for text, color in notes(session))
@@ -136,15 +137,16 @@ class Controls:
             surface.blit(note, (area.right - note.width, middle - pen.px(18)))
         track = self._track
         pygame.draw.rect(surface, theme.RAISED, track, border_radius=2)
-        share = min(session.t / session.duration, 1.0)
+        share = min(shown / session.duration, 1.0)
         if share > 0:
             done = pygame.Rect(track.topleft, (round(track.width * share), track.height))
             pygame.draw.rect(surface, theme.ACCENT, done, border_radius=2)
         knob = track.x + track.width * share, float(track.centery)
         pygame.draw.aacircle(surface, theme.ACCENT, knob, pen.px(KNOB))
         if session.sought is not None:
-            goal = track.x + track.width * session.sought / session.end, float(track.centery)
-            pygame.draw.aacircle(surface, theme.NOTICE, goal, pen.px(KNOB), 2)
+            other = session.world.steps if session.recalled else session.sought
+            ring = track.x + track.width * other / session.end, float(track.centery)
+            pygame.draw.aacircle(surface, theme.NOTICE, ring, pen.px(KNOB), 2)
 
 
 def _overlays() -> list[tuple[str, str]]:
@@ -154,6 +156,10 @@ def _overlays() -> list[tuple[str, str]]:
 
 def notes(session: Session) -> Iterator[tuple[str, theme.Color]]:
     """Yield what is said beside the time, the longest first: there may be no room for it."""
+    if session.recalled:
+        yield say("as recorded; the run itself is on its way there"), theme.NOTICE
+        yield say("as recorded"), theme.NOTICE
+        return
     reduced = session.pace.reduced if session.playing else None
     if reduced is None or reduced > NEARLY * session.speed:
         yield say("of {time}", time=formatting.seconds(session.duration)), theme.DIM

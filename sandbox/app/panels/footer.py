@@ -114,7 +114,7 @@ def check_summary(session: Session) -> str:
     if session.changes:
         return say("Checks: not judged, effects are changed")
     if session.world.disturbed:
-        return say("Checks: not judged, the run was changed by hand")
+        return say("Checks: not judged, changed by hand")
     verdicts = [reading.result.verdict for reading in session.readings()]
     return say("Checks: {verdicts}", verdicts=counted(verdicts))
 

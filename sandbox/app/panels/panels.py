@@ -176,6 +176,12 @@ class Panels:
         """Let a person type what level to look for."""
         if self.list is not None:
             self.manager.set_focus_set(self.list.field.get_focus_set())
+            self.list.field.select_range = [0, len(self.list.sought)]
+
+    def list_all(self) -> None:
+        """Look for no level any more."""
+        if self.list is not None:
+            self.list.clear()
 
     def let_go(self) -> None:
         """Leave the field that is typed in as it was; if none is, look for no level any more."""

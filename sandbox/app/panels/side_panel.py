@@ -11,7 +11,7 @@ from sandbox.app.drawing.text import Pen
 from sandbox.app.files.preferences import Comfort
 from sandbox.app.frame_load import Load
 from sandbox.app.pages import register
-from sandbox.app.pages.page import Desk, Zoomed
+from sandbox.app.pages.page import Desk, Leading, Zoomed
 from sandbox.app.pages.workers import Workers
 from sandbox.app.panels.footer import FOLDED, Foot, View
 from sandbox.app.panels.tabs import GAP, TOP, Tabs
@@ -80,7 +80,8 @@ class SidePanel:
         if event.type != UI_BUTTON_PRESSED:
             return None
         at_foot = self.foot.pressed(event.ui_element) if self.foot is not None else None
-        return at_foot or self._tabs.pressed(event.ui_element)
+        on_page = self.page.leads(event.ui_element) if isinstance(self.page, Leading) else None
+        return at_foot or on_page or self._tabs.pressed(event.ui_element)
 
     def act(self, event: pygame.event.Event) -> str | None:
         """Let the page do what was clicked on; return the message for it, if there is one."""
@@ -130,7 +131,8 @@ class SidePanel:
             self._update_foot()
         state = self._state
         changed = any(new is not old for new, old in zip(state, self._shown, strict=True))
-        if not changed or (self._session.playing and self._since < REFRESH):
+        moving = self._session.playing or self._session.sought is not None
+        if not changed or (moving and self._since < REFRESH):
             return
         self._since, self._shown = 0.0, state
         self.page.update()

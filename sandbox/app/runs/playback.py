@@ -10,6 +10,7 @@ from collections.abc import Sequence
 from math import inf
 from time import perf_counter
 
+from sandbox.app.observing.earlier_runs import Observed
 from sandbox.app.observing.grading import Reading
 from sandbox.app.observing.impacts import Flash
 from sandbox.app.observing.milestones import Milestone
@@ -17,9 +18,11 @@ from sandbox.app.runs.actions import Action
 from sandbox.app.runs.grabbed_body import Grip
 from sandbox.app.runs.live_run import LiveRun
 from sandbox.app.runs.pace import faster, slower
+from sandbox.app.runs.record import Record
 from sandbox.app.runs.run_view import RunView
 from sandbox.model.errors import SandboxError
 from sandbox.model.shapes import XY
+from sandbox.physics.stepping.world import World
 
 BUDGET = 0.009  # s, of a frame for steps
 LATE = 2 / 60  # s, that steps may be late
@@ -65,6 +68,8 @@ class Playback(RunView, ABC):
         self._grip = Grip(run)
         self._owed = 0.0  # steps
         self.sought: int | None = None
+        self._record: Record | None = None  # of what is taken again
+        self._known = False  # whether what is sought is in it
 
     @abstractmethod
     def _run_anew(self) -> LiveRun:
@@ -90,6 +95,26 @@ class Playback(RunView, ABC):
         pace = self.run.pace.reduced if self.playing else None
         return max(self.duration - self.t, 0.0) / pace if pace else None
 
+    @property
+    def recalled(self) -> Observed | None:
+        """What was recorded of the run, as it was at the step that is sought; None if unknown.
+
+        It is there at once: the run itself takes its time until it stands there again.
+        """
+        if self._record is None or self.sought is None or not self._known:
+            return None
+        return self._record.run
+
+    @property
+    def shown(self) -> World:
+        """The world that is shown: the present one, or that of what is `recalled`."""
+        return self.recalled.world if self.recalled else self.world
+
+    def _recall(self) -> None:
+        """Show what was recorded of the step that is sought, or nothing if nobody knows it."""
+        if self._record and self.sought is not None:
+            self._known = self._record.show(self.sought, [*self.actions, *self.run.script])
+
     def toggle(self) -> None:
         """Play, or pause; go on with a run that had to stop, if it can."""
         if self.doubted:
@@ -102,16 +127,19 @@ class Playback(RunView, ABC):
         self.playing = False
 
     def step(self) -> None:
-        """Pause, and take a single step."""
+        """Pause, and take a single step; on a way, go a step farther."""
         self.playing = False
-        self._advance()
+        if self.sought is None:
+            self._advance()
+        else:
+            self.go_to(self.sought + 1)
 
     def go_to(self, step: int, *, undone: bool = False) -> None:
         """Go to another step of the run, back or ahead; to the level's end at the most.
 
         A way back begins at the start: the run is taken again, with all that a hand did to it, and
         so is the same to the last bit. What was done later is forgotten. A long way takes some
-        frames, see `sought`.
+        frames, see `sought`; what was recorded is there before, see `recalled`.
 
         Parameters
         ----------
@@ -133,7 +161,8 @@ class Playback(RunView, ABC):
         self.run.limits.bear()
         self.sought = sought
         if back:
-            self._begin_again(sought)
+            self._begin_again(sought, undone=undone)
+        self._recall()
         self._seek(AT_ONCE)
 
     def do_again(self, actions: Sequence[Action], steps: int) -> None:
@@ -145,11 +174,15 @@ class Playback(RunView, ABC):
         self.run.script, self.sought = actions, steps
         self._seek(budget)
 
-    def _begin_again(self, sought: int) -> None:
-        """Start anew with the same parameters, to do again what was done before a step."""
-        before = self.run
+    def _begin_again(self, sought: int, *, undone: bool = False) -> None:
+        """Start anew with the same parameters, to do again what was done up to a step."""
+        before, record = self.run, self._record
+        actions = [*before.actions, *before.script]
+        if record is None or not record.covers(before.world.steps, actions):
+            record = Record(Observed(before.trail, before.history, before.world), before.actions)
         self._take_up(self._run_anew())
-        self.run.script = [action for action in before.actions if action.step < sought]
+        self._record = record
+        self.run.script = [a for a in actions if a.step < sought + (not undone)]
         self.run.ahead = before.farthest
         self.run.end = max(self.run.end, before.end)
         self.sought = sought
@@ -180,8 +213,9 @@ class Playback(RunView, ABC):
     def step_back(self) -> None:
         """Pause, and go a single step back."""
         self.playing = False
-        if self.world.steps:
-            self.go_to(self.world.steps - 1)
+        here = self.world.steps if self.sought is None else self.sought
+        if here:
+            self.go_to(here - 1)
 
     def faster(self) -> None:
         """Take the next higher speed."""
@@ -226,8 +260,12 @@ class Playback(RunView, ABC):
             self.playing = False
 
     def grab(self, body: str, point: XY) -> None:
-        """Take hold of a body at a point [m]; nothing happens to it before `drag`."""
-        self._grip.grab(body, point)
+        """Take hold of a body at a point [m]; nothing happens to it before `drag`.
+
+        What is only `recalled` cannot be touched.
+        """
+        if self.recalled is None:
+            self._grip.grab(body, point)
 
     def drag(self, point: XY) -> None:
         """Pull what is held to a point [m]: while time runs with a force, else put it there."""
@@ -246,6 +284,8 @@ class Playback(RunView, ABC):
     @property
     def flashes(self) -> Sequence[Flash]:
         """What is to be seen of the last impacts: the same at a step whenever it is shown."""
+        if self.recalled:
+            return ()
         return self.run.blows.flashes(FADING * self.speed)
 
     def readings(self) -> tuple[Reading, ...]:

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from sandbox.app.observing.earlier_runs import Earlier
+from sandbox.app.observing.earlier_runs import Earlier, Observed
 from sandbox.app.observing.energy_books import Books
 from sandbox.app.observing.history import History
 from sandbox.app.observing.trail import Trail
@@ -51,6 +51,12 @@ class RunView:
     def earlier(self) -> tuple[Earlier, ...]:
         """The last runs with other parameters, the newest last."""
         return self.run.earlier
+
+    @property
+    def later(self) -> Observed | None:
+        """The run as it was before a way back, if it had come farther; None if it had not."""
+        ahead = self.run.ahead
+        return ahead if ahead and ahead.steps() > self.world.steps else None
 
     @property
     def trail(self) -> Trail:

@@ -150,7 +150,7 @@ class Session(Playback):
         SandboxError
             If that cannot be; then all stays as it was.
         """
-        if not self.world.steps:
+        if not self.world.steps and not self.recalled:
             self.restart(settings)
             return
         self._require_one_that_goes_on(Message("with other parameters"))
@@ -173,10 +173,12 @@ class Session(Playback):
         self.run.alter(text)
 
     def _require_one_that_goes_on(self, how: Message) -> None:
-        if self.companions or self.failure is not None:
+        if self.companions or self.failure is not None or self.recalled:
             why = Message("it had to stop")
             if self.companions:
                 why = Message("other runs go beside it")
+            if self.recalled:
+                why = Message("it is still on its way")
             raise SandboxError(Message("this run cannot continue {how}: {why}", how=how, why=why))
 
     def resume(self, actions: Sequence[Action], steps: int, values: Values | None = None) -> None:

@@ -1,6 +1,6 @@
 """The marks that explain a motion: trails, ghosts, velocity arrows, names."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from math import copysign, hypot, isfinite
 
 import numpy as np
@@ -154,9 +154,12 @@ def draw_arrow_key(
 
 def draw_milestones(
     surface: pygame.Surface, camera: Camera, pen: Pen, milestones: Sequence[Milestone],
-    words: Say, labels: Labels,
+    words: Say, labels: Labels, avoid: Sequence[pygame.Rect] = (),
 ) -> None:  # fmt: skip
-    """Mark where something has happened, with what was measured then written beside it."""
+    """Mark where something has happened, with what was measured then written beside it.
+
+    The words rather do not cover some places [px], such as those of bodies.
+    """
     seen = [(m, camera.to_screen(m.place)) for m in milestones]
     seen = [(m, (x, y)) for m, (x, y) in seen if lines.near(((x, y),))]
     for milestone, (x, y) in seen:
@@ -170,7 +173,7 @@ def draw_milestones(
         size = max(t.width for t in texts), sum(t.height - 2 for t in texts)
         inside = surface.get_rect().inflate(-2 * EDGE, -2 * EDGE)
         around = _around(round(x), round(y), size)
-        if place := labels.find(spot.clamp(inside) for spot in around):
+        if place := labels.find((spot.clamp(inside) for spot in around), avoid):
             top = place.y
             for text in texts:
                 surface.blit(text, text.get_rect(midtop=(place.centerx, top)))
@@ -186,6 +189,12 @@ def _around(x: int, y: int, size: tuple[int, int]) -> Iterator[pygame.Rect]:
         if not further:
             yield place.move_to(midleft=(x + 11, y))
             yield place.move_to(midright=(x - 11, y))
+
+
+def boxes(camera: Camera, shown: Iterable[tuple[Outline, XY, float]]) -> list[pygame.Rect]:
+    """Return where bodies are in the picture, as far as they are near it [px]."""
+    paths = (camera.path(outline.placed(position, angle)) for outline, position, angle in shown)
+    return [_box(path) for path in paths if lines.near(path)]
 
 
 def draw_names(

@@ -110,7 +110,10 @@ class Stage:
             texts.draw_texts(surface, view)
         if view.few and milestones:
             words = level_words.of(world.level)
-            marks.draw_milestones(surface, self.camera, self._pen, milestones, words, view.labels)
+            avoid = marks.boxes(self.camera, ((each, *view.state(each)) for each in view.moving))
+            marks.draw_milestones(
+                surface, self.camera, self._pen, milestones, words, view.labels, avoid
+            )
         for overlay in self._overlays:
             if overlay.draw is not None:
                 overlay.draw(surface, view)

@@ -12,6 +12,7 @@ from sandbox.app.stage import marks
 from sandbox.app.stage.forces import Forces
 from sandbox.app.stage.labels import Labels
 from sandbox.app.stage.outline import Outline, outlines
+from sandbox.app.words.formatting import rounded_up
 from sandbox.model.shapes import XY
 from sandbox.physics.measuring.recording import count_steps
 from sandbox.physics.stepping.world import World
@@ -23,6 +24,9 @@ if TYPE_CHECKING:
 
 NAMED = 12
 """Up to so many moving bodies carry their name, an arrow and a trail."""
+
+LONGER = 1.1
+"""So many times as long as the longest an arrow may be, before all are drawn shorter."""
 
 
 class View:
@@ -85,7 +89,11 @@ class View:
 
     @property
     def fastest(self) -> float:
-        """The highest speed of the run so far [m/s]: arrows keep to one scale over a run."""
+        """The speed that the longest arrow stands for [m/s]: they keep to one scale over a run.
+
+        Where a run becomes faster than was expected, it is a round number, so that arrows grow
+        with the speed until the next.
+        """
         self.watch()
         return self._fastest
 
@@ -93,4 +101,5 @@ class View:
         """Note how fast the world is now."""
         velocity = self.world.snapshot.velocity
         speed = float(np.hypot(velocity[:, 0], velocity[:, 1]).max(initial=0.0))
-        self._fastest = max(self._fastest, speed)
+        if speed > LONGER * self._fastest:
+            self._fastest = rounded_up(speed)

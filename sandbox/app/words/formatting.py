@@ -22,6 +22,8 @@ from sandbox.physics.measuring.comparison import Difference
 from sandbox.physics.measuring.goals import Outcome
 
 MINUS = "−"
+ROUNDING = 1e-12
+"""The part of a scale below which a value is nothing but rounding."""
 NO_DIFFERENCE = later("no difference")
 SCHEMES: Mapping[str, str] = {
     "leapfrog": later("leapfrog"),
@@ -42,6 +44,11 @@ def number(value: float, digits: int = 5) -> str:
     else:
         text = f"{value:.{max(digits - 3, 0)}e}"
     return (_power(text) if "e" in text else text).replace("-", MINUS)
+
+
+def without_rounding(value: float, scale: float) -> float:
+    """Return a value, or 0 where it is nothing but rounding beside what else is seen."""
+    return 0.0 if abs(value) < ROUNDING * scale else value
 
 
 def error(value: float) -> str:

@@ -181,6 +181,10 @@ class World:
             raise error
         raise self._ended from error
 
+    def recall(self, snapshot: Snapshot) -> None:
+        """Show a state that was observed before; a world that does takes no step any more."""
+        self._seen = self._seen._replace(snapshot=snapshot)
+
     def grab(self, body: str, point: tuple[float, float]) -> None:
         """Take hold of a dynamic body at a point of the plane [m], as with a stiff spring.
 

@@ -31,6 +31,19 @@ def test_a_low_window_still_shows_nine_sixteenths_of_the_width() -> None:
     assert top - bottom == pytest.approx(9)
 
 
+def test_a_narrow_window_shows_the_middle_of_the_width_and_the_whole_height() -> None:
+    view = View.model_validate_json('{"width": 16, "middle": 0.375}')
+    narrow, square, wide = Camera((600, 1200)), Camera((900, 900)), Camera((1600, 900))
+    for camera in (narrow, square, wide):
+        camera.fit(view, {})
+
+    left, _, right, _ = narrow.bounds
+    assert (left, right) == pytest.approx((-3, 3))
+    _, bottom, _, top = square.bounds
+    assert (bottom, top) == pytest.approx((-4.5, 4.5))
+    assert wide.scale == pytest.approx(100)
+
+
 def test_the_way_to_the_screen_and_back_ends_where_it_began(camera: Camera) -> None:
     assert camera.to_world(camera.to_screen((0.3, -1.7))) == pytest.approx((0.3, -1.7))
 

@@ -9,8 +9,9 @@ from sandbox.app.drawing import theme
 from sandbox.app.drawing.theme import Color
 from sandbox.app.observing import energy_graph
 from sandbox.app.observing.energy_books import INSTANTS
-from sandbox.app.panels.footer import HIGH
+from sandbox.app.panels.footer import HIGH, check_summary
 from sandbox.app.runs.session import Session
+from sandbox.app.words import language
 from sandbox.model import catalog
 from sandbox.model.expressions import Array
 from sandbox.model.loading import load
@@ -139,3 +140,21 @@ def test_the_graph_is_in_sight_without_scrolling(person: Person, size: tuple[int
     side = person.window.panels.layout.side
     column = [person.color_at((side.x + 40, y)) for y in range(side.bottom)]
     assert column.count(theme.STAGE) >= 50
+
+
+@pytest.mark.parametrize("spoken", language.NAMES)
+def test_the_foot_has_room_for_what_it_says_of_a_run_that_a_hand_has_touched(
+    person: Person, spoken: language.Name
+) -> None:
+    person.window.comfort.choose(language=spoken)
+    person.window.open_level("momentum/cradle")
+    person.session.grab("ball2", (0.2, 0.0))
+    person.session.drag((-0.2, 0.2))
+    person.session.release()
+    person.wait(0.2)
+
+    foot = person.side.foot
+    assert foot is not None
+    assert foot.verdicts is not None
+    assert foot.verdicts.text == check_summary(person.session)
+    assert person.window.pen.write(foot.verdicts.text, 13).width < foot.verdicts.rect.width - 8

@@ -1,6 +1,7 @@
 """The page of a challenge, as somebody who plays meets it."""
 
 import pygame
+import pytest
 
 from sandbox.app.files.progress import Progress
 from sandbox.app.pages.challenge.card import NONE
@@ -109,3 +110,19 @@ def test_a_level_without_a_challenge_says_where_there_are_some(person: Person) -
 
     assert person.page(ChallengePage)._shown_hints == ()
     assert "chapter Challenges" in NONE
+
+
+@pytest.mark.all_levels
+def test_a_button_leads_from_any_level_to_the_challenges(person: Person) -> None:
+    person.window.open_level("newton/atwood")
+    person.press(pygame.K_k, "k")
+    person.wait()
+
+    person.click(person.page(ChallengePage).others.rect)
+
+    home = person.window.panels.home
+    assert home.open
+    assert home.focus is not None
+    assert home.focus.chapter == catalog.CHALLENGES
+    heading = next(each for each in home.grid.headings if each.text == "Challenges")
+    assert home._top == heading.y

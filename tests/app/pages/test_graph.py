@@ -292,6 +292,37 @@ def test_a_double_click_shows_all_again(grapher: Person, monkeypatch: pytest.Mon
     assert not zoomed(grapher)
 
 
+def test_a_click_on_a_graph_over_time_goes_there_and_what_comes_later_stays_fainter(
+    grapher: Person,
+) -> None:
+    before, span = grapher.session.t, grapher.page(GraphPage)._zooming.graphs[0].across
+
+    grapher.click(on_graph(grapher, 1.5))
+    until(grapher, lambda: grapher.session.sought is None)
+    grapher.wait(0.2)
+
+    assert grapher.session.t == pytest.approx(1.5, abs=0.03)
+    assert grapher.page(GraphPage)._zooming.graphs[0].across == span
+    faint = theme.faded(theme.BODIES[0], 0.5)
+    line = grapher.window.surface.subsurface(grapher.page(GraphPage)._graphs.rect)
+    seen = {tuple(map(int, rgb)) for rgb in pygame.surfarray.array3d(line).reshape(-1, 3)}
+    assert tuple(faint[:3]) in seen
+
+    grapher.click(on_graph(grapher, before))
+    until(grapher, lambda: grapher.session.sought is None)
+    assert grapher.session.t == pytest.approx(before, abs=0.03)
+    assert grapher.session.later is None
+
+
+def test_a_click_on_a_graph_against_something_else_goes_nowhere(grapher: Person) -> None:
+    grapher.window.workers.of(Choice).against(grapher.session, "ball.position.x")
+    grapher.page(GraphPage).update()
+
+    grapher.click(on_graph(grapher, 20.0))
+
+    assert grapher.session.at_end
+
+
 def test_home_shows_all_again_and_restarts_only_then(grapher: Person) -> None:
     grapher.drag(on_graph(grapher, 1.0), on_graph(grapher, 2.0))
 

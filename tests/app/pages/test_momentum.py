@@ -53,6 +53,28 @@ def test_of_equal_masses_one_hands_its_momentum_to_the_other() -> None:
     assert np.abs(since(session)["change of the total"]).max() < 1e-12
 
 
+def test_a_momentum_that_is_rounding_is_told_as_nothing(
+    pen: Pen, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    written, write = list[str](), pen.write
+
+    def note(
+        text: str, size: int, color: theme.Color = theme.TEXT, bold: bool = False
+    ) -> pygame.Surface:
+        written.append(text)
+        return write(text, size, color, bold)
+
+    monkeypatch.setattr(pen, "write", note)
+    session = session_of("momentum/recoil")
+    for _ in range(60):
+        session.step()
+
+    momentum(pen, 278, session)
+
+    total = written.index("total")
+    assert written[total + 2] == f"0 {momenta.UNIT}"
+
+
 def test_what_changes_the_total_is_the_impulse_from_outside() -> None:
     """Gravity pulls with (m1 + m2) g for as long as the run lasts."""
     session = play(session_of("newton/atwood"))

@@ -17,7 +17,13 @@ HEIGHT = 28  # px, of the button
 
 
 class ChallengePage:
-    """What is asked for, what may be changed for it, and how it stands."""
+    """What is asked for, what may be changed for it, and how it stands.
+
+    Attributes
+    ----------
+    others
+        The button that leads to all challenges.
+    """
 
     def __init__(self, sheet: Sheet, desk: Desk) -> None:
         self._sheet, self._session = sheet, desk.session
@@ -42,7 +48,16 @@ class ChallengePage:
             "",
             say("one hint more"),
         )
+        caption = say("All challenges")
+        self.others = sheet.button(
+            pygame.Rect((0, 0), (sheet.room(caption), sheet.px(HEIGHT))), caption,
+            say("show the cards of all challenges"),
+        )  # fmt: skip
         self.update()
+
+    def leads(self, button: object) -> str | None:
+        """Return the command that a button calls for, if it does."""
+        return "challenges" if button is self.others else None
 
     @property
     def button(self) -> UIButton:
@@ -64,13 +79,16 @@ class ChallengePage:
         sheet.replace(self._hints, self._draw_hints())
         self._hints.set_relative_position((self._sheet.margin, below(self._standing) + 8))
         left = len(self._all_hints) - len(self._shown_hints)
-        self._button.set_relative_position((self._sheet.margin, below(self._hints) + 8))
+        y = below(self._hints) + 8
+        self._button.set_relative_position((self._sheet.margin, y))
+        y += sheet.px(HEIGHT) + 8 if left else 0
+        self.others.set_relative_position((self._sheet.margin, y))
         if left:
             self._button.set_text(say(ANOTHER if self._shown_hints else FIRST))
             self._button.show()  # type: ignore[no-untyped-call]
         else:
             self._button.hide()  # type: ignore[no-untyped-call]
-        sheet.end(below(self._hints) + (sheet.px(44) if left else 2))
+        sheet.end(y + sheet.px(HEIGHT) + 8)
 
     @property
     def _all_hints(self) -> tuple[str, ...]:

@@ -19,6 +19,7 @@ from sandbox.app.words import formatting
 from sandbox.app.words.language import later, say
 from sandbox.model.arithmetic import ExpressionError
 from sandbox.model.expressions import Array
+from sandbox.model.quantities import TIME
 from sandbox.physics.accuracy.trusted_digits import Trust
 from sandbox.physics.measuring.grading import applies
 from sandbox.physics.metering.meter import Meter
@@ -40,7 +41,7 @@ def graphs(
     pen: Pen, width: int, session: Session, up: Sequence[str], across: str, cursor: float | None,
     trust: Mapping[str, Trust] = NOT_KNOWN, zoom: Zoom = WHOLE,
 ) -> Graphs:  # fmt: skip
-    """Draw quantities of the run so far against another.
+    """Draw quantities of the run so far against another; fainter, what is known to come.
 
     Parameters
     ----------
@@ -62,23 +63,28 @@ def graphs(
         card.text(say(NOTHING), 14, theme.DIM)
         return Graphs(card.drawn(), ())
     found: list[Graph] = []
-    names = list(dict.fromkeys([across, *up]))
-    columns, units = measured(session.world, session.history, names)
+    names = list(dict.fromkeys([TIME.name, across, *up]))
+    columns, units = so_far(session, names)
     earlier = [measured(run.world, run.history, names)[0] for run in session.earlier]
+    run = session.later
+    later = measured(run.world, run.history, names)[0] if run else None
+    beyond = later and cursor is not None and cursor > columns[across].max()
+    told = later if later and beyond else columns
     span = zoom.on(span_of(pen, width, session, across))
+    mark = float(columns[across][-1]) if later and cursor is None else cursor
     for unit in dict.fromkeys(units[name] for name in up):
         these = [name for name in up if units[name] == unit]
-        _values(card, columns, these, up, units, across, cursor, trust)
+        _values(card, told, these, up, units, across, cursor, trust)
         own = (
             Series(_color(name, up), columns[across], columns[name], sign=_sign(name, up))
             for name in these
         )
-        before = _faint(earlier, these, across)
-        series = [*before, *_closed(session, columns, these, up, across), *own]
+        others = [*_faint(earlier, these, across), *_ahead(later, these, up, across)]
+        series = [*others, *_closed(session, columns, these, up, across), *own]
         size = width, pen.px(HEIGHT)
         rise = zoom.on(plot.upwards(pen, size[1], [each.y for each in series]), unit)
         found.append(Graph(unit, pygame.Rect((0, card.y), size), span, rise))
-        card.put(plot.draw(pen, size, series, span, cursor, rise), 0)
+        card.put(plot.draw(pen, size, series, span, mark, rise), 0)
         card.y += size[1] + GAP
     message = say("against {quantity}", quantity=f"{across} [{units[across]}]")
     card.text(message, 12, theme.DIM)
@@ -86,10 +92,21 @@ def graphs(
 
 
 def span_of(pen: Pen, width: int, session: Session, across: str) -> Scale:
-    """Return the scale across graphs of a width [px]: it has room for earlier runs, too."""
-    runs = [(session.world, session.history)]
-    runs += [(run.world, run.history) for run in session.earlier]
-    return plot.across(pen, width, [measured(*run, [across])[0][across] for run in runs])
+    """Return the scale across graphs of a width [px]: it has room for other runs, too."""
+    runs = [(run.world, run.history) for run in session.earlier]
+    runs += [(run.world, run.history) for run in (session.later,) if run]
+    others = [measured(*run, [across])[0][across] for run in runs]
+    return plot.across(pen, width, [so_far(session, [across])[0][across], *others])
+
+
+def so_far(session: Session, names: Sequence[str]) -> tuple[Mapping[str, Array], Mapping[str, str]]:
+    """Return quantities up to what is shown, (k,) each, and their units."""
+    run = session.recalled
+    if run is None:
+        return measured(session.world, session.history, names)
+    columns, units = measured(run.world, run.history, names)
+    count = np.searchsorted(run.history.snapshots.t, float(run.world.snapshot.t), side="right")
+    return {name: column[:count] for name, column in columns.items()}, units
 
 
 def measured(
@@ -146,6 +163,15 @@ def _faint(
         yield from (Series(color, columns[across], columns[name]) for name in these)
 
 
+def _ahead(
+    later: Mapping[str, Array] | None, these: Sequence[str], up: Sequence[str], across: str
+) -> Iterator[Series]:
+    """Yield the lines of what the run comes to after what is shown, as far as that is known."""
+    for name in these if later else ():
+        assert later is not None
+        yield Series(theme.faded(_color(name, up), 0.5), later[across], later[name])
+
+
 def _closed(
     session: Session, columns: Mapping[str, Array], these: Sequence[str], up: Sequence[str],
     across: str,
@@ -160,11 +186,12 @@ def closed_forms(
 ) -> Iterator[tuple[str, Array, Array]]:
     """Yield the closed forms of what holds at every step, where they still describe the run.
 
-    Each is the name of its quantity, what it is drawn against, and its values: (k,).
+    Each is the name of its quantity, what it is drawn against, and its values: (k,). The columns
+    have the time.
     """
     if session.changes or session.world.disturbed:
         return
-    t = session.history.snapshots.t
+    t = columns[TIME.name]
     for check in session.original.checks:
         if check.quantity not in these or check.at or not applies(check, session.chosen):
             continue

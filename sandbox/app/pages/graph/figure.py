@@ -4,7 +4,7 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Literal, NamedTuple
 
-from sandbox.app.pages.graph.card import closed_forms, measured
+from sandbox.app.pages.graph.card import closed_forms, measured, so_far
 from sandbox.app.pages.graph.zoom import Graph, Interval
 from sandbox.app.runs.session import Session
 from sandbox.app.words import level_words
@@ -13,6 +13,7 @@ from sandbox.app.words.language import say
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Array
 from sandbox.model.files import write_atomically
+from sandbox.model.quantities import TIME
 from sandbox.optional_packages import needed_for
 
 WIDTH, HEIGHT = 7.0, 3.2  # inches, of each graph
@@ -55,7 +56,7 @@ def figure(
     """Return the graphs as they are seen in the window; None if there are none."""
     if not graphs:
         return None
-    columns, units = measured(session.world, session.history, list(dict.fromkeys([across, *up])))
+    columns, units = so_far(session, list(dict.fromkeys([TIME.name, across, *up])))
     fields = []
     for graph in graphs:
         these = [name for name in up if units[name] == graph.unit]

@@ -89,7 +89,8 @@ class GraphPage:
         if event.type == UI_BUTTON_PRESSED and event.ui_element in self._acts:
             return self._acts[event.ui_element]()
         if event.type in (pygame.MOUSEBUTTONDOWN, pygame.MOUSEBUTTONUP):
-            return self._zoomed(self._button(event))
+            answer = self._zoomed(self._button(event))
+            return self._went() or answer
         if event.type == pygame.MOUSEMOTION:
             self._follow(event.pos)
             return self._zoomed(self._zooming.move(self._inside(event.pos)))
@@ -186,6 +187,18 @@ class GraphPage:
         shifted = bool(pygame.key.get_mods() & pygame.KMOD_SHIFT)
         inside = self._inside(event.pos)
         return self._seen(event.pos) and self._zooming.press(inside, event.button, shifted=shifted)
+
+    def _went(self) -> str:
+        """Go to the time that was clicked on, and return why that cannot be, if it cannot."""
+        t, self._zooming.clicked = self._zooming.clicked, None
+        if t is None or self._choice.across(self._session) != TIME.name:
+            return ""
+        session = self._session
+        try:
+            session.go_to(min(round(t / session.world.dt), session.run.farthest.steps()))
+        except SandboxError as error:
+            return str(error)
+        return ""
 
     def wheel(self, notches: float, pixel: tuple[int, int]) -> bool:
         """Zoom about the mouse, if it is over a graph, and return whether it is."""

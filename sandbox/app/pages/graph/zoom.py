@@ -95,12 +95,15 @@ class Zooming:
         The graphs as they were drawn last.
     box
         What is being marked, in the picture [px]; None if nothing is.
+    clicked
+        The value across that was clicked on last; None if the button was let go of elsewhere.
     """
 
     def __init__(self, zoom: Zoom) -> None:
         self.zoom = zoom
         self.graphs: Sequence[Graph] = ()
         self.box: pygame.Rect | None = None
+        self.clicked: float | None = None
         self._at: tuple[int, int] | None = None  # px, where a button was pressed
         self._on: Graph | None = None  # the graph there, as it was then
         self._panning = False
@@ -156,8 +159,11 @@ class Zooming:
     def release(self) -> bool:
         """Look at what was marked; return whether a button was held over a graph."""
         graph, box, self.box, self._on = self._on, self.box, None, None
+        self.clicked = None
         if graph is None:
             return False
+        if box is None and not self._panning and self._at is not None:
+            self.clicked = graph.across.value(self._at[0] - graph.place.x)
         if box is not None and box.width and box.height:
             local = box.move(-graph.place.x, -graph.place.y)
             across, up = graph.across, graph.up

@@ -20,6 +20,7 @@ HEIGHT = 28  # px, of the button
 FIELD = 26  # px, its height
 UNIT = 84  # px, what is kept for the unit beside it
 ROW = 20  # px, of the list
+BESIDE = 40  # px, of the list, beside its words
 MOST = 6
 """So many rows of the list are seen at once."""
 
@@ -88,9 +89,12 @@ class PredictPage:
         words = level_words.of(self._session.original)
         titles = [level_words.title(question, words) for question in self._questions]
         pairs = zip(titles, self._questions, strict=True)
-        return [
+        names = [
             name if titles.count(name) == 1 else f"{name} {when(each.at)}" for name, each in pairs
         ]
+        room = self._sheet.width - self._sheet.px(BESIDE)
+        short = [self._sheet.pen.shorten(name, room, 14) for name in names]
+        return short if len(set(short)) == len(short) else names
 
     def update(self) -> None:
         """Show what is asked now, and what has come of it."""

@@ -1,0 +1,81 @@
+"""The bar above the cards: the chapters, each a click away."""
+
+from collections.abc import Iterator, Sequence
+from itertools import pairwise
+
+import pygame
+
+from sandbox.app.drawing import theme
+from sandbox.app.drawing.text import Pen
+from sandbox.app.home.card_grid import Heading
+
+CAPTION = 14  # the size of its letters
+HEIGHT = 30  # px, how high a chapter is
+MARGIN = 24  # px, left and right of it
+GAP = 6  # px, between two, and above and below a row
+PADDING = 11  # px, beside a caption
+
+
+class ChapterBar:
+    """The headings of the cards beside each other, in as many rows as they need.
+
+    Attributes
+    ----------
+    hovered
+        The heading under the mouse; None if none is.
+    """
+
+    def __init__(self, pen: Pen) -> None:
+        self._pen = pen
+        self._area = pygame.Rect(0, 0, 0, 0)
+        self._places: Sequence[tuple[Heading, pygame.Rect]] = ()
+        self.hovered: Heading | None = None
+
+    def take_room(self, area: pygame.Rect, headings: Sequence[Heading]) -> pygame.Rect:
+        """Stand at the top of an area, and return what is left of it; one heading needs no bar."""
+        self._places = list(self._placed(area, headings)) if len(headings) > 1 else ()
+        self.hovered = self.hovered if self.hovered in headings else None
+        bottom = self._places[-1][1].bottom + self._pen.px(GAP) if self._places else area.y
+        height = min(bottom - area.y, area.height)
+        self._area = pygame.Rect(area.topleft, (area.width, height))
+        return pygame.Rect(area.x, area.y + height, area.width, area.height - height)
+
+    def _placed(
+        self, area: pygame.Rect, headings: Sequence[Heading]
+    ) -> Iterator[tuple[Heading, pygame.Rect]]:
+        px = self._pen.px
+        x, y = left, _ = area.x + px(MARGIN), area.y + px(GAP)
+        for heading in headings:
+            width = self._pen.write(heading.text, CAPTION).width + 2 * px(PADDING)
+            if x > left and x + width > area.right - px(MARGIN):
+                x, y = left, y + px(HEIGHT + GAP)
+            yield heading, pygame.Rect(x, y, width, px(HEIGHT))
+            x += width + px(GAP)
+
+    def place(self, text: str) -> pygame.Rect:
+        """Return where a chapter is in the window."""
+        return next(place for heading, place in self._places if heading.text == text)
+
+    def follow(self, pixel: tuple[int, int]) -> bool:
+        """Take note of where the mouse is, and return whether that is on the bar."""
+        over = (heading for heading, place in self._places if place.collidepoint(pixel))
+        self.hovered = next(over, None)
+        return self._area.collidepoint(pixel)
+
+    def draw(self, surface: pygame.Surface, top: float) -> None:
+        """Draw the chapters, and mark the one that stands at the top of what is seen [px]."""
+        surface.fill(theme.STAGE, self._area.clip(surface.get_rect()))
+        here = _at(top, [heading for heading, _ in self._places])
+        for heading, place in self._places:
+            lit = heading is here or heading is self.hovered
+            pygame.draw.rect(surface, theme.RAISED if lit else theme.PANEL, place, border_radius=6)
+            rim = theme.ACCENT if heading is here else theme.EDGE
+            pygame.draw.rect(surface, rim, place, 1, border_radius=6)
+            image = self._pen.write(heading.text, CAPTION, theme.TEXT if lit else theme.DIM)
+            surface.blit(image, image.get_rect(center=place.center))
+
+
+def _at(top: float, headings: Sequence[Heading]) -> Heading | None:
+    """Return the heading of the cards at a height of their sheet [px]."""
+    ends = [(first, second.y) for first, second in pairwise(headings)]
+    return next((each for each, end in ends if top < end), headings[-1] if headings else None)
