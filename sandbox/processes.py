@@ -1,5 +1,6 @@
 """Work spread over processes, none of which outlives the one that started it."""
 
+import gc
 import os
 import signal
 from collections.abc import Callable, Iterable, Iterator
@@ -98,6 +99,7 @@ def spread(
 
 def _begin(ending: Connection) -> None:
     """Prepare another process."""
+    gc.freeze()  # what it was copied with is never garbage
     interrupts.install()
     Thread(target=_end_with, args=(ending,), daemon=True).start()
 

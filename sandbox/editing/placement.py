@@ -28,6 +28,7 @@ from sandbox.model.shapes import (
 )
 from sandbox.physics.engine.bodies import local_points
 from sandbox.physics.geometry.convex_decomposition import convex_parts, twice_area
+from sandbox.physics.geometry.distance import gap
 
 Core = tuple[complex, ...]
 """A point, a line or a convex polygon, counter-clockwise [m]."""
@@ -119,6 +120,13 @@ class Placed:
     def inside(self, point: complex) -> complex:
         """Return where in its own axes a point of the plane is [m]."""
         return (point - self.center) / self.turn
+
+
+def distance(one: Placed, other: Placed, way: complex = 0j) -> float:
+    """Return how far a body that was moved would be from another [m]; less than 0 if deep in it."""
+    radii = one.radius + other.radius
+    moved = [tuple(point + way for point in core) for core in one.cores]
+    return min(gap(core, against, radii).distance for core in moved for against in other.cores)
 
 
 def placed(level: Level) -> dict[str, Placed]:

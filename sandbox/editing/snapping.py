@@ -5,7 +5,7 @@ near a second one, touching that as well, as in the corner of a room.
 """
 
 from cmath import phase
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from itertools import islice, product
 from math import floor, log10
 from typing import Literal, NamedTuple
@@ -33,7 +33,7 @@ ROUNDS = 20
 STRAIGHT = 1e-9
 """How far a side may be from upright or level, as a share, or in m how deep rounding overlaps."""
 
-Kind = Literal["grid", "corner", "center", "end", "contact"]
+Kind = Literal["grid", "corner", "center", "end", "contact", "line"]
 
 Target = tuple[complex, Kind, str]
 """A place that points are drawn to, what it is, and of which body."""
@@ -67,6 +67,8 @@ def snap_point(
     reach: float,
     step: float = 0.0,
     besides: Collection[str] = (),
+    *,
+    in_line: bool = False,
 ) -> Snapped:
     """Return where a point is drawn to.
 
@@ -84,6 +86,9 @@ def snap_point(
         Of the grid [m]; 0 if there is none.
     besides
         Bodies that it is not drawn to: those that are being moved.
+    in_line
+        Whether it is rather drawn upright above or below the centres of bodies that move, or level
+        with them, than to the lines of the grid.
     """
     where, at = placed(level), complex(*point)
     targets = [*_targets(where, besides), *_ends(level, where)]
@@ -91,9 +96,27 @@ def snap_point(
     if near:
         target, kind, body = min(near, key=lambda found: abs(found[0] - at))
         return Snapped(xy(target), kind, (body,) if body else ())
+    if in_line and (found := _in_line(where, at, reach, step)):
+        return found
     if step:
         return Snapped(xy(_on_grid(at, step)), "grid")
     return Snapped(point)
+
+
+def _in_line(where: Mapping[str, Placed], at: complex, reach: float, step: float) -> Snapped | None:
+    """Return a place above, below or beside the centres of bodies that move; None if none is."""
+    centers = [one.center for one in where.values() if one.body.type == "dynamic"]
+    x = _nearest((center.real for center in centers), at.real, reach)
+    y = _nearest((center.imag for center in centers), at.imag, reach)
+    if x is None and y is None:
+        return None
+    grid = _on_grid(at, step) if step else at
+    return Snapped((grid.real if x is None else x, grid.imag if y is None else y), "line")
+
+
+def _nearest(among: Iterable[float], to: float, reach: float) -> float | None:
+    near = (one for one in among if abs(one - to) <= reach)
+    return min(near, key=lambda one: abs(one - to), default=None)
 
 
 def snap_body(

@@ -6,6 +6,9 @@ from sandbox.model.base import Model
 from sandbox.model.expressions import Expression
 from sandbox.model.json_positions import Path
 
+_PLAIN = frozenset({type(None), bool, int, float, str})
+"""What most parts are made of, and no expression is below."""
+
 
 def expressions(part: object, path: Path = ()) -> Iterator[tuple[Path, Expression]]:
     """Yield every expression below a part of a level, with the path to it."""
@@ -18,7 +21,7 @@ def expressions(part: object, path: Path = ()) -> Iterator[tuple[Path, Expressio
             pending += [
                 ((*path, name), child)
                 for name, child in reversed(_children(part))
-                if not (child is None or isinstance(child, str | int | float))  # most there is
+                if type(child) not in _PLAIN
             ]
 
 

@@ -152,3 +152,13 @@ def test_bodies_of_any_size_touch_but_for_rounding(size: float) -> None:
     assert found.bodies == ("surface1",)
     after = move(text, parse(text), ["disc1"], found.point)
     assert abs(distance(after, "disc1", "surface1")) <= 1e-12 * max(1, 40 * size)
+
+
+def test_a_peg_is_drawn_straight_above_what_hangs_from_it() -> None:
+    text = Draft.empty().text
+    level = parse(add_box(text, parse(text), (1.0, 1.0), (2.5, 2.0)).text)
+    found = snap_point(level, (1.7, 6.04), 0.3, 0.5, in_line=True)
+    assert found.point == (1.75, 6.0)
+    assert found.kind == "line"
+    assert snap_point(level, (1.7, 6.04), 0.3, 0.5).point == (1.5, 6.0)
+    assert snap_point(level, (4.1, 6.04), 0.3, 0.5, in_line=True).kind == "grid"

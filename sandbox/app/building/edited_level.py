@@ -9,11 +9,12 @@ from sandbox.app.building.pointer import Part, Snapped
 from sandbox.app.building.snapping import Snapping
 from sandbox.app.drawing.camera import Camera
 from sandbox.app.words.language import later, say
+from sandbox.editing import suggest
 from sandbox.editing.draft import Draft
 from sandbox.editing.edits import bodies, copying, grouping, transforms
 from sandbox.editing.edits.edit_result import Made
 from sandbox.editing.written_out import plain
-from sandbox.model.errors import SandboxError
+from sandbox.model.errors import LevelError, Mistake, SandboxError
 from sandbox.model.level import Level
 from sandbox.model.message import Message
 from sandbox.model.shapes import XY
@@ -98,8 +99,9 @@ class Work:
     # what changes it
 
     def put(self, text: str, said: str, merge: str | None = None) -> None:
-        """Go over to another text."""
+        """Go over to another text; checks that were suggested go on being about what there is."""
         if text != self.text:
+            text = self._followed(text)
             if self.text != self.draft.text:
                 self.tell(
                     say("Repeated parts and groups are written out now; Ctrl Z brings them back")
@@ -107,12 +109,22 @@ class Work:
             self.draft.change(text, said, merge)
         self.refresh()
 
+    def _followed(self, text: str) -> str:
+        level = self.draft.level
+        found = text if level is None else suggest.followed(level, text)
+        if found.count('"formula"') < text.count('"formula"'):
+            self.tell(say("The suggested checks are gone with what they were about"))
+        return found
+
     def change(
         self, said: str, edit: Callable[[str, Level], str], merge: str | None = None
     ) -> bool:
         """Change the level, and return whether that was possible."""
         try:
             self.put(edit(self.text, self.level), said, merge)
+        except LevelError as error:
+            self.tell(say(_first(error.mistakes)))
+            return False
         except SandboxError as error:
             self.tell(say(error.message))
             return False
@@ -135,10 +147,7 @@ class Work:
     @property
     def mistake(self) -> Message:
         """The first sentence of the loader about the text."""
-        first = self.draft.mistakes[0]
-        if not first.path:
-            return first.rule
-        return Message("{path}: {rule}", path=first.path, rule=first.rule)
+        return _first(self.draft.mistakes)
 
     def make(self, said: str, edit: Callable[[str, Level], Made], family: str = "bodies") -> bool:
         """Put something new into the level and select it; return whether that was possible."""
@@ -261,3 +270,11 @@ class Work:
     def snapped_by(self, names: Sequence[str], by: XY) -> Snapped:
         """Return by how much to move bodies so that they touch what they come near [m]."""
         return self.snapping.moved(names, by)
+
+
+def _first(mistakes: Sequence[Mistake]) -> Message:
+    """Return the first of some mistakes; where in a text that nobody sees is left out."""
+    first = mistakes[0]
+    if not first.path:
+        return first.rule
+    return Message("{path}: {rule}", path=first.path, rule=first.rule)

@@ -5,6 +5,7 @@ is back, and tools throw things into the run; to go back to the start is to go b
 """
 
 import re
+from functools import partial
 from pathlib import Path
 from time import perf_counter
 from typing import TYPE_CHECKING
@@ -436,7 +437,8 @@ class Editor:
         """Return where the mouse is; while Alt is held nothing catches it."""
         free, held = self.bench.camera.to_world(pixel), pygame.key.get_mods()
         shift, loose = bool(held & pygame.KMOD_SHIFT), bool(held & pygame.KMOD_ALT)
-        return Spot(pixel, free, shift, loose, self.bench.snapping.point)
+        catch = partial(self.bench.snapping.point, in_line=self.tool == "join")
+        return Spot(pixel, free, shift, loose, catch)
 
     def draw(self, surface: pygame.Surface, stage: Stage, pen: Pen, session: Session) -> bool:
         """Draw what is built, unless time runs."""

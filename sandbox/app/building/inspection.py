@@ -11,7 +11,7 @@ from sandbox.app.building.effect_examples import example
 from sandbox.app.building.fields import Entry, Row
 from sandbox.app.words.language import later, plural, say
 from sandbox.editing import suggest
-from sandbox.editing.edits import effects
+from sandbox.editing.edits import effects, events
 from sandbox.editing.edits.checks import add_checks, complete, drop_told, flight, set_ghost
 from sandbox.editing.edits.fields import make_parameter, parameter_name, set_field
 from sandbox.editing.renaming import rename
@@ -24,7 +24,6 @@ from sandbox.model.joints import Joint
 from sandbox.model.json_positions import Path
 from sandbox.model.level import Level
 from sandbox.model.level_parts import expressions
-from sandbox.model.message import Message
 
 NAMED = later("what it is called: a letter, then letters, digits or _; all mentions of it follow")
 
@@ -127,8 +126,6 @@ def parametrise(work: Work, entry: Entry) -> None:
     """Make a number a parameter, of which the level's page has a slider."""
 
     def edit(text: str, level: Level) -> str:
-        if not entry.shown:
-            raise SandboxError(Message("type a number for '{field}' first", field=entry.label))
         return make_parameter(text, entry.path, parameter_name(level, entry.path))
 
     if work.change(say("make {field} a parameter", field=entry.label), edit):
@@ -215,6 +212,22 @@ def _check(work: Work, body: str) -> None:
 def _drop(work: Work, part: Literal["checks", "ghosts"], which: int | str) -> None:
     said = say("take out a check") if part == "checks" else say("take out a ghost")
     work.change(said, lambda text, _: drop_told(text, part, which))
+
+
+def cutting(work: Work) -> list[Act]:
+    """Return what lets the joint that is selected go on the way."""
+    level = work.draft.level
+    match work.selected:
+        case (("joints", name),) if level is not None and not events.is_cut(level, name):
+            tip = say("an event lets it go at a time, or when a quantity crosses a value")
+            return [Act(say("Cut it in the run"), tip, partial(_cut, work, name))]
+    return []
+
+
+def _cut(work: Work, name: str) -> None:
+    said = say("cut {name} in the run", name=name)
+    if work.change(said, lambda text, level: events.cut(text, level, name)):
+        work.tell(say("When it is cut is in the level's own fields, under events (Esc)"))
 
 
 def ghost(work: Work) -> list[Act]:

@@ -131,6 +131,8 @@ def _with_control(editor: Keyed, event: pygame.event.Event, session: Session) ->
     if event.key not in (pygame.K_z, pygame.K_y, pygame.K_s):
         editor.look(session)
     act()
+    if event.key in (pygame.K_v, pygame.K_d):
+        editor.choose(TOOLS[0].name)  # to drag the copy
     return True
 
 

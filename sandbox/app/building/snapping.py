@@ -17,6 +17,7 @@ TOLD: Mapping[Kind, str] = {
     "corner": later("corner"),
     "center": later("centre"),
     "end": later("end"),
+    "line": later("in line"),
 }
 """What catches a point, for a person to read."""
 
@@ -50,11 +51,13 @@ class Snapping:
     def _reach(self) -> float:
         return REACH / self._work.camera.scale
 
-    def point(self, free: XY) -> Snapped:
-        """Return where a point is caught."""
+    def point(self, free: XY, *, in_line: bool = False) -> Snapped:
+        """Return where a point is caught; in line with what moves, if that is asked for."""
         work = self._work
         try:
-            found = snapping.snap_point(work.level, free, self._reach, self.grid, work.ignored)
+            found = snapping.snap_point(
+                work.level, free, self._reach, self.grid, work.ignored, in_line=in_line
+            )
         except SandboxError:  # what was made last is no level, and is about to be taken back
             return Snapped(free, "")
         return Snapped(found.point, TOLD.get(found.kind, "") if found.kind else "")

@@ -2,12 +2,15 @@
 
 import json
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import suppress
 from math import floor, isfinite, log10
 
-from sandbox.editing.cleanup import accepted, without_meaning
+from sandbox.editing.cleanup import COEFFICIENTS, accepted, without_meaning
+from sandbox.editing.edits.bodies import DENSITY
+from sandbox.editing.edits.effects import declare
 from sandbox.editing.layout import Json, plain
+from sandbox.editing.placement import placed
 from sandbox.editing.text_patches import PatchError, put, put_all, remove, shown, type_in, value_at
 from sandbox.model.errors import LevelError, Mistake, SandboxError
 from sandbox.model.expressions import Expression, Fraction
@@ -20,13 +23,23 @@ from sandbox.model.message import Message
 _NUMBER = re.compile(r"-?(0|[1-9]\d*)(\.\d+)?([eE][+-]?\d+)?")
 """A number as JSON writes it."""
 
+_MEANT_BY: Mapping[str, str] = {
+    **{name: name for name in COEFFICIENTS},
+    "static_friction": "friction",
+    "moment": "rotation",
+    "angular_velocity": "rotation",
+}
+"""The effects without which fields of bodies mean nothing."""
+
 _DEGREES = re.compile(r"\s*(-?[\d.]+)\s*\*\s*deg\s*")
 
 
 def set_field(text: str, path: Path, typed: str) -> str:
     """Return a level in which a field says what was typed; nothing typed leaves the field out.
 
-    A parameter that only this field used goes with what it said.
+    A parameter that only this field used goes with what it said. What only an effect gives a
+    meaning, such as a body's friction, declares that effect. A body that is made dynamic gets a
+    mass, and any other has none.
 
     What is a number stands as it was typed; what is none is a formula, or a word where the field
     takes words; a list, an object, true and false are written as in JSON.
@@ -49,18 +62,22 @@ def set_field(text: str, path: Path, typed: str) -> str:
     changed = [_typed_in(text, path, token) for token in _readings(typed.strip())]
     if not typed.strip():
         changed = [_without(text, path)]
+    if path[0] == "bodies" and path[2:] == ("type",) and not before:
+        changed += [_of_type(changed[0], path, text)]
     found = [_without_what_is_unused(one, _mistakes(one)) for one in changed]
     known = {(mistake.path, mistake.rule) for mistake in before}
     for one, mistakes in found:
         if all((mistake.path, mistake.rule) in known for mistake in mistakes):
             return one
+    if typed.strip() and not before and (meant := _with_effect(text, path)) != text:
+        return set_field(meant, path, typed)
     place = shown(path)
     mistakes = found[0][1]
     raise LevelError(tuple(m for m in mistakes if m.path.startswith(place)) or mistakes)
 
 
 def make_parameter(text: str, path: Path, name: str) -> str:
-    """Return a level in which a number is a parameter, and its field a formula of that.
+    """Return a level in which a number, said or left out, is a parameter, and its field a formula.
 
     Its range goes from a fifth of it to five times as much, or less where the level is impossible
     with that. What is negative is the opposite of its parameter, and an angle in degrees stays one.
@@ -79,8 +96,10 @@ def make_parameter(text: str, path: Path, name: str) -> str:
     SandboxError
         If there is no number, or it cannot be a formula, or the name cannot be had.
     """
-    level, said = parse(text), value_at(text, path)
-    expression = dict(expressions(level)).get(path)
+    text = _with_effect(text, path)
+    level = parse(text)
+    numbers = dict(expressions(level))
+    expression = numbers.get(path)
     if expression is None or expression.names:
         message = Message("{field} cannot be a formula", field=shown(path))
         if expression:
@@ -90,7 +109,8 @@ def make_parameter(text: str, path: Path, name: str) -> str:
         raise SandboxError(
             Message("there is a parameter '{name}' already; choose another name", name=name)
         )
-    value, formula, unit = _parameter(said, expression, name)
+    text = _stated(text, path, numbers)
+    value, formula, unit = _parameter(value_at(text, path), expression, name)
     about = {"unit": unit} if unit else {}
     ranges = _ranges(value, in_degrees=unit == "deg", share=isinstance(expression, Fraction))
     changes: list[dict[str, Json]] = [
@@ -98,6 +118,35 @@ def make_parameter(text: str, path: Path, name: str) -> str:
         for low, high in ranges
     ]
     return accepted(*(put_all(text, {path: formula, ("parameters", name): one}) for one in changes))
+
+
+def _of_type(changed: str, path: Path, before: str) -> str:
+    """Return a level in which a body of another type has what that needs, and nothing else."""
+    body = (*path[:2], "mass")
+    if value_at(changed, path) == "dynamic":
+        area = placed(parse(before))[str(path[1])].area
+        changed = put(changed, body, plain(DENSITY * area or 1.0))
+    return without_meaning(changed)
+
+
+def _stated(text: str, path: Path, numbers: Mapping[Path, Expression]) -> str:
+    """Return a level that says a number which it left out, with the other half of a point."""
+    with suppress(PatchError):
+        value_at(text, path)
+        return text
+    if isinstance(path[-1], int):
+        return put(text, path[:-1], [numbers[*path[:-1], half].source for half in (0, 1)])
+    angle = numbers[path].unit == "rad" and numbers[path].source == 0
+    return put(text, path, "0*deg" if angle else numbers[path].source)
+
+
+def _with_effect(text: str, path: Path) -> str:
+    """Return a level with the effect that gives a field of a body its meaning, if it lacks that."""
+    effect = _MEANT_BY.get(str(path[2])) if path[0] == "bodies" and len(path) == 3 else None
+    with suppress(SandboxError):
+        if effect and effect not in (level := parse(text)).effects.declared:
+            return declare(text, level, effect)
+    return text
 
 
 def parameter_name(level: Level, path: Path) -> str:
@@ -110,8 +159,9 @@ def parameter_name(level: Level, path: Path) -> str:
 
 
 def _readings(typed: str) -> list[str]:
-    """Return what is typed as JSON, in the ways in which it can be read."""
+    """Return what is typed as JSON, in the ways in which it can be read: at last as a list."""
     word = json.dumps(typed, ensure_ascii=False)
+    words = json.dumps([one.strip() for one in typed.split(",")], ensure_ascii=False)
     if _NUMBER.fullmatch(typed):
         return [typed, word]
     with suppress(ValueError):
@@ -121,7 +171,7 @@ def _readings(typed: str) -> list[str]:
         with suppress(ValueError):
             json.loads(typed)
             return [typed, word]
-    return [word]
+    return [word, words]
 
 
 def _typed_in(text: str, path: Path, token: str) -> str:

@@ -10,8 +10,9 @@ from typing import NamedTuple
 from sandbox.editing.cleanup import accepted
 from sandbox.editing.edits.edit_result import Made, new_name
 from sandbox.editing.layout import Json, plain
-from sandbox.editing.placement import Placed, placed, xy
+from sandbox.editing.placement import Placed, distance, placed, xy
 from sandbox.editing.text_patches import put
+from sandbox.model.collision_filter import apart
 from sandbox.model.did_you_mean import suggestion
 from sandbox.model.errors import SandboxError
 from sandbox.model.joints import KINDS
@@ -21,6 +22,9 @@ from sandbox.model.shapes import XY
 
 CENTRAL = 1e-9
 """m, within which a point of a body is its centre."""
+
+OVERLAP = 1e-6
+"""m, by which two bodies that are joined may overlap and still meet."""
 
 FREQUENCY = 1.0
 """Hz, at which a body swings on a new spring."""
@@ -47,7 +51,7 @@ def picks(kind: str) -> int:
 
 
 def add_joint(text: str, level: Level, kind: str, chosen: Sequence[Pick]) -> Made:
-    """Return a level with a joint more.
+    """Return a level with a joint more; bodies that overlap where it holds them no longer meet.
 
     Parameters
     ----------
@@ -86,8 +90,18 @@ def add_joint(text: str, level: Level, kind: str, chosen: Sequence[Pick]) -> Mad
     where = placed(level)
     said = _MADE.get(kind, _line)(list(chosen), where)
     name = new_name(kind, level)
-    added = put(text, ("joints", name), {"type": kind, **said})
+    added = put(_apart(text, level, chosen, where), ("joints", name), {"type": kind, **said})
     return Made(accepted(added, put(added, ("effects", "rotation"), {})), (name,))
+
+
+def _apart(text: str, level: Level, chosen: Sequence[Pick], where: Bodies) -> str:
+    """Return a level in which bodies that overlap and are to be joined need not meet."""
+    contact, bodies = level.effects.contact, sorted({pick.body for pick in chosen if pick.body})
+    if contact is None or len(bodies) != 2 or tuple(bodies) in apart(level):
+        return text
+    if distance(where[bodies[0]], where[bodies[1]]) > -OVERLAP:
+        return text
+    return put(text, ("effects", "contact", "apart", len(contact.apart)), bodies)
 
 
 def end(pick: Pick, where: Bodies) -> Json:

@@ -5,13 +5,18 @@ Nothing is suggested that the scene does not keep: where something is in the way
 a time before it is met.
 """
 
+import json
 from collections.abc import Callable, Iterator
+from contextlib import suppress
 
+from sandbox.editing.cleanup import without_meaning
 from sandbox.editing.edits.checks import add_checks
 from sandbox.editing.suggest import atwood, collision, incline, oscillator, pendulum, projectile
 from sandbox.editing.suggest.scene import Scene, Suggestion
-from sandbox.editing.text_patches import Changes
+from sandbox.editing.text_patches import Changes, put, remove
+from sandbox.model.errors import LevelError
 from sandbox.model.level import Level
+from sandbox.model.loading import parse
 
 _KNOWN: tuple[Callable[[Scene], Iterator[Suggestion]], ...] = (
     atwood.suggestions,
@@ -32,22 +37,63 @@ def suggestions(level: Level) -> list[Suggestion]:
 
     In a crowd nothing is looked for: each body would be followed among all the others.
     """
+    checked = {check.quantity for check in level.checks}
+    found = _recognised(level)
+    return [one for one in found if not {c["quantity"] for c in one.checks} <= checked]
+
+
+def _recognised(level: Level, *, thorough: bool = False) -> list[Suggestion]:
+    """Return the known set-ups that a level is."""
     if sum(body.type == "dynamic" for body in level.bodies.values()) > MOST_MOVING:
         return []
-    scene = Scene(level, level.defaults)
-    checked = {check.quantity for check in level.checks}
-    found = (one for known in _KNOWN for one in known(scene))
-    return [one for one in found if not {c["quantity"] for c in one.checks} <= checked]
+    scene = Scene(level, level.defaults, thorough)
+    return [one for known in _KNOWN for one in known(scene)]
+
+
+def followed(before: Level, text: str) -> str:
+    """Return a changed level whose suggested checks are about what it is now.
+
+    Those that were just as they would be suggested become as they would be suggested now, and go
+    where their quantity no longer has a closed form; others stay as somebody made them.
+
+    Parameters
+    ----------
+    before
+        The level as it was.
+    text
+        As it was changed to, which may have mistakes.
+    """
+    if not before.checks:
+        return text
+    with suppress(LevelError):
+        after = parse(text)
+        old = [check for one in _recognised(before, thorough=True) for check in one.checks]
+        now = _recognised(after, thorough=True) if old else []
+        new = {check["quantity"]: check for one in now for check in one.checks}
+        checks = json.loads(text).get("checks", [])
+        for index in reversed(range(len(checks))):
+            said, place = checks[index], ("checks", index)
+            if said in old and said != (other := new.get(said["quantity"])):
+                text = put(text, place, other) if other else without_meaning(remove(text, place))
+    return text
 
 
 def take(text: str, level: Level, suggestion: Suggestion) -> str:
     """Return a level with the checks of a suggestion, and with the rate that they need.
+
+    Where they are about a time before something is met, that is before it for all values of the
+    parameters.
 
     Raises
     ------
     LevelError
         If the loader refuses it.
     """
+    wanted = suggestion.setup, suggestion.about
+    everywhere = (
+        one for one in _recognised(level, thorough=True) if (one.setup, one.about) == wanted
+    )
+    suggestion = next(everywhere, suggestion)
     besides = Changes()
     if level.stepping.accuracy is None and level.stepping.rate < suggestion.rate:
         besides["stepping", "rate"] = suggestion.rate

@@ -27,7 +27,7 @@ def suggestions(scene: Scene) -> Iterator[Suggestion]:
             continue
         m1, m2, g = scene.mass(one), scene.mass(other), opposite(fall)
         a = f"({m2} - {m1})*{g}/({m1} + {m2})"
-        until = _until(scene, joint, (one, other), fall(scene.values))
+        until = min(_until(each, joint, (one, other)) for each in scene.everywhere)
         at = None if until >= scene.lasts else instant(SAFE * until)
         yield Suggestion(
             "Atwood machine",
@@ -55,11 +55,13 @@ def _hangs(scene: Scene, joint: Pulley, names: tuple[str, str]) -> bool:
     return True
 
 
-def _until(scene: Scene, joint: Pulley, names: tuple[str, str], fall: float) -> float:
+def _until(scene: Scene, joint: Pulley, names: tuple[str, str]) -> float:
     """Return when the machine runs into a peg or into something that is in its way [s]."""
     m1, m2 = (scene.level.bodies[name].mass for name in names)
     assert m1 is not None
     assert m2 is not None
+    assert scene.fall is not None
+    fall = scene.fall(scene.values)
     one, other = m1(scene.values), m2(scene.values)
     a = (one - other) * fall / (one + other)
     until = [

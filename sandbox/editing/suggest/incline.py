@@ -86,19 +86,26 @@ def _of(scene: Scene, name: str, slope: str, up: complex) -> Iterator[Suggestion
     normal = f"{weight}*cos({theta})"
     if along <= 0:
         holds = f"{weight}*sin({theta})"
+        valid = f"{mu} >= tan({theta})" if Expression(f"{mu}*{theta}").names else None
         held = (
-            check("normal force", f"{name}.contact.normal", normal, EXACT),
-            check("friction, holding", f"{name}.contact.friction", holds, EXACT),
+            check("normal force", f"{name}.contact.normal", normal, EXACT, valid_if=valid),
+            check("friction, holding", f"{name}.contact.friction", holds, EXACT, valid_if=valid),
         )
         yield Suggestion("block that a slope holds", (name, slope), held)
         return
-    until = _until(scene, name, slope, lambda t: down * along * t * t / 2)
-    at = None if until == scene.lasts else instant(SAFE * until)
     pull = f"sin({theta})" if mu == "0" else f"(sin({theta}) - {mu}*cos({theta}))"
+    slides = Expression(pull)
+    until = min(
+        _until(each, name, slope, lambda t, a=a: down * a * t * t / 2)  # type: ignore[misc]
+        for each in scene.everywhere
+        if each.fall and (a := -each.fall(each.values) * slides(each.known)) > 0
+    )
+    at = None if until == scene.lasts else instant(SAFE * until)
+    more = {"at": at, "valid_if": f"{pull} > 0" if slides.names else None}
     checks = (
-        check("acceleration", f"{name}.acceleration", f"{g}*{pull}", EXACT, at=at, scale=g),
-        check("speed", f"{name}.speed", f"{g}*{pull}*t", EXACT, at=at),
-        check("normal force", f"{name}.contact.normal", normal, EXACT, at=at),
+        check("acceleration", f"{name}.acceleration", f"{g}*{pull}", EXACT, scale=g, **more),
+        check("speed", f"{name}.speed", f"{g}*{pull}*t", EXACT, **more),
+        check("normal force", f"{name}.contact.normal", normal, EXACT, **more),
     )
     yield Suggestion("block on a slope", (name, slope), checks)
 

@@ -3,6 +3,7 @@
 from collections.abc import Iterator
 
 from sandbox.editing.suggest.scene import SAFE, Scene, Suggestion, check, instant, opposite, said
+from sandbox.model.expressions import Expression
 
 EXACT = 1e-10
 """Of the closed form: a uniform acceleration is exact to rounding."""
@@ -16,12 +17,10 @@ def suggestions(scene: Scene) -> Iterator[Suggestion]:
     fall = scene.fall
     if fall is None or not scene.only("gravity", "contact", "friction", "restitution", "rotation"):
         return
-    half = complex(0, fall(scene.values) / 2)
     for name in scene.dynamic:
         if scene.joints[name]:
             continue
-        v = scene.velocity(name)
-        free = scene.free_until(name, lambda t, v=v: v * t + half * t * t)  # type: ignore[misc]
+        free = min(_free(each, name, fall) for each in scene.everywhere)
         if free < SHORTEST:
             continue
         body, at = scene.level.bodies[name], None if free == scene.lasts else instant(SAFE * free)
@@ -29,7 +28,7 @@ def suggestions(scene: Scene) -> Iterator[Suggestion]:
         u, w = map(said, body.velocity)
         g = opposite(fall)
         yield Suggestion(
-            "thrown body" if v else "falling body",
+            "thrown body" if scene.velocity(name) else "falling body",
             (name,),
             (
                 check("distance", f"{name}.position.x", f"{x} + {u}*t", EXACT, at=at),
@@ -37,3 +36,9 @@ def suggestions(scene: Scene) -> Iterator[Suggestion]:
                 check("rise", f"{name}.velocity.y", f"{w} - {g}*t", EXACT, at=at),
             ),
         )
+
+
+def _free(scene: Scene, name: str, fall: Expression) -> float:
+    """Return for how long a body flies freely [s]."""
+    v, half = scene.velocity(name), complex(0, fall(scene.values) / 2)
+    return scene.free_until(name, lambda t: v * t + half * t * t)

@@ -8,11 +8,11 @@ from typing import Any, Literal
 import numpy as np
 
 from sandbox.editing.layout import plain
-from sandbox.editing.placement import Core, Placed, placed
+from sandbox.editing.placement import Core, Placed, distance
 from sandbox.model.expressions import Expression, Values
 from sandbox.model.joints import Joint, bodies_of
 from sandbox.model.level import Level
-from sandbox.physics.geometry.distance import gap
+from sandbox.model.rules import corners
 
 Check = Mapping[str, Any]
 """As it stands in a level's file."""
@@ -28,6 +28,9 @@ SAFE = 0.9
 
 SAMPLES = 400
 """At how many times it is looked for what is in the way."""
+
+MOST_CORNERS = 8
+"""How many ends of the parameters' ranges are tried."""
 
 
 Setup = Literal[
@@ -60,10 +63,25 @@ class Suggestion:
 
 @dataclass(frozen=True)
 class Scene:
-    """A level, with the values of its parameters."""
+    """A level, with the values of its parameters.
+
+    Attributes
+    ----------
+    level, values
+        Which.
+    thorough
+        Whether what is said of it is to hold with all values of its parameters, which takes longer.
+    """
 
     level: Level
     values: Values
+    thorough: bool = False
+
+    @cached_property
+    def everywhere(self) -> Sequence["Scene"]:
+        """The same with its parameters at the ends of their ranges, too, where that is wanted."""
+        ends = corners(self.level, most=MOST_CORNERS) if self.thorough else ()
+        return [self, *(Scene(self.level, values) for values in ends)]
 
     @cached_property
     def known(self) -> Values:
@@ -73,7 +91,8 @@ class Scene:
     @cached_property
     def where(self) -> Mapping[str, Placed]:
         """All bodies where they start."""
-        return placed(self.level)
+        bodies = self.level.bodies.items()
+        return {name: Placed(name, body, self.values) for name, body in bodies}
 
     @cached_property
     def joints(self) -> Mapping[str, list[str]]:
@@ -124,13 +143,7 @@ class Scene:
 
     def distance(self, name: str, way: complex, other: str) -> float:
         """Return how far a body that was moved would be from another one [m]."""
-        one, rest = self.where[name], self.where[other]
-        radii = one.radius + rest.radius
-        return min(
-            gap(moved(core, way), against, radii).distance
-            for core in one.cores
-            for against in rest.cores
-        )
+        return distance(self.where[name], self.where[other], way)
 
     def free_until(
         self, name: str, way: Callable[[float], complex], besides: Sequence[str] = ()

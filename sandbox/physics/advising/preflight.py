@@ -16,8 +16,11 @@ MOST_PARTS = 20_000
 """How many bodies and joints are made at the most to see whether a rate is too low: about 2 s."""
 
 IN_MOTION = frozenset(
-    {"velocity", "angular_velocity", "gravity", "friction", "static_friction", "restitution"}
-)
+    {
+        "mass", "moment", "velocity", "angular_velocity", "gravity", "friction", "static_friction",
+        "restitution",
+    }
+)  # fmt: skip
 """What matters only once bodies move: it neither moves a surface at the start, nor bounds a rate
 that springs or drags do not bound."""
 

@@ -3,8 +3,6 @@
 The parameter counts the pieces between the points. The plane is complex here.
 """
 
-from functools import cached_property
-
 import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
 
@@ -36,12 +34,7 @@ class Quintics:
         self.closed = is_closed(points)
         self._table = _quintics(points, self.closed)
         self.count = len(self._table)
-
-    @cached_property
-    def _pieces(self) -> list[list[complex]]:
-        """The coefficients of each piece, which a run asks for one by one."""
-        pieces: list[list[complex]] = self._table.tolist()
-        return pieces
+        self._pieces: dict[int, list[complex]] = {}  # of which a run asks for few, again and again
 
     def over(self, places: Integers) -> tuple[Points, Points, Points]:
         """Return what `at` does at the ends of pieces, (k,), all at once."""
@@ -59,6 +52,8 @@ class Quintics:
         count = self.count
         piece = int(place // 1) % count if self.closed else min(max(int(place), 0), count - 1)
         u = place % count - piece if self.closed else place - piece
+        if piece not in self._pieces:
+            self._pieces[piece] = self._table[piece].tolist()
         a, b, c, d, e, f = self._pieces[piece]
         return (
             a + u * (b + u * (c + u * (d + u * (e + u * f)))),

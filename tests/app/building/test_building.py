@@ -191,3 +191,46 @@ def test_a_block_near_a_slope_is_laid_flat_on_it(builder: Builder) -> None:
     slope = 0.4636476090008061  # atan(4/8)
     assert level.bodies["box1"].angle({}) == pytest.approx(slope, abs=1e-9)
     assert builder.editor.refusal == ""
+
+
+def test_what_is_too_small_for_the_grid_is_drawn_on_a_finer_one(builder: Builder) -> None:
+    builder.new()
+    thin = 6 / builder.editor.work.camera.scale
+    builder.tool("box")
+    builder.drag((-2, 1), (2, 1 + thin))
+    builder.tool("disc")
+    builder.drag((0, 4), (0, 4 + thin))
+
+    assert builder.document["bodies"]["box1"]["shape"]["width"] == pytest.approx(4)
+    for size in (
+        builder.document["bodies"]["box1"]["shape"]["height"],
+        builder.document["bodies"]["disc1"]["shape"]["radius"],
+    ):
+        assert size == pytest.approx(thin, rel=0.4)
+
+
+def test_a_peg_that_is_nearly_above_a_box_is_straight_above_it(builder: Builder) -> None:
+    builder.new()
+    builder.tool("box")
+    builder.drag((-2, 1), (-0.5, 2))
+    builder.tool("join")
+    builder.tool("rope")
+    builder.at(-1.25, 1.5)
+    builder.at(-1.2, 6)
+
+    assert builder.document["joints"]["rope1"]["ends"] == ["box1", [-1.25, 6]]
+
+
+def test_a_joint_is_cut_by_a_click_and_a_copy_is_dragged_at_once(builder: Builder) -> None:
+    builder.new()
+    builder.tool("disc")
+    builder.drag((0, 4), (0.5, 4))
+    builder.key(pygame.K_d, mod=pygame.KMOD_CTRL)
+    assert builder.editor.tool == "select"
+    builder.tool("join")
+    builder.tool("rope")
+    builder.at(0, 4)
+    builder.at(0, 7)
+    builder.act("Cut it in the run")
+
+    assert builder.document["events"] == {"event1": {"at": 1, "cut": ["rope1"]}}

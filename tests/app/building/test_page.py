@@ -4,6 +4,7 @@ import pygame
 
 from sandbox.app.drawing import theme
 from sandbox.app.pages.build import content
+from sandbox.app.widgets.widget_helpers import scrolled
 from tests.app.building.builder import Builder
 
 
@@ -95,3 +96,14 @@ def test_an_effect_that_turns_bodies_brings_rotation_with_it(builder: Builder) -
     builder.act("torque")
 
     assert {"torque", "rotation"} <= builder.document["effects"].keys()
+
+
+def test_the_run_begins_at_the_top_of_the_page(builder: Builder) -> None:
+    builder.at(-0.6, 0)
+    container = builder.page._sheet.container
+    builder.reach(builder.page.inspector.field("bodies", "left", "layer"))
+    assert scrolled(container) > 0
+
+    builder.click(builder.page.palette.button("Try it").rect)
+    builder.person.wait(0.2)
+    assert scrolled(container) == 0

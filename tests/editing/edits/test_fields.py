@@ -5,7 +5,7 @@ import re
 import pytest
 
 from sandbox.editing.draft import Draft
-from sandbox.editing.edits.bodies import add_box
+from sandbox.editing.edits.bodies import add_box, add_disc
 from sandbox.editing.edits.fields import make_parameter, parameter_name, set_field
 from sandbox.editing.text_patches import put, value_at
 from sandbox.editing.written_out import plain
@@ -58,7 +58,7 @@ def test_fields_are_made_and_left_out() -> None:
         (MASS, "x", "unknown parameter 'x'"),
         (MASS, "", "a dynamic body needs a mass"),
         (("bodies", "box1", "color"), "red", "color"),
-        (("bodies", "box1", "friction"), "0.5", "the effect 'friction' is not declared"),
+        (("bodies", "box1", "friction"), "-0.5", "at least 0"),
         (("duration",), "1e99", "at most"),
         (("stepping", "rate"), "fast", "number"),
     ],
@@ -136,3 +136,46 @@ def test_a_parameter_is_named_after_its_field() -> None:
     level = parse(make_parameter(scene(), MASS, "mass"))
     assert parameter_name(level, ("bodies", "box1", "shape", "width")) == "width"
     assert parameter_name(level, MASS) == "box1_mass"
+
+
+@pytest.mark.parametrize(
+    ("field", "effect"),
+    [("friction", "friction"), ("static_friction", "friction"), ("restitution", "restitution"),
+     ("moment", "rotation"), ("angular_velocity", "rotation")],
+)  # fmt: skip
+def test_what_only_an_effect_gives_a_meaning_declares_it(field: str, effect: str) -> None:
+    text = set_field(scene(), ("bodies", "box1", field), "0.7")
+    assert effect in parse(text).effects.declared
+    assert value_at(text, ("bodies", "box1", field)) == 0.7
+
+
+def test_a_list_is_typed_with_commas() -> None:
+    text = set_field(scene(), ("effects", "contact", "apart"), '[["box1", "ground"]]')
+    text = set_field(text, ("effects", "contact", "located"), "box1")
+    assert value_at(text, ("effects", "contact", "located")) == ["box1"]
+
+
+def test_a_number_that_is_left_out_becomes_a_parameter() -> None:
+    text = make_parameter(scene(), ("bodies", "box1", "velocity", 1), "v")
+    assert value_at(text, ("bodies", "box1", "velocity")) == [0, "v"]
+    text = make_parameter(text, ("bodies", "box1", "angle"), "turn")
+    assert value_at(text, ("bodies", "box1", "angle")) == "turn*deg"
+    text = make_parameter(text, ("bodies", "box1", "angular_velocity"), "spin")
+    level = parse(text)
+    assert set(level.parameters) == {"v", "turn", "spin"}
+    assert "rotation" in level.effects.declared
+
+
+def test_a_body_that_is_drawn_is_made_static_and_a_sensor_and_dynamic_again() -> None:
+    text = make_parameter(scene(), MASS, "m")
+    text = add_disc(text, parse(text), (0, 8), (0.5, 8)).text
+    for kind in ("static", "kinematic"):
+        still = set_field(text, ("bodies", "box1", "type"), kind)
+        body = parse(still).bodies["box1"]
+        assert (body.type, body.mass) == (kind, None)
+        assert not parse(still).parameters
+    assert parse(set_field(still, ("bodies", "box1", "sensor"), "true")).bodies["box1"].sensor
+    again = parse(set_field(still, ("bodies", "box1", "type"), "dynamic"))
+    box = parse(scene()).bodies["box1"]
+    assert again.bodies["box1"].mass == box.mass
+    assert again.effects == parse(scene()).effects

@@ -81,3 +81,19 @@ def test_what_cannot_be_joined_is_refused_by_the_loaders_own_sentence() -> None:
         add_joint(scene(), parse(scene()), "pulley", [DISC, BOX])
     with pytest.raises(SandboxError, match="did you mean 'rope'"):
         add_joint(scene(), parse(scene()), "roep", [DISC, BOX])
+
+
+def test_a_wheel_that_overlaps_its_car_does_not_meet_it() -> None:
+    text = add_disc(scene(), parse(scene()), (2, 3), (2.3, 3)).text
+    pin = [Pick((2, 3), "disc2"), Pick((2, 3), "box1")]
+    level = parse(add_joint(text, parse(text), "pivot", pin).text)
+    contact = level.effects.contact
+    assert contact is not None
+    assert contact.apart == (("box1", "disc2"),)
+    build(level).advance(3)
+
+
+def test_bodies_that_are_joined_at_a_distance_still_meet() -> None:
+    level = parse(add_joint(scene(), parse(scene()), "rope", [DISC, BOX]).text)
+    assert level.effects.contact is not None
+    assert not level.effects.contact.apart

@@ -10,7 +10,7 @@ from sandbox.editing.edits.effects import declare
 from sandbox.editing.edits.fields import make_parameter
 from sandbox.editing.edits.joints import Pick, add_joint
 from sandbox.editing.edits.transforms import move, turn
-from sandbox.editing.suggest import MOST_MOVING, suggestions, take
+from sandbox.editing.suggest import MOST_MOVING, followed, suggestions, take
 from sandbox.editing.text_patches import put_all, remove
 from sandbox.model import catalog
 from sandbox.model.loading import parse, read
@@ -185,3 +185,50 @@ def test_nothing_is_looked_for_among_a_crowd() -> None:
     text = f'{{"format": 1, "title": "Crowd", "bodies": {{{bodies}}}}}'
 
     assert suggestions(parse(text)) == []
+
+
+def with_checks(text: str) -> str:
+    level = parse(text)
+    return take(text, level, suggestions(level)[0])
+
+
+def holds(text: str, values: dict[str, float] | None = None) -> bool:
+    level = parse(text)
+    return all(one.verdict == "passed" for one in grade(simulate(level, values)))
+
+
+def test_suggested_checks_follow_a_mass_that_becomes_a_parameter() -> None:
+    text = with_checks(atwood(2, 3))
+    changed = make_parameter(text, ("bodies", "disc2", "mass"), "m")
+    assert not holds(changed, {"m": 5.0})
+    changed = followed(parse(text), changed)
+    assert all(holds(changed, {"m": m}) for m in (0.6, 1.5, 2.0, 5.0, 15.0))
+
+
+def test_checks_are_about_a_time_before_something_is_met_with_any_value() -> None:
+    text = make_parameter(atwood(2, 2), ("bodies", "disc2", "mass"), "m")
+    text = with_checks(text)
+    assert all(holds(text, {"m": m}) for m in (0.4, 2.0, 10.0))
+
+
+def test_a_slope_has_no_checks_of_sliding_where_it_holds() -> None:
+    text = make_parameter(incline(0.5, 0.3), ("bodies", "box1", "friction"), "mu")
+    level = parse(with_checks(text))
+    assert all(check.valid_if is not None for check in level.checks)
+    verdicts = {one.verdict for one in grade(simulate(level, {"mu": 0.9}))}
+    assert "failed" not in verdicts
+
+
+def test_suggested_checks_go_with_what_they_were_about() -> None:
+    text = with_checks(atwood(2, 3))
+    slanted = move(text, parse(text), ["disc1"], (0.5, 0.0))
+    assert not parse(followed(parse(text), slanted)).checks
+
+
+def test_checks_that_somebody_has_changed_stay_as_they_are() -> None:
+    text = put_all(with_checks(atwood(2, 3)), {("checks", 0, "tolerance"): 1e-6})
+    changed = put_all(text, {("bodies", "disc2", "mass"): 4})
+    after = parse(followed(parse(text), changed))
+    assert [check.tolerance for check in after.checks] == [1e-6, 1e-9, 1e-9]
+    assert after.checks[0].formula == parse(text).checks[0].formula
+    assert after.checks[1].formula != parse(text).checks[1].formula

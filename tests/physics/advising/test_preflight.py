@@ -66,3 +66,14 @@ def test_it_is_where_a_drag_grows_with_the_speed(made: list[Values]) -> None:
 
     assert refusal(scene) is None
     assert {values["v"] for values in made} == {0, 1, 2}
+
+
+def test_masses_are_tried_only_where_the_rate_may_depend_on_them(made: list[Values]) -> None:
+    masses = {"m": {"value": 1, "min": 0.1, "max": 10}}
+    ball = {**disc(radius=0.5), "mass": "m", "position": [0, 3]}
+    scene = {"ball": ball, "floor": floor(0)}
+    assert refusal(level(scene, CONTACT, parameters=masses)) is None
+    assert len(made) == 1
+    drag = {**CONTACT, "drag": {"linear": 0.1}}
+    assert refusal(level(scene, drag, parameters=masses)) is None
+    assert len(made) == 1 + 3

@@ -12,8 +12,12 @@ from sandbox.app.drawing.text import Pen
 from sandbox.app.words.language import later, say
 from sandbox.editing.edits import bodies
 from sandbox.editing.edits.edit_result import Made
+from sandbox.editing.snapping import grid_step
 from sandbox.model.level import Level
 from sandbox.model.shapes import XY
+
+FINER = 10
+"""How many lines there are for one of the grid, where what is drawn is too small for that."""
 
 
 class Stretching(ABC):
@@ -51,7 +55,7 @@ class Stretching(ABC):
         """Make it, unless the mouse has not moved: then a second click does."""
         if self._start is None or dist(spot.pixel, self._start.pixel) < STILL:
             return
-        one, other = self._start.point, spot.point
+        one, other = self._start.point, self._reached(self._start, spot)
         self.cancel()
         self.make(one, other)
 
@@ -66,11 +70,27 @@ class Stretching(ABC):
         """Draw its outline and its measures."""
         if self._start is None or self._end is None:
             return
-        one, other = self._start.point, self._end.point
+        one, other = self._start.point, self._reached(self._start, self._end)
         camera = self._bench.camera
         preview.outline(surface, camera, self.corners(one, other), closed=True)
         preview.dots(surface, camera, [one])
         preview.measure(surface, pen, self._end.pixel, self.measured(one, other))
+
+    def _reached(self, start: Spot, end: Spot) -> XY:
+        """Return where it ends [m]: what is too small for the grid is drawn on a finer one."""
+        if not self.is_flat(start.point, end.point):
+            return end.point
+        fine = grid_step(1 / self._bench.camera.scale) / FINER
+        both = zip(start.pixel, end.pixel, start.point, end.point, end.free, strict=True)
+        x, y = (
+            round(free / fine) * fine if to == at and abs(drawn - begun) >= STILL else to
+            for begun, drawn, at, to, free in both
+        )
+        return x, y
+
+    @abstractmethod
+    def is_flat(self, one: XY, other: XY) -> bool:
+        """Whether there would be nothing of it."""
 
     @abstractmethod
     def make(self, one: XY, other: XY) -> None:
@@ -89,6 +109,10 @@ class DiscTool(Stretching):
     """Draws discs from their centres."""
 
     begins = later("Press at the disc's centre, and drag to its rim")
+
+    def is_flat(self, one: XY, other: XY) -> bool:
+        """Whether it has no radius."""
+        return one == other
 
     def make(self, one: XY, other: XY) -> None:
         """Put a disc into the level."""
@@ -113,6 +137,10 @@ class BoxTool(Stretching):
     """Draws boxes from corner to corner."""
 
     begins = later("Press at one corner of the box, and drag to the opposite one")
+
+    def is_flat(self, one: XY, other: XY) -> bool:
+        """Whether it has no width or no height."""
+        return one[0] == other[0] or one[1] == other[1]
 
     def make(self, one: XY, other: XY) -> None:
         """Put a box into the level."""

@@ -100,8 +100,9 @@ def arranging(editor: Editor) -> list[Block]:
     """Return what can be done with the bodies that are selected, among each other."""
     if editor.bench is not editor.work:
         return []
-    acts = (*inspection.ghost(editor.work), *arrangements(editor.work))
-    return [Block(say("Arrange:"), acts=acts)] if acts else []
+    work = editor.work
+    acts = (*inspection.cutting(work), *inspection.ghost(work), *arrangements(work))
+    return [Block("", acts=acts)] if acts else []
 
 
 def _suggested(editor: Editor) -> list[Block]:

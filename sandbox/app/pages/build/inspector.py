@@ -140,7 +140,7 @@ class Inspector:
             column.label(entry.unit, left + room + px(GAP), px(UNIT) - px(GAP))
         line.field = column.field(left, room, entry.shown, entry.default, _tip(entry))
         line.shown = entry.shown
-        if entry.shown and entry.path in self._numbers:
+        if _adjustable(entry, self._numbers):
             place = pygame.Rect(self._sheet.width - px(SLIDER), 0, px(SLIDER), px(HEIGHT))
             tip = say(
                 "make this a parameter: {field} gets a slider on the level's page",
@@ -277,5 +277,9 @@ def _tip(entry: Entry) -> str:
 
 def _form(entry: Entry, numbers: Collection[Path]) -> tuple[object, ...]:
     """Return what the widgets of an entry depend on."""
-    adjustable = bool(entry.shown) and entry.path in numbers
-    return entry.path, entry.sort, adjustable, len(entry.shown) > MOST
+    return entry.path, entry.sort, _adjustable(entry, numbers), len(entry.shown) > MOST
+
+
+def _adjustable(entry: Entry, numbers: Collection[Path]) -> bool:
+    """Whether there is a number that can be made a parameter, said or left to its default."""
+    return bool(entry.shown or entry.default) and entry.path in numbers

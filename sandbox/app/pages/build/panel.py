@@ -2,7 +2,6 @@
 
 import os
 from collections.abc import Collection, Sequence
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 import pygame
@@ -27,7 +26,7 @@ from sandbox.model import json_positions
 if TYPE_CHECKING:
     from sandbox.app.widgets.text_field import Field
 
-Blocks = tuple[Sequence[Block], Sequence[Block], Sequence[Block]]
+Blocks = tuple[Sequence[Block], Sequence[Block]]
 
 
 class BuildPage:
@@ -140,7 +139,8 @@ class BuildPage:
     def _save_here(self) -> None:
         assert self._name is not None
         typed = os.path.expanduser(self._name.get_text().strip())  # an unknown ~name stays
-        self._editor.save(Path(typed).absolute())
+        path = self._editor.proposed.parent / typed
+        self._editor.save(path if path.suffix else path.with_suffix(".json"))
 
     # fields, as the window goes through them
 
@@ -164,7 +164,8 @@ class BuildPage:
 
     def update(self) -> None:
         """Show what is new; what stands there already is kept."""
-        selected = self._editor.bench.selected
+        bench = self._editor.bench
+        selected = bench, bench.selected
         another, self._selected = selected != self._selected, selected
         if another:
             self._refused.clear()
@@ -185,19 +186,19 @@ class BuildPage:
             scroll(self._sheet.container, 0)
 
     def _blocks(self) -> Blocks:
-        """Return what stands above the name that is asked for, below that, and below the fields."""
+        """Return what stands above the name that is asked for, and below that."""
         editor = self._editor
         below = content.subject(editor)
         if editor.naming:
             here = Act(say("Save here"), say("write the file (Enter)"), self._save_here)
             leave = Act(say("Do not save"), say("go on without (Esc)"), editor.stop_naming)
             below.insert(0, Block("", acts=(here, leave)))
-        return content.above(editor, self._session), below, content.arranging(editor)
+        return content.above(editor, self._session), [*below, *content.arranging(editor)]
 
     def _build(
         self, blocks: Blocks, rows: Sequence[Row], numbers: Collection[json_positions.Path]
     ) -> None:
-        above, below, last = blocks
+        above, below = blocks
         self.inspector.keep()
         self._column.clear()
         self._buttons = []
@@ -206,7 +207,6 @@ class BuildPage:
         self._put(below)
         self._column.y += 2 * self._sheet.px(GAP)
         self.inspector.build(rows, numbers, self._refused, dict(self._offered))
-        self._put(last)
         self._sheet.end(self._column.y + self._sheet.px(GAP))
 
     def _put(self, blocks: Sequence[Block]) -> None:
