@@ -229,6 +229,11 @@ PARTS = (
     Part(MACHINES, "a wrecking ball", ("machines/wrecking-ball",)),
     Part(MACHINES, "a cam and its follower", ("machines/cam",)),
     Part(MACHINES, "a rope around a drum", ("machines/capstan",)),
+    Part(
+        MACHINES,
+        "what friction holds, and lets go again and again",
+        ("machines/waiters-tray", "machines/squeaking-crate"),
+    ),
     Part(MACHINES, "a ladder that slides off its wall", ("machines/sliding-ladder",)),
     Part(MACHINES, "a marble run", ("machines/marble-run",)),
     Part(MACHINES, "torques at rest and in motion", ("machines/crane", "machines/drawbridge")),

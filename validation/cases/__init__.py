@@ -13,7 +13,7 @@ _ORDER = (
     "wells", "repulsion", "collisions", "glancing", "center_of_mass", "bounces", "cradles",
     "bumpers", "bursts", "sticking", "rolling", "hollows", "free_rotation", "wheels", "pendulums",
     "springs", "driven", "torques", "given_forces", "least_action", "chapter_code", "beads",
-    "machines", "mechanisms",
+    "machines", "holding_and_slipping", "mechanisms",
 )  # fmt: skip
 _FOUND = {path.stem for path in Path(__file__).parent.glob("*.toml")}
 

@@ -199,3 +199,43 @@ def spiral_force(
     inwards = 1j * along / abs(along)
     needed = square / (abs(here) * np.hypot(1, growth))
     return float(mass * abs(needed - (inwards.conjugate() * -1j * g).real))
+
+
+def stick_slip_pull(
+    load: float, mass: float, stiffness: float, speed: float, static: float, kinetic: float,
+    t: Array,
+) -> Array:  # fmt: skip
+    """Return how hard a spring pulls what a belt carries away from it, for one stick and slip [N].
+
+    Newton's second law of section 4, with two coefficients. It grows by k v until static friction
+    is overcome, μs N. Then it swings about the kinetic one, μk N, until the body is as fast as the
+    belt again, and grows once more.
+    """
+    rate, first = np.sqrt(stiffness / mass), static * load / (stiffness * speed)
+    above, along = (static - kinetic) * load, speed * np.sqrt(stiffness * mass)
+    phase = np.arctan2(along, above)
+    lasts = (np.pi + 2 * phase) / rate
+    swing = kinetic * load + np.hypot(above, along) * np.cos(rate * (t - first) - phase)
+    again = kinetic * load - above + stiffness * speed * (t - first - lasts)
+    carried = np.where(t < first, stiffness * speed * t, again)
+    return np.asarray(np.where((t < first) | (t > first + lasts), carried, swing))
+
+
+def tray_and_glass(
+    tray: float, glass: float, friction: float, angle: float, g: float
+) -> tuple[float, float]:
+    """Return how a swinging tray, let go, and a glass that slips on it begin to go across [m/s²].
+
+    The tray hangs on two strings of one length, so it goes along a circle and does not turn:
+    section 4's laws for both, with the string's pull, the normal force, and the two accelerations
+    as unknowns.
+    """
+    sin, cos = np.sin(angle), np.cos(angle)
+    # unknown: the tray's acceleration down its circle, the strings' pull, the normal force
+    equations = [
+        [-tray * cos, sin, -friction],  # the tray across: -T sin + mu N
+        [-tray * sin, -cos, 1.0],  # the tray up: T cos - M g - N
+        [glass * sin, 0.0, 1.0],  # the glass up: N - m g, and it goes down with the tray
+    ]
+    down, _, normal = np.linalg.solve(equations, [0.0, -tray * g, glass * g])
+    return float(-down * cos), float(-friction * normal / glass)

@@ -60,8 +60,43 @@ def completed(contacts: Contacts, impulse: Array) -> Contacts:
     return contacts._replace(impulse=whole)
 
 
+def couples(contacts: Contacts, impulse: Array, place: Array, inertia: Array) -> Array:
+    """Return the torque of each contact on its second body, about its middle: (k,) [N m s].
+
+    A side that presses on a side does so more at one end than at the other. How much follows from
+    what the bodies lack that turn freely; of contacts that could give it all in several ways each
+    gives as little as it can.
+
+    Parameters
+    ----------
+    contacts, place, inertia
+        As for `rubbing`.
+    impulse
+        (n, 3), of all contacts on each body.
+    """
+    found = np.zeros(len(contacts.bodies))
+    sides = np.flatnonzero(contacts.touches == 2)
+    if not len(sides):
+        return found
+    turning, lack = inertia[:, 2] > 0, impulse[:, 2].copy()
+    gives = np.zeros((len(impulse), len(sides)))
+    arms = contacts.on_surfaces(_middles(contacts)) - place[contacts.bodies]
+    for side, sign in ((0, -1.0), (1, 1.0)):
+        rows, arm = contacts.bodies[:, side], arms[:, side]
+        across = arm[:, 0] * contacts.impulse[:, 1] - arm[:, 1] * contacts.impulse[:, 0]
+        np.subtract.at(lack, rows, sign * across)
+        gives[rows[sides], np.arange(len(sides))] = sign
+    found[sides] = np.linalg.lstsq(gives[turning], lack[turning], rcond=None)[0]
+    return found
+
+
 def rubbing(
-    contacts: Contacts, place: Array, mean: Array, inertia: Array, running: Array
+    contacts: Contacts,
+    place: Array,
+    mean: Array,
+    inertia: Array,
+    running: Array,
+    turned: Array | float = 0.0,
 ) -> tuple[float, dict[str, float]]:
     """Return the work of friction, and what kinematic bodies and belts put in [J].
 
@@ -73,21 +108,30 @@ def rubbing(
         As in a `Kick`.
     running
         (n, 2), how fast the bodies' surfaces run [m/s].
+    turned
+        (k,), the torques of the contacts on their second bodies; see `couples`.
     """
     along = np.stack((-contacts.direction[:, 1], contacts.direction[:, 0]), axis=1)
     friction = np.sum(contacts.impulse * along, axis=1)[:, None] * along
-    second = np.where(contacts.touches == 2, 1, 0)
-    points = (contacts.points[:, 0] + contacts.points[np.arange(len(second)), second]) / 2
-    on_surfaces = contacts.on_surfaces(points)
+    on_surfaces = contacts.on_surfaces(_middles(contacts))
     slip = np.zeros_like(along)
     work = {"bodies": 0.0, "belt": 0.0}
     for side, sign in ((0, -1.0), (1, 1.0)):
         rows = contacts.bodies[:, side]
         arm, goes = on_surfaces[:, side] - place[rows], mean[rows]
         moves = point_velocity(goes, arm)
-        kinematic = (inertia[rows, :1] == 0) * moves
+        driven = inertia[rows, 0] == 0
         runs = running[rows]
         slip += sign * (moves + runs)
-        work["bodies"] -= sign * float(np.sum(contacts.impulse * kinematic))
+        gives = np.sum(contacts.impulse * moves, axis=1) + turned * goes[:, 2]
+        work["bodies"] -= sign * float(np.sum(gives[driven]))
         work["belt"] -= sign * float(np.sum(friction * runs))
     return float(np.sum(friction * slip)), work
+
+
+def _middles(contacts: Contacts) -> Array:
+    """Return the middle of where each pair touches: (k, 2) [m]."""
+    second = np.where(contacts.touches == 2, 1, 0)
+    both = contacts.points[np.arange(len(second)), second]
+    middles: Array = (contacts.points[:, 0] + both) / 2
+    return middles

@@ -8,7 +8,7 @@ import numpy as np
 from sandbox.model import ledger_accounts
 from sandbox.model.expressions import Array
 from sandbox.model.joints import Spring, bodies_of, is_exact
-from sandbox.physics.contacts.contact_work import Kick, completed, pressed, rubbing
+from sandbox.physics.contacts.contact_work import Kick, completed, couples, pressed, rubbing
 from sandbox.physics.energy.ledger_entries import Entries
 from sandbox.physics.energy.step_record import Recorded, StepRecord
 from sandbox.physics.energy.taut_ropes import reached
@@ -163,6 +163,13 @@ class Attribution:
             self._entries.works["joints"] += kick.work(impulse)
         return impulse
 
+    def _couples(self, kick: Kick, contacts: Contacts, impulse: Array) -> Array | float:
+        """Return the torques of contacts, (k,), where bodies turn as the level says."""
+        turns = (self._mass[:, 2] == 0) & (kick.mean[:, 2] != 0)
+        if not turns[contacts.bodies].any():
+            return 0.0
+        return couples(contacts, impulse, kick.place, kick.inertia)
+
     def _jump(self, step: StepRecord, kick: Kick) -> Array:
         """Return the impulses of impacts that come one after the other: (n, 3)."""
         if step.jump is None:
@@ -197,9 +204,9 @@ class Attribution:
         impulse = np.where(touching[:, None], rest, 0.0)
         self._entries.give("supports", impulse, kick.place)
         pressing = kick.work(impulse)
-        across, drives = rubbing(
-            completed(contacts, impulse), kick.place, kick.mean, kick.inertia, self._surfaces
-        )
+        whole = completed(contacts, impulse)
+        turned = self._couples(kick, whole, impulse)
+        across, drives = rubbing(whole, kick.place, kick.mean, kick.inertia, self._surfaces, turned)
         drives = {name: work for name, work in drives.items() if name in self._entries.works}
         given = jumped + pressing - sum(drives.values())
         if not kick.length:

@@ -229,6 +229,24 @@ def test_a_body_that_moves_as_told_puts_work_in() -> None:
     assert books[-1].work["bodies"] == pytest.approx(8)
 
 
+@pytest.mark.parametrize("boxes", [1, 3])
+def test_a_table_that_tilts_puts_in_what_it_lifts(boxes: int) -> None:
+    """Boxes stand on it; they press harder on its lower end, and nothing is lost."""
+    table = {"type": "kinematic", "shape": {"type": "box", "width": 3, "height": 0.2}}
+    start = {"position": [0, -0.1], "motion": {"turn": "0.1*(1 - cos(2*t))"}, "friction": 1}
+    pile = {f"box{i}": box((0, 0.25 + 0.5 * i), friction=1) for i in range(boxes)}
+    scene = level(
+        {"table": {**table, **start}, **pile},
+        {**GRAVITY, "contact": {"solver": "direct"}, "friction": {}, "rotation": {}},
+    )
+
+    books = watched(build(scene, stepping=Stepping(rate=480)), 480)
+
+    lifted = sum(books[-1].potential.values()) - sum(books[0].potential.values())
+    assert books[-1].work["bodies"] == pytest.approx(lifted + books[-1].kinetic, rel=2e-3)
+    assert sum(books[-1].loss.values()) == pytest.approx(0, abs=2e-3 * abs(lifted))
+
+
 def test_a_rod_that_shortens_puts_work_in() -> None:
     """A mass that goes round is drawn in to half the radius: four times the energy."""
     rod = {"type": "rod", "ends": [[0, 0], "bob"], "length": "0.75 + 0.25*cos(pi*min(t, 1))"}

@@ -16,7 +16,7 @@ from sandbox.model.level import Level
 from sandbox.physics.measuring.event_interpolation import crossing
 from sandbox.physics.run import build
 from sandbox.physics.state.errors import SimulationError
-from tests.physics.scenes import GRAVITY, G, Spec, disc, level, measured, run, table, worst
+from tests.physics.scenes import GRAVITY, G, Spec, box, disc, level, measured, run, table, worst
 
 
 def rod(*ends: object, **rest: object) -> Spec:
@@ -363,6 +363,21 @@ def test_two_joints_that_say_the_same_are_told_by_name() -> None:
         build(twice())
 
     assert caught.value.subject == "same"
+
+
+def test_a_joint_of_several_equations_may_hold_less() -> None:
+    """A weld that latches a door holds the place of its hinge once more; a rod does not."""
+    door = {"door": box((1, 0), size=(2, 0.1))}
+    hinge = {"type": "pivot", "ends": [[0, 0], {"body": "door", "at": [-1, 0]}]}
+    ends = [[2, -1], {"body": "door", "at": [1, 0]}]
+
+    def latched(kind: str) -> Level:
+        joints = {"hinge": hinge, "latch": {"type": kind, "ends": ends}}
+        return level(door, {"rotation": {}}, joints=joints)
+
+    build(latched("rod"))
+    with pytest.raises(SimulationError, match="leave it out, or take a rod or a rail"):
+        build(latched("weld"))
 
 
 @pytest.mark.filterwarnings("error")

@@ -1,10 +1,16 @@
-"""Overlap correction: bodies are moved apart, and their velocities stay."""
+"""Overlap correction: bodies are moved apart, and their velocities stay.
+
+What is moved out of one body may be moved off another: a car that is lifted out of a hill by its
+front wheel turns, and its rear wheel leaves the ground by a nanometre. That would be without a
+force for a whole step, and a spring would shoot it into the ground. So whoever presses on another
+stays with it, if there is a way.
+"""
 
 import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.constraint_rows import Active
-from sandbox.physics.contacts.direct.kick_system import Kick
+from sandbox.physics.contacts.direct.kick_system import PROUD, Kick
 from sandbox.physics.contacts.direct.newton import newton
 from sandbox.physics.contacts.direct.row_layout import Layout, Surfaces
 from sandbox.physics.contacts.direct.warm_start import WarmStart
@@ -52,18 +58,48 @@ class OverlapCorrection:
         slack = np.minimum(held, slack)  # a slack rope may grow as long as it is
         wanted[layout.joints] = np.where(kick.joints.pulls_only, slack, held)
         wanted[layout.gaps] += back
-        none, still = np.zeros_like(wanted), np.zeros_like(kick.place.values)
-        smooth, start = layout.smooth, self._start(layout)
         asked = np.concatenate((kick.place.values, wanted))
         if np.array_equal(asked, self._lost):  # as in the kick before, if bodies are held
             return None
         try:
-            _, way, held_now = newton(kick, smooth, kick.rows, still, 1.0, wanted, none, start)
+            way, self._held = self._apart(kick, wanted, layout.smooth, self._start(layout))
         except (JointFailure, NoForces):
             self._lost = asked
             return None
-        self._held = layout, held_now
-        return way
+        return self._together(kick, wanted, way)
+
+    def _apart(
+        self, kick: Kick, wanted: Array, layout: Layout, start: Active
+    ) -> tuple[Array, tuple[Layout, Active]]:
+        """Return the least displacement with which rows are as wanted, and what holds then."""
+        none, still = np.zeros_like(wanted), np.zeros_like(kick.place.values)
+        _, way, held = newton(kick, layout, kick.rows, still, 1.0, wanted, none, start)
+        return way, (kick.layout, held)
+
+    def _together(self, kick: Kick, wanted: Array, way: Array) -> Array:
+        """Return a displacement by which nothing leaves what it presses on, if there is one.
+
+        Parameters
+        ----------
+        kick, wanted
+            What touches, and what its rows shall be at least, (r,).
+        way
+            The least displacement, (3 N,) [m, rad]; returned if there is no other.
+        """
+        layout, depths = kick.layout, kick.contacts.depths.take(kick.layout.touching.number)
+        lifts = (kick.rows(way).total - wanted)[layout.gaps]
+        holds = np.zeros(len(wanted), dtype=bool)
+        holds[layout.gaps] = self._known.pressed(kick) & (lifts > np.maximum(depths - PROUD, 0.0))
+        if not np.count_nonzero(holds):
+            return way
+        problem = layout.smooth.problem
+        free, pushes = problem.free | holds, problem.pushes & ~holds
+        holding = layout.smooth.asking(problem._replace(free=free, pushes=pushes))
+        slip = np.zeros(len(layout.touching.rubs), dtype=np.intp)
+        try:
+            return self._apart(kick, wanted, holding, Active(free, slip))[0]
+        except (JointFailure, NoForces):
+            return way
 
     def _back(self, kick: Kick, leaving: Array) -> Array | None:
         """Return by how much gaps are to grow, (k,) [m]; None if none is."""

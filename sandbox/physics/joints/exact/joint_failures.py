@@ -1,5 +1,7 @@
 """Why exact joints fail: they are redundant, contradict each other, or a step is too long."""
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from sandbox.model.expressions import Array
@@ -20,11 +22,14 @@ REACHED = 1e-9
 """m, rad, by which a rope may be too short to count as taut at the start."""
 
 
-def overlapping(name: str) -> JointFailure:
-    """Say that a joint holds what others hold."""
+def overlapping(names: Sequence[str], row: int) -> JointFailure:
+    """Say that the joint of an equation holds what others hold; (m,), the joints of all."""
+    name = names[row]
     reason = Message(
         "'{name}' holds what is held already, or cannot hold it; leave it out", name=name
     )
+    if names.count(name) > 1:
+        reason = Message("{reason}, or take a rod or a rail, if it is to hold less", reason=reason)
     return JointFailure(name, reason)
 
 
@@ -57,10 +62,10 @@ def check_independent(joints: JointSystem, here: Rows, response: Array, length: 
         return 1.0
     delassus = (here.jacobian @ response.T)[np.ix_(taut, taut)]
     if not delassus.diagonal().all():
-        raise overlapping(joints.names[int(taut[np.argmin(delassus.diagonal())])])
+        raise overlapping(joints.names, int(taut[np.argmin(delassus.diagonal())]))
     independent, shares = independence(delassus)
     if independent < SINGULAR:
-        raise overlapping(joints.names[int(taut[np.flatnonzero(shares > 1e-3)[-1]])])
+        raise overlapping(joints.names, int(taut[np.flatnonzero(shares > 1e-3)[-1]]))
     return independent
 
 

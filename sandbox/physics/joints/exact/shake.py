@@ -265,7 +265,7 @@ class ExactJoints(ConstraintForces):
                 impulse = impulse + solved(delassus, wrong) / h
             except np.linalg.LinAlgError:
                 worst = int(np.argmin(np.abs(delassus).sum(axis=1)))
-                raise overlapping(self._joints[worst]) from None
+                raise overlapping(self._joints, worst) from None
             if wrong.dot(wrong) <= QUADRATIC**2:
                 return impulse, motion.values - impulse.dot(response), violation
         raise self.lost(int(np.argmax(np.abs(wrong))))
