@@ -65,22 +65,16 @@ def graphs(
     found: list[Graph] = []
     names = list(dict.fromkeys([TIME.name, across, *up]))
     columns, units = so_far(session, names)
-    earlier = [measured(run.world, run.history, names)[0] for run in session.earlier]
-    run = session.later
-    later = measured(run.world, run.history, names)[0] if run else None
-    beyond = later and cursor is not None and cursor > columns[across].max()
-    told = later if later and beyond else columns
+    earlier, later = _other_runs(session, names)
+    told = later if later and cursor and cursor > columns[across].max() else columns
     span = zoom.on(span_of(pen, width, session, across))
     mark = float(columns[across][-1]) if later and cursor is None else cursor
     for unit in dict.fromkeys(units[name] for name in up):
         these = [name for name in up if units[name] == unit]
         _values(card, told, these, up, units, across, cursor, trust)
-        own = (
-            Series(_color(name, up), columns[across], columns[name], sign=_sign(name, up))
-            for name in these
-        )
         others = [*_faint(earlier, these, across), *_ahead(later, these, up, across)]
-        series = [*others, *_closed(session, columns, these, up, across), *own]
+        closed = _closed(session, columns, these, up, across)
+        series = [*others, *closed, *_own(columns, these, up, across)]
         size = width, pen.px(HEIGHT)
         rise = zoom.on(plot.upwards(pen, size[1], [each.y for each in series]), unit)
         found.append(Graph(unit, pygame.Rect((0, card.y), size), span, rise))
@@ -89,6 +83,15 @@ def graphs(
     message = say("against {quantity}", quantity=f"{across} [{units[across]}]")
     card.text(message, 12, theme.DIM)
     return Graphs(card.drawn(), found)
+
+
+def _other_runs(
+    session: Session, names: Sequence[str]
+) -> tuple[Sequence[Mapping[str, Array]], Mapping[str, Array] | None]:
+    """Return quantities of the earlier runs, and of what the present one comes to, if known."""
+    earlier = [measured(run.world, run.history, names)[0] for run in session.earlier]
+    run = session.later
+    return earlier, measured(run.world, run.history, names)[0] if run else None
 
 
 def span_of(pen: Pen, width: int, session: Session, across: str) -> Scale:
@@ -152,6 +155,14 @@ def _values(
     at = formatting.quantity(float(columns[across][row]), units[across], 4)
     message = say("at {quantity} = {value}", quantity=across, value=at)
     card.text(message, 12, theme.DIM if cursor is None else theme.NOTICE)
+
+
+def _own(
+    columns: Mapping[str, Array], these: Sequence[str], up: Sequence[str], across: str
+) -> Iterator[Series]:
+    """Yield the lines of the run that is shown."""
+    for name in these:
+        yield Series(_color(name, up), columns[across], columns[name], sign=_sign(name, up))
 
 
 def _faint(
