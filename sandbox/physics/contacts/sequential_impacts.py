@@ -19,7 +19,7 @@ from sandbox.model.expressions import Array
 from sandbox.physics.contacts.kinematics import over_bodies, pair_jacobian
 from sandbox.physics.contacts.post_impact_velocity import reached
 from sandbox.physics.contacts.simultaneous_impacts import ROUNDING, Pile, responses
-from sandbox.physics.engine.batch import Batch, Booleans, Contacts, Integers
+from sandbox.physics.engine.batch import NO_CONTACTS, Batch, Booleans, Contacts, Integers
 from sandbox.physics.joints.exact.reactions import Grip
 from sandbox.physics.joints.exact.shake import ExactJoints
 
@@ -86,6 +86,7 @@ class Sequence:
         none = np.zeros(len(inverse_mass), dtype=bool)
         self.last = Impacts(none, self._begun, self._begun, self._begun[:, 0])
         self._asked, self._pushes = b"", np.zeros(0)  # the last pile-up, and what came of it
+        self._places = _Places.of(NO_CONTACTS, self._turning)
 
     def collide(self, smooth: Array, *, start: bool) -> None:
         """Let what touches and approaches collide, and change the velocities.
@@ -113,7 +114,7 @@ class Sequence:
                 held = self._held(begins, place)
                 before = self._before() if self._before else held
                 velocity = begins + (smooth + held) * (self._dt / 2)
-            gives = np.stack((smooth, smooth + held, smooth + before)) * self._dt
+            gives = np.array((smooth, smooth + held, smooth + before)) * self._dt
             self._exchange(contacts, state[:, :2], velocity, gives, jump, impulse)
             if impulse.any():
                 self._batch.set_velocity(begins + jump)
@@ -146,7 +147,9 @@ class Sequence:
         impulse: Array,
     ) -> None:
         """Add what the impacts do to jump and impulse; for `gives` see `_allowed`."""
-        points = _points(contacts, place, self._turning)
+        if not self._places.are_of(contacts):
+            self._places = _Places.of(contacts, self._turning)
+        points = self._places.points(contacts, place)
         parts = np.einsum("kbc,kbc->kb", points.jacobian, velocity[points.bodies])
         parting, rounding = parts.sum(axis=1), ROUNDING * np.abs(parts).max(axis=1) + FAINTEST
         if not np.count_nonzero(parting < -rounding):
@@ -207,17 +210,47 @@ class _Points(NamedTuple):
         return over_bodies(self.jacobian, self.bodies, count)
 
 
-def _points(contacts: Contacts, place: Array, turning: Booleans) -> _Points:
-    """Return where pairs touch; without rotation one point of a side stands for all."""
-    count = len(contacts.bodies)
-    two = np.flatnonzero((contacts.touches == 2) & turning[contacts.bodies].any(axis=1))
-    pair = np.concatenate((np.arange(count), two))
-    which = np.repeat((0, 1), (count, len(two)))
-    partner = np.full(len(pair), -1)
-    partner[two], partner[count:] = count + np.arange(len(two)), two
-    bodies, direction = contacts.bodies[pair], contacts.direction[pair]
-    arm = contacts.points[pair, which][:, None] - place[bodies]
-    return _Points(bodies, pair_jacobian(arm, direction), partner)
+class _Places(NamedTuple):
+    """Which points of contacts there are; without rotation one point of a side stands for all.
+
+    Attributes
+    ----------
+    pairs, touches
+        The bodies of the contacts, and at how many points they touch; see `Contacts`.
+    pair, which
+        (k,), the contact each point belongs to, and which of its two points it is.
+    bodies, partner
+        (k, 2) and (k,), as of `_Points`.
+    """
+
+    pairs: Integers
+    touches: Integers
+    pair: Integers
+    which: Integers
+    bodies: Integers
+    partner: Integers
+
+    @classmethod
+    def of(cls, contacts: Contacts, turning: Booleans) -> "_Places":
+        """Return those of contacts; (n,), which bodies turn."""
+        pairs, touches, count = contacts.bodies, contacts.touches, len(contacts.bodies)
+        two = np.flatnonzero((touches == 2) & turning[pairs].any(axis=1))
+        pair = np.concatenate((np.arange(count), two))
+        partner = np.full(len(pair), -1)
+        partner[two], partner[count:] = count + np.arange(len(two)), two
+        which = np.repeat((0, 1), (count, len(two)))
+        return cls(pairs, touches, pair, which, pairs[pair], partner)
+
+    def are_of(self, contacts: Contacts) -> bool:
+        """Whether the same bodies touch at as many points: then those arrays are the same ones."""
+        return contacts.bodies is self.pairs and contacts.touches is self.touches
+
+    def points(self, contacts: Contacts, place: Array) -> _Points:
+        """Return where contacts touch; (n, 2), where the bodies are [m]."""
+        at = contacts.points[self.pair, self.which]
+        arm = at[:, None] - place[self.bodies]
+        jacobian = pair_jacobian(arm, contacts.direction[self.pair])
+        return _Points(self.bodies, jacobian, self.partner)
 
 
 def _allowed(points: _Points, gives: Array) -> Array:
@@ -234,7 +267,8 @@ def _allowed(points: _Points, gives: Array) -> Array:
     gives
         (3, n, 3), all three as what they add to velocities in a step [m/s, rad/s].
     """
-    sizes = [np.linalg.norm(a, axis=2) for a in (points.jacobian, gives[2, points.bodies])]
+    both = points.jacobian, gives[2, points.bodies]
+    sizes = [np.sqrt(np.add.reduce(a * a, axis=2)) for a in both]
     adds = np.einsum("kbc,skbc->sk", points.jacobian, gives[:2, points.bodies])
     alone, held = np.abs(adds)
     return np.asarray(np.maximum(alone, np.minimum(held, np.sum(sizes[0] * sizes[1], axis=1))))

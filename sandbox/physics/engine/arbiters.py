@@ -8,7 +8,9 @@ from typing import Any, NamedTuple
 import numpy as np
 import pymunk
 from numpy.typing import NDArray
-from pymunk.batch import ArbiterFields, Buffer, get_space_arbiters
+from pymunk.batch import ArbiterFields
+
+from sandbox.physics.engine.private_handles import ArbiterTable
 
 _FIELDS = (
     ArbiterFields.BODY_A_ID
@@ -66,16 +68,13 @@ class Arbiters:
     def __init__(
         self, space: pymunk.Space, ids: NDArray[np.uintp], order: NDArray[np.intp]
     ) -> None:
-        self._space, self._ids, self._order = space, ids, order
-        self._buffer, self._raw = Buffer(), (b"", b"")
+        self._table, self._ids, self._order = ArbiterTable(space, _FIELDS), ids, order
+        self._raw = b"", b""
         self.pairs: Pairs | None = None
 
     def changed(self) -> bool:
         """Look at what pymunk has written down, and tell whether it is not what it was."""
-        before, buffer = self._raw, self._buffer
-        buffer.clear()
-        get_space_arbiters(self._space, _FIELDS, buffer)
-        self._raw = bytes(buffer.int_buf()), bytes(buffer.float_buf())
+        before, self._raw = self._raw, self._table.read()
         return self._raw != before
 
     def read(self) -> tuple[NDArray[Any], ...] | None:

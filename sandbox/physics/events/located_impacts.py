@@ -281,7 +281,7 @@ class Located:
         self, path: Path, near: list[tuple[int, int]], since: float, adds: Array
     ) -> list[Hit]:
         shapes = self._outlines
-        gives = np.stack((adds, path.acceleration_at(since) * (self._dt - since)))
+        gives = np.array((adds, path.acceleration_at(since) * (self._dt - since)))
         found = (meet(path, shapes[a], shapes[b], since, self._dt, gives) for a, b in near)
         return [hit for hit in found if hit]
 

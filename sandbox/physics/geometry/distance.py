@@ -136,6 +136,9 @@ class _Edge(NamedTuple):
 
 def gap(one: Sequence[complex], other: Sequence[complex], radii: float) -> Gap:
     """Return the gap between two cores, placed in the plane, thickened by two radii [m]."""
+    if len(one) == len(other) == 1:
+        distance, normal, point = _to_point(one[0], other[0])
+        return Gap(distance - radii, normal, (point,))
     own, others = _edges(one), _edges(other)
     overlap = _overlap((one, own), (other, others))
     if overlap:

@@ -70,8 +70,9 @@ def gives_some(scheme: str) -> Message:
 
 def is_sound(now: Snapshot) -> bool:
     """Whether places and velocities, and their squares, are finite numbers."""
-    rows = np.column_stack((now.position, now.velocity, now.angle, now.angular_velocity))
-    return isfinite(np.vdot(rows, rows))  # no sum of squares is, if one of them is not
+    in_plane = now.position.ravel(), now.velocity.ravel()
+    values = np.concatenate((*in_plane, now.angle, now.angular_velocity))
+    return isfinite(values.dot(values))  # no sum of squares is, if one of them is not
 
 
 def refuse_lost(

@@ -11,8 +11,9 @@ from hypothesis import strategies as st
 from sandbox.model.errors import LevelError
 from sandbox.model.expressions import Array
 from sandbox.model.level import Level
+from sandbox.physics.contacts import sequential_impacts
 from sandbox.physics.contacts.simultaneous_impacts import Pile, pushes
-from sandbox.physics.engine.batch import Integers
+from sandbox.physics.engine.batch import Booleans, Contacts, Integers
 from sandbox.physics.run import build
 from sandbox.physics.state.errors import SimulationError
 from sandbox.physics.state.snapshot import Snapshot
@@ -435,3 +436,29 @@ def test_impacts_in_sequence_do_not_rub() -> None:
             {"a": disc(friction=1, restitution=1), "b": disc((3, 0), friction=1, restitution=1)},
             {**SEQUENCE, "friction": {}},
         )
+
+
+def test_which_points_touch_is_worked_out_when_contacts_come_or_go(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Balls that lie side by side keep theirs; one that comes later changes them."""
+    made, work_out = [0], sequential_impacts._Places.of
+
+    def counted(contacts: Contacts, turning: Booleans) -> sequential_impacts._Places:
+        made[0] += 1
+        return work_out(contacts, turning)
+
+    balls = {f"b{i}": disc((0.2 * i, 0.1), radius=0.1, restitution=0) for i in range(4)}
+    late = disc((0.3, 1.5), radius=0.1, restitution=0)
+    monkeypatch.setattr(sequential_impacts._Places, "of", counted)
+    world = build(
+        level({"floor": floor(restitution=0), **balls, "late": late}, {**GRAVITY, **SEQUENCE})
+    )
+    begun = made[0]
+    world.advance(30)
+
+    assert made[0] == begun
+
+    world.advance(30)
+
+    assert begun < made[0] <= begun + 20

@@ -7,8 +7,10 @@ import pymunk
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from pymunk.batch import ArbiterFields, Buffer, get_space_arbiters
 
 from sandbox.physics.engine.batch import Batch
+from sandbox.physics.engine.private_handles import ArbiterTable
 from sandbox.physics.run import build
 from tests.elsewhere import python
 from tests.physics.scenes import GRAVITY, box, disc, fixed, floor, level
@@ -80,6 +82,24 @@ def test_contacts_are_in_the_order_of_the_bodies() -> None:
     body = contacts.bodies.max(axis=1)
     away = np.where(contacts.bodies[:, 0] == body, -1.0, 1.0)  # from the floor, up
     assert contacts.direction[:, 1] * away == pytest.approx(np.ones(30))
+
+
+def test_pairs_are_read_as_pymunk_s_own_call_reads_them() -> None:
+    """Its arguments are made once here, and the arrays grow as more bodies come to touch."""
+    bodies = {"floor": floor(), **{f"b{i}": box((1.5 * i, 0.6 + i)) for i in range(12)}}
+    space = build(level(bodies, {**GRAVITY, "contact": {}})).scene.space
+    fields = ArbiterFields.BODY_A_ID | ArbiterFields.CONTACT_COUNT | ArbiterFields.POINT_A_1
+    table, buffer, most = ArbiterTable(space, fields), Buffer(), 0
+    for _ in range(120):
+        space.step(1 / 60)
+        buffer.clear()
+        get_space_arbiters(space, fields, buffer)
+        found = table.read()
+
+        assert found == (bytes(buffer.int_buf()), bytes(buffer.float_buf()))
+        most = max(most, len(found[0]))
+
+    assert most >= 10 * 2 * 8
 
 
 def test_a_pair_that_has_parted_is_no_contact() -> None:

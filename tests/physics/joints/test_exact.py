@@ -10,6 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from sandbox.model.level import Level, Stepping
+from sandbox.physics.joints.exact.constraints import Coordinates, Rows
 from sandbox.physics.run import build
 from sandbox.physics.state.errors import SimulationError
 from sandbox.physics.stepping.world import World
@@ -297,3 +298,31 @@ def test_joints_hold_as_well_far_from_the_origin(kind: str) -> None:
     energy = measured(world, 480, "system.energy")["system.energy"]
 
     assert np.ptp(energy) <= 2e-3
+
+
+def test_forces_where_joints_were_looked_at_last_need_no_other_look(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Unless other joints hold since: then their Jacobian is another."""
+    bodies = {"a": disc((1, 0)), "b": disc((2, 0))}
+    ends = {"one": [[0, 0], "a"], "two": ["a", "b"]}
+    rods = {name: {"type": "rod", "ends": both} for name, both in ends.items()}
+    joints = build(level(bodies, GRAVITY, joints=rods)).scene.joints.together
+    assert joints
+    pulls, place, looks = np.array([2.0, 3.0]), joints.place(), [0]
+    first, look = joints.wrenches(pulls, place), joints.look
+
+    def counted(at: Coordinates) -> Rows:
+        looks[0] += 1
+        return look(at)
+
+    monkeypatch.setattr(joints, "look", counted)
+
+    assert np.array_equal(joints.wrenches(pulls, Coordinates(place.values.copy())), first)
+    assert looks[0] == 0
+    assert first[:, 0].tolist() == [1.0, -3.0]
+
+    joints.drop("two")
+
+    assert joints.wrenches(pulls[:1], place)[:, 0].tolist() == [-2.0, 0.0]
+    assert looks[0] == 1

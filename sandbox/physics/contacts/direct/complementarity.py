@@ -201,7 +201,7 @@ class _Scaled:
 
     def _by_corners(self) -> tuple[Array, Active]:
         """Return the same by Lemke's method."""
-        least = MISSED * self._asked + self._blur.max()
+        least = MISSED * self._asked + most(self._blur)
         missed, bounds = self._missed(np.zeros_like(self._rate)), self._shares(self._slips)
         for soft in SOFT:
             rough = by_lemke(self._problem, self._delassus, self._rate, bounds, soft)
@@ -249,11 +249,11 @@ class _Scaled:
         if not len(rows):
             return impulse, False
         if not np.count_nonzero(active.slip):
-            matrix = self._delassus[rows[:, None], rows]
+            matrix = self._delassus.take(rows, axis=0).take(rows, axis=1)
             impulse[rows], repeats = solved(matrix, -self._rate[rows])
             return impulse, repeats
         gives = self._gives(active.slip)[:, rows]
-        found, repeats = solved(self._delassus[rows] @ gives, -self._rate[rows])
+        found, repeats = solved(self._delassus.take(rows, axis=0) @ gives, -self._rate.take(rows))
         return gives @ found, repeats
 
     def _shared(self, impulse: Array, active: Active) -> Array:
@@ -289,15 +289,15 @@ class _Scaled:
 
     def _bounds(self, impulse: Array, coefficients: Array) -> Array:
         """Return how large the impulses of friction may be: (f,)."""
-        by_one, by_other = coefficients * np.maximum(impulse.take(self._contact), 0.0)
-        return np.asarray(by_one + by_other)
+        bounds = coefficients * np.maximum(impulse.take(self._contact), 0.0)
+        return np.asarray(bounds[0] + bounds[1])
 
     def _holds(self, rate: Array, active: Active) -> bool:
         """Return whether rows that are to hold do, and do not contradict each other."""
         allowed: Array | float = CONTRADICTS * self._asked
         if self._lets < inf:
             allowed = np.minimum(allowed, self._lets / self._size)
-        within = np.abs(rate) <= allowed + self._blur.max()
+        within = np.abs(rate) <= allowed + most(self._blur)
         return not np.count_nonzero(active.on & ~within)
 
     def _judge(self, impulse: Array, rate: Array, active: Active) -> Active | None:
@@ -312,8 +312,8 @@ class _Scaled:
         if not len(self._row):
             return Active(on, active.slip) if np.count_nonzero(wrong) else None
         friction, row, slip = self._problem.friction, self._row, active.slip
-        by_one, by_other = on.take(self._contact) & friction.there
-        on[row] = presses = by_one | by_other
+        pressing = on.take(self._contact) & friction.there
+        on[row] = presses = pressing[0] | pressing[1]
         own = impulse.take(row)
         beyond = active.on.take(row) & (np.abs(own) > self._bounds(impulse, self._sticks) + close)
         if np.count_nonzero(slip) or np.count_nonzero(beyond):

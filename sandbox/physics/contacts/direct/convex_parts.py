@@ -17,6 +17,9 @@ from sandbox.physics.joints.exact.constraints import Coordinates
 if TYPE_CHECKING:
     from sandbox.physics.engine.batch import Booleans
 
+PLACES = 2
+"""How many are remembered: a drift is looked at from its start to its end."""
+
 Pair = tuple[int, int]
 """Two bodies, the lower number first; or a part of each."""
 
@@ -92,13 +95,15 @@ class Part(NamedTuple):
 
         By less than nothing where they overlap; a disc shows nothing.
         """
-        best, chosen = -inf, 0
+        best, chosen, corners, others = -inf, 0, self.corners, other.corners
         for side, normal in enumerate(self.normals):
-            corner, across, least = self.corners[side], normal.conjugate(), inf
-            for far in other.corners:
-                least = min(least, ((far - corner) * across).real)
-                if least <= best:
-                    break
+            corner, across, least = corners[side], normal.conjugate(), inf
+            for far in others:
+                height = ((far - corner) * across).real
+                if height < least:
+                    least = height
+                    if least <= best:
+                        break
             else:
                 best, chosen = least, side
         return best - (self.rounding + other.rounding), chosen
@@ -173,10 +178,17 @@ class Shapes:
         self.sided: Booleans = np.array(sided, dtype=bool)
         self.single: Booleans = np.array([len(own) == 1 for own in parts], dtype=bool)
         self.reach = np.array([max((p.reach for p in own), default=np.inf) for own in parts])
+        self._placed: dict[bytes, Placed] = {}  # the last ones, by where that was
 
     def at(self, place: Coordinates) -> Placed:
-        """Return them somewhere."""
-        return Placed(self._parts, place)
+        """Return them somewhere; where they were asked for last, they are placed already."""
+        where = place.values.tobytes()
+        if (known := self._placed.pop(where, None)) is None:
+            known = Placed(self._parts, place)
+        self._placed[where] = known
+        if len(self._placed) > PLACES:
+            del self._placed[next(iter(self._placed))]
+        return known
 
     def close(self, pair: Pair, there: Placed) -> Iterator[Pair]:
         """Yield the parts of two bodies that may be in each other there."""

@@ -25,9 +25,9 @@ def islands(bodies: Sequence[Integers], moves: Booleans) -> list[Integers]:
             body = owner[body]
         return body
 
-    heads = []
+    heads, movable = [], set(moves.nonzero()[0].tolist())
     for held in bodies:
-        moving = [int(body) for body in held if 0 <= body < len(moves) and moves[body]]
+        moving = [body for body in held.tolist() if body in movable]
         heads.append(moving[0] if moving else -1)
         for body in moving[1:]:
             owner[root(body)] = root(moving[0])

@@ -21,8 +21,9 @@ FEASIBLE = 1e-12
 
 
 def most(values: Array) -> float:
-    """Return the size of the largest number; 0 of none."""
-    return float(np.maximum.reduce(np.abs(values), initial=0.0))
+    """Return the size of the largest number; 0 of none, and not a number if one is none."""
+    sizes = np.abs(values)
+    return sizes.item(sizes.argmax()) if len(sizes) else 0.0
 
 
 def solved(matrix: Array, wanted: Array) -> tuple[Array, bool]:

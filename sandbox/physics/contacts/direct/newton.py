@@ -9,6 +9,7 @@ from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.complementarity import Unsolvable, solve, solve_one
 from sandbox.physics.contacts.direct.constraint_rows import Active
 from sandbox.physics.contacts.direct.kick_system import Kick
+from sandbox.physics.contacts.direct.linear_systems import most
 from sandbox.physics.contacts.direct.row_layout import Layout
 from sandbox.physics.engine.batch import Integers
 from sandbox.physics.joints.exact.constraints import MAX_ITERATIONS, QUADRATIC, Rows
@@ -65,7 +66,7 @@ def newton(
         impulse, active = solve_rows(kick, layout, there.jacobian, rate, active, impulse, lets)
         if not far and active.key == before.key:
             return impulse, motion + impulse.dot(kick.response), active
-        if rounds.vain(before, float(missed[before.on].max(initial=0.0))):
+        if rounds.vain(before, most(missed[before.on])):
             break
     raise lost(kick, int(np.where(active.on, missed, 0.0).argmax()))
 

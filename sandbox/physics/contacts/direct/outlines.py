@@ -81,19 +81,22 @@ class Figures:
         self._normals = np.full((len(figures), max(most, 1)), np.nan, dtype=complex)
         for row, figure in enumerate(figures):
             self._normals[row, : len(figure.normals)] = figure.normals
+        self._sided = np.array([len(figure.normals) > 0 for figure in figures], dtype=bool)
 
     def of(self, body: Integers) -> "Outlines":
         """Return those of two bodies each: (2, k)."""
+        radius, rounding = self.radius.take(body), self.rounding.take(body)
+        has_corners = (radius == 0) & (rounding <= SHARP)
         return Outlines(
             self,
             body,
-            np.asarray(self.radius[body] > 0),
-            self.radius[body],
-            self.rounding[body],
-            self.inner[body],
-            self._normals[body],
-            np.asarray(((self.radius[body] == 0) & (self.rounding[body] <= SHARP)).all(axis=0)),
-            not np.isnan(self._normals[body]).all(),
+            np.asarray(radius > 0),
+            radius,
+            rounding,
+            self.inner.take(body),
+            self._normals.take(body, axis=0),
+            np.asarray(has_corners[0] & has_corners[1]),
+            bool(self._sided.take(body).any()),
         )
 
 

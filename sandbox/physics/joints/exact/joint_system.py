@@ -84,6 +84,7 @@ class JointSystem:
         self._pulls_only = equations.pulls_only
         self._unilateral = bool(self._pulls_only.any())
         self.__dict__.pop("band", None)  # it was that of the equations before
+        self._last: tuple[bytes, Rows] | None = None  # the last look for wrenches, and where
         self.bodies = equations.bodies(self.place())
 
     @cached_property
@@ -155,7 +156,16 @@ class JointSystem:
 
     def wrenches(self, tension: Array, place: Coordinates) -> Array:
         """Return what forces along the rows (m,) are to the bodies somewhere: (n, 3) [N, N m]."""
-        return -(tension @ self.look(place).jacobian)[self.order]
+        return -(tension @ self._looked(place).jacobian)[self.order]
+
+    def _looked(self, place: Coordinates) -> Rows:
+        """Return what `look` does; where it was asked for last, no look is needed."""
+        if self.equations.others:  # they take note of each look
+            return self.look(place)
+        where = place.values.tobytes()
+        if self._last is None or self._last[0] != where:
+            self._last = where, self.look(place)
+        return self._last[1]
 
     def kinetic(self, motion: Array) -> float:
         """Return the kinetic energy of velocities (3 N,) [J]."""

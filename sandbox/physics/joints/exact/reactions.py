@@ -40,7 +40,8 @@ class Grip:
 
     def change(self, place: Array) -> Array:
         """Return how accelerations change from the kick, or the last impact, to a place: (n, 3)."""
-        return self._acceleration(place) - self._begun
+        begun = self._begun  # first: that is where joints were looked at last
+        return self._acceleration(place) - begun
 
     def renew(self, place: Array, velocity: Array, acceleration: Array, struck: Booleans) -> Array:
         """Return how the accelerations of those that are struck change by it: (n, 3).
