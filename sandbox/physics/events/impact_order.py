@@ -5,8 +5,8 @@ from collections.abc import Callable, Sequence
 import numpy as np
 
 from sandbox.physics.contacts.simultaneous_impacts import EQUAL, GENTLE, MANY
+from sandbox.physics.contacts.time_of_impact import Hit
 from sandbox.physics.engine.batch import Booleans
-from sandbox.physics.events.time_of_impact import Hit
 from sandbox.physics.state.errors import OFTEN, EndlessImpacts
 
 MOST = 500

@@ -62,6 +62,12 @@ class Taken(NamedTuple):
         What impacts did in it.
     stages
         Its parts, if there were impacts; else none.
+    begun
+        (3 N,), the velocities from which it goes on, after its impacts [m/s, rad/s].
+    lasts
+        How long it goes on from there [s].
+    strikes
+        Whether a corner strikes within the drift after it.
     """
 
     kick: Kick
@@ -70,9 +76,7 @@ class Taken(NamedTuple):
     active: Active
     total: Array
     impacts: Impacts
-    stages: tuple[Stage, ...] = ()
-
-    @property
-    def later(self) -> Array:
-        """(r,), the impulses after the step."""
-        return self.forces * self.stages[-1].lasts if self.stages else self.total / 2
+    stages: tuple[Stage, ...]
+    begun: Array
+    lasts: float
+    strikes: bool = False
