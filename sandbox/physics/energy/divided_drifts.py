@@ -7,7 +7,7 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.contact_work import Kick
-from sandbox.physics.engine.batch import NO_CONTACTS, Contacts
+from sandbox.physics.engine.batch import Contacts
 from sandbox.physics.state.motion import Instant, Motion
 
 if TYPE_CHECKING:
@@ -68,5 +68,3 @@ def kicks_within(
         now = kick(t + lasts / 2, lasts, place, ended)
         yield Within(now, ended - begun, pulls, jacobian, contacts)
         t, begun = t + lasts, ended
-    back = kick(t + lasts / 2, -divided.missing, divided.end, divided.begun)
-    yield Within(back, divided.begun - begun, np.zeros_like(pulls), jacobian, NO_CONTACTS)

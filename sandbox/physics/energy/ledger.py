@@ -85,7 +85,7 @@ class Ledger:
         self._pulls = pulls, pulls  # of the last kick, and of that before it
         self._slack = pulls.tension <= 0
         self._overlaps = 0.0
-        start = self._middle(-0.5 if self._back else 0.5 / self._parts(), self._velocity)
+        start = self._middle(-0.5 if self._back else 0.5 * self._first(), self._velocity)
         if self._composed:
             start = Instant.of(self._step.snapshot)
         energy = self._mechanics.kinetic(start) + sum(self._mechanics.stored_by(start).values())
@@ -129,7 +129,7 @@ class Ledger:
             self._causes.book(step, kick, ended - begun, held, contacts, None if stuck else slack)
             begun, slack = ended, slack | (tension <= 0)
         self._pulls = pulls, self._pulls[0]
-        self._velocity, self._end = after, self._middle(0.5 / self._parts(), after)
+        self._velocity, self._end = after, self._middle(0.5 * self._first(), after)
         self._seen, self._slack = seen, slack
 
     def _stages(self, after: Array, tension: Array) -> Iterable[Stage]:
@@ -221,15 +221,15 @@ class Ledger:
             return direct.divided.before[-1].velocity
         return self._scene.batch.velocity()
 
-    def _parts(self) -> int:
-        """Return in how many parts the coming drift is."""
+    def _first(self) -> float:
+        """Return the share of the coming drift that its first part is."""
         direct = self._scene.direct
-        return direct.divided.parts if direct and direct.divided else 1
+        return direct.divided.first if direct and direct.divided else 1.0
 
     def _divide(self, divided: "Divided") -> Array:
         """Book a drift in parts; return the velocities that it ended with, as a whole one: (n, 3).
 
-        It is read in the middle of its first part, and of its last one.
+        A rope that pulls in one of its kicks is caught in that, if it was slack in the one before.
         """
         last = self._pulls[0]
         for kick, change, impulses, jacobian, contacts in kicks_within(
@@ -237,8 +237,10 @@ class Ledger:
         ):
             pulls = last._replace(tension=impulses, jacobian=jacobian)
             self._causes.book(self._step, kick, change, pulls, contacts, self._slack)
-            self._slack = impulses <= 0
+            if kick.length >= 0:  # no part of a kick that is taken back
+                self._slack = (impulses <= 0) & (self._slack | (kick.length > 0))
         half = self._step.dt / 2
+        self._go_on(divided.begun, divided.lifted)
         middle = divided.end - half * divided.begun
         self._end = Instant.at(self._step.t - half, middle, divided.begun)
         return divided.begun

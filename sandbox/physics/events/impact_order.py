@@ -7,8 +7,8 @@ import numpy as np
 from sandbox.model.message import Message
 from sandbox.physics.contacts.endless_impacts import OFTEN, EndlessImpacts
 from sandbox.physics.contacts.simultaneous_impacts import EQUAL, GENTLE, MANY
+from sandbox.physics.contacts.time_of_impact import Hit
 from sandbox.physics.engine.batch import Booleans
-from sandbox.physics.events.time_of_impact import Hit
 
 MOST = 500
 """How many impacts a body may have in a step: they take 0.2 s."""

@@ -14,8 +14,8 @@ from numpy.typing import NDArray
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.kinematics import over_bodies, pair_jacobian
 from sandbox.physics.contacts.simultaneous_impacts import pushes, responses
+from sandbox.physics.contacts.time_of_impact import Hit, Path
 from sandbox.physics.engine.batch import Booleans
-from sandbox.physics.events.time_of_impact import Hit, Path
 from sandbox.physics.geometry.distance import surfaces
 from sandbox.physics.scene.scene import Scene
 from sandbox.physics.state.motion import momentum

@@ -24,10 +24,10 @@ from sandbox.physics.contacts.endless_impacts import EndlessImpacts
 from sandbox.physics.contacts.pair_coefficients import pair_coefficients
 from sandbox.physics.contacts.post_impact_velocity import impacts
 from sandbox.physics.contacts.simultaneous_impacts import PRESSED
+from sandbox.physics.contacts.time_of_impact import Hit, Path, meet, touching
 from sandbox.physics.engine.batch import Booleans, Contacts
 from sandbox.physics.events.impact_order import Tally, Turns
 from sandbox.physics.events.impact_response import Coefficients, Collided, Collision, Impact
-from sandbox.physics.events.time_of_impact import Hit, Path, meet, touching
 from sandbox.physics.geometry.distance import Outline, outlines
 from sandbox.physics.joints.exact.reactions import Grip
 from sandbox.physics.scene.scene import Scene

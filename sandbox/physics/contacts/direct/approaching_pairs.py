@@ -5,6 +5,10 @@ other since the last time. So a falling body is looked at about ten times, and a
 beside another only once.
 """
 
+from collections.abc import Iterable
+from dataclasses import replace
+from itertools import product
+
 import numpy as np
 import pymunk
 
@@ -14,7 +18,9 @@ from sandbox.physics.contacts.contact_queries import Query, pairs_of
 from sandbox.physics.contacts.direct.convex_parts import Pair, Shapes
 from sandbox.physics.contacts.direct.corner_contacts import LEAST
 from sandbox.physics.contacts.direct.row_layout import Surfaces
+from sandbox.physics.contacts.time_of_impact import Hit, Path, meet
 from sandbox.physics.engine.batch import Booleans, Contacts, Integers
+from sandbox.physics.geometry.distance import Outline, outlines
 from sandbox.physics.joints.exact.constraints import Coordinates, planes
 
 MOST = 6
@@ -48,6 +54,7 @@ class ApproachingPairs:
         may = np.triu(surfaces.lands & known[:, None] & known, 1)
         may &= moves[:, None] | moves
         self._first, self._second = np.nonzero(may)
+        self._outlines: dict[int, list[Outline]] = {}
         reach = np.where(known, shapes.reach, 0.0)
         self._weights = np.concatenate((np.ones(2 * len(reach) + 2), reach, (0.0,)))
         self._room = np.zeros(len(self._first))  # how far two are apart at the least [m]
@@ -75,6 +82,23 @@ class ApproachingPairs:
             if MOST * float((np.abs(went) + np.abs(way)).max()) < self._calm:
                 return []
         return self._search(contacts, place, way)
+
+    def meet(self, path: Path, lasts: float, pairs: Iterable[Pair]) -> list[Hit]:
+        """Return where the bodies of pairs meet on a path that is so long [s]."""
+        gives = np.stack((path.acceleration * lasts,) * 2)
+        found = (
+            meet(path, one, other, 0.0, lasts, gives)
+            for pair in pairs
+            for one, other in product(*map(self._outline, pair))
+        )
+        return [hit for hit in found if hit]
+
+    def _outline(self, body: int) -> list[Outline]:
+        """Return the outlines of a body's shapes."""
+        if body not in self._outlines:
+            own = outlines([self._bodies[body]])
+            self._outlines[body] = [replace(outline, body=body) for outline in own]
+        return self._outlines[body]
 
     def _search(self, contacts: Contacts, place: Coordinates, way: Array) -> list[Pair]:
         """Look at all pairs that may have come close."""

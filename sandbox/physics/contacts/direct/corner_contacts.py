@@ -1,4 +1,4 @@
-"""Where a corner of a convex part, or a disc, comes down on another part."""
+"""Where a corner of a convex part comes down on a side of another."""
 
 from collections.abc import Iterator
 from typing import NamedTuple
@@ -16,7 +16,7 @@ Both = tuple[Part, Part]
 
 
 class Spot(NamedTuple):
-    """Where a corner of a part, or a disc, comes down on the other part.
+    """Where a corner of a part comes down on the other part.
 
     Attributes
     ----------
@@ -36,12 +36,12 @@ class Spot(NamedTuple):
     gap: float
 
 
-def corner_on(both: Both, own: int, side: int, corner: int) -> Spot | None:
-    """Return a corner of the other part as it comes down on a side; None if it is behind it."""
+def on_side(both: Both, own: int, side: int, corner: int) -> Spot:
+    """Return a corner of the other part as it comes down on a side; behind it, its gap is < 0."""
     owner, guest = both[own], both[1 - own]
-    left, normal = owner.seen(guest, side)[corner].real, owner.normals[side]
+    normal = owner.normals[side]
     tip = guest.corners[corner] - normal * guest.rounding
-    return Spot(own, normal, tip, left) if left > 0 else None
+    return Spot(own, normal, tip, owner.seen(guest, side)[corner].real)
 
 
 def within(ended: Both) -> Iterator[tuple[int, int, int]]:
@@ -66,30 +66,6 @@ def showing(both: Both) -> tuple[int, int, float]:
     return own, side, apart
 
 
-def landing(began: Both, ended: Both, least: float) -> Iterator[Spot]:
-    """Yield where two parts that were apart come into each other, as it was before.
-
-    The side that showed them apart is the one that is met, however deep they are in the end: what
-    is less deep than the `least` [m] does not count.
-    """
-    if not (began[0].normals or began[1].normals):
-        yield from _round(began, ended, 0, 0, least)
-        return
-    own, side, apart = showing(began)
-    if apart <= 0 or showing(ended)[2] >= -least:
-        return
-    for row, chosen, corner in _behind(ended, own, side, least):
-        if spot := corner_on(began, row, chosen, corner):
-            yield spot
-    owner, guest = ended[own], ended[1 - own]
-    if not guest.normals:
-        beside = owner.seen(guest, side)[0].imag
-        if beside < -ALIKE:
-            yield from _round(began, ended, own, side, least)
-        elif beside > owner.lengths[side] + ALIKE:
-            yield from _round(began, ended, own, (side + 1) % len(owner.corners), least)
-
-
 def _behind(ended: Both, own: int, side: int, least: float) -> Iterator[tuple[int, int, int]]:
     """Yield the same as `within` of a side, and of the one that faces it."""
     for row, chosen in ((own, side), (1 - own, _facing(ended, own, side))):
@@ -105,17 +81,3 @@ def _facing(both: Both, own: int, side: int) -> int | None:
     """Return which side of the other part faces one of a part; a disc has none."""
     sides, across = both[1 - own].normals, both[own].normals[side].conjugate()
     return min(range(len(sides)), key=lambda at: (sides[at] * across).real, default=None)
-
-
-def _round(began: Both, ended: Both, own: int, corner: int, least: float) -> Iterator[Spot]:
-    """Yield where a disc comes down on a corner, or on a disc, if it does."""
-
-    def across(both: Both) -> tuple[complex, float]:
-        owner, guest = both[own], both[1 - own]
-        way = guest.corners[0] - owner.corners[corner]
-        return way, abs(way) - owner.rounding - guest.rounding
-
-    way, apart = across(began)
-    if apart > 0 and across(ended)[1] < -least:
-        normal, guest = way / abs(way), began[1 - own]
-        yield Spot(own, normal, guest.corners[0] - normal * guest.rounding, apart)

@@ -57,27 +57,22 @@ class Divided(NamedTuple):
     before
         The parts of the kick before it, which ends in the middle of the first part of the drift.
     between
-        The kicks in it.
-    missing
-        How much shorter than a whole one the kick before it is, and the one after it [s].
+        The kicks in it, and at its end what the whole kick after it gives too much, taken back.
+    first
+        In the middle of which share of it books are read.
+    end
+        (n, 3), where it ends [m, rad].
+    lifted
+        How much more energy is read in the middle of it for nothing but another acceleration [J].
     """
 
     left: Array
     begun: Array
     before: tuple[Stage, ...]
     between: tuple[Between, ...]
-    missing: float
-
-    @property
-    def parts(self) -> int:
-        """In how many parts it is."""
-        return len(self.between) + 1
-
-    @property
-    def end(self) -> Array:
-        """(n, 3), where it ends [m, rad]."""
-        place, _, stage = self.between[-1]
-        return place + stage.lasts * stage.velocity
+    first: float
+    end: Array
+    lifted: float = 0.0
 
 
 class Inner(NamedTuple):
@@ -151,12 +146,18 @@ class Through(NamedTuple):
         kick, moved = first.kick, first.moved
         forces = first.forces.dot(kick.response)
         length = kick.joints.kick - lost
+        begun = (self.inner[-1].moved - lost * self.acceleration)[order]
+        between = [one.seen(start, kick.place.values, order) for one in self.inner]
+        end, last = start + self.way[order], between[-1]
+        nothing = Stage.of(self.inner[-1].kick, -lost, begun, 0.0 * self.inner[-1].impulse)
+        back = Between(end, last.jacobian, nothing)
         return Divided(
             (moved + lost * (self.acceleration + forces))[order],
-            (self.inner[-1].moved - lost * self.acceleration)[order],
+            begun,
             first.stages or (Stage.of(kick, length, moved[order], first.total),),
-            tuple(one.seen(start, kick.place.values, order) for one in self.inner),
-            lost,
+            (*between, back),
+            1 / (len(between) + 1),
+            end,
         )
 
 

@@ -148,3 +148,8 @@ class KickBuilder:
         layout = self._layouts.anew(contacts)
         running, closes = self._surfaces.running, kick.closes + len(ahead.bodies)
         return Kick.at(kick.place, self._joints, contacts, layout, running, self._lengths, closes)
+
+    def anew(self, place: Coordinates, contacts: Contacts, lengths: tuple[Array, Array]) -> Kick:
+        """Return the system of contacts somewhere, within a drift between lengths of the joints."""
+        layout, running = self._layouts.anew(contacts), self._surfaces.running
+        return Kick.at(place, self._joints, contacts, layout, running, lengths)

@@ -8,7 +8,7 @@ from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.constraint_rows import Active
 from sandbox.physics.contacts.direct.kick_system import Kick
 from sandbox.physics.contacts.sequential_impacts import Impacts
-from sandbox.physics.engine.batch import Contacts
+from sandbox.physics.engine.batch import Booleans, Contacts
 
 
 class Stage(NamedTuple):
@@ -36,6 +36,17 @@ class Stage(NamedTuple):
         """Return what impulses, (r,), did in a part of a kick; for the others see above."""
         return cls(lasts, ended, impulse[kick.layout.joints], kick.pushing(impulse))
 
+    def among(self, bodies: Booleans, joints: Booleans) -> "Stage":
+        """Return what it gave some of the bodies, (n,), by some of what the joints keep, (m,)."""
+        both = self.contacts
+        some = bodies[both.bodies].any(axis=1)
+        contacts = both._replace(
+            normal=both.normal * some,
+            friction=both.friction * some,
+            impulse=both.impulse * some[:, None],
+        )
+        return self._replace(pulls=np.where(joints, self.pulls, 0.0), contacts=contacts)
+
     def normal(self, count: int) -> Array:
         """Return what pushed each of so many bodies, whichever way: (n,) [N s]."""
         both = self.contacts.bodies.T.ravel()
@@ -62,6 +73,12 @@ class Taken(NamedTuple):
         What impacts did in it.
     stages
         Its parts, if there were impacts; else none.
+    begun
+        (3 N,), the velocities from which it goes on, after its impacts [m/s, rad/s].
+    lasts
+        How long it goes on from there [s].
+    strikes
+        Whether a corner strikes within the drift after it.
     """
 
     kick: Kick
@@ -70,9 +87,7 @@ class Taken(NamedTuple):
     active: Active
     total: Array
     impacts: Impacts
-    stages: tuple[Stage, ...] = ()
-
-    @property
-    def later(self) -> Array:
-        """(r,), the impulses after the step."""
-        return self.forces * self.stages[-1].lasts if self.stages else self.total / 2
+    stages: tuple[Stage, ...]
+    begun: Array
+    lasts: float
+    strikes: bool = False

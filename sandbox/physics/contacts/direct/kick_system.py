@@ -8,7 +8,7 @@ import numpy as np
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.gap_functions import Features, features
 from sandbox.physics.contacts.direct.row_layout import Layout
-from sandbox.physics.engine.batch import Booleans, Contacts
+from sandbox.physics.engine.batch import NO_CONTACTS, Booleans, Contacts
 from sandbox.physics.joints.exact.constraints import PLACES, Coordinates, Rows
 from sandbox.physics.joints.exact.shake import ExactJoints
 
@@ -93,6 +93,49 @@ class Kick:
         direction = kick.here.jacobian[self.layout.gaps][pairs[:, None], columns]
         kick.contacts = contacts._replace(direction=direction)
         return kick
+
+    def strikes(self, moved: Array, laws: Array, pulls: Array) -> bool:
+        """Return whether a gap that is yet to close does so faster than what acts makes it.
+
+        Parameters
+        ----------
+        moved
+            (3 N,), the velocities after the kick [m/s, rad/s].
+        laws, pulls
+            (3 N,), what force laws give, and what joints and contacts do [m/s², rad/s²].
+        """
+        jacobian = self.here.jacobian[self.layout.gaps][self.ahead]
+        closing, *others = np.stack((moved, laws, laws + pulls)) @ jacobian.T
+        return bool((closing < -np.maximum(*np.abs(others)) * self.joints.drift).any())
+
+    def contacts_at(self, place: Coordinates) -> Contacts:
+        """Return the contacts that are still closed elsewhere, less those that are yet to close.
+
+        A corner, or what is round, takes its point along; a side stays what it is.
+        """
+        if len(self.contacts.bodies) == self.closes:
+            return NO_CONTACTS
+        there, touching = self.moved(place), self.layout.touching
+        each = np.arange(len(touching.pair))
+        guest = (self.features.side == touching.bodies[0]).astype(np.intp)
+        body, sense = touching.bodies[guest, each], 1 - 2 * guest
+        arm = self.features.points[guest, each]
+        first, last = (at.plane[body] + arm * at.turned[body] for at in (self.place, place))
+        old, new = (
+            kick.contacts.direction.view(complex).take(touching.pair) for kick in (self, there)
+        )
+        points = np.ascontiguousarray(self.contacts.points).view(complex)[..., 0].copy()
+        depths, number, origin = self.contacts.depths.copy(), touching.number, self.joints.origin
+        depth = depths.take(number)
+        tip = points.take(number) - origin + sense * old * depth / 2
+        depth -= (there.here.total - self.here.total)[self.layout.gaps]
+        tip = last + (tip - first) * (new / old)
+        points.reshape(-1)[number] = tip - sense * new * depth / 2 + origin
+        depths.reshape(-1)[number] = depth
+        moved = there.contacts._replace(
+            points=np.stack((points.real, points.imag), 2), depths=depths
+        )
+        return _shut(moved, len(moved.bodies) - self.closes)
 
     def between(self, place: Coordinates, before: Array, after: Array) -> "Kick":
         """Return the same elsewhere, before a drift between other lengths of the joints: (m,)."""
@@ -201,6 +244,17 @@ class Kick:
         return self.contacts._replace(
             normal=normal, friction=np.abs(friction), impulse=push.view(float)
         )
+
+
+def _shut(contacts: Contacts, count: int) -> Contacts:
+    """Return so many of the first contacts, with those of their points that are closed."""
+    shut = (contacts.depths > -PROUD) & (np.arange(2) < contacts.touches[:, None])
+    second = ~shut[:, 0]
+    points, depths = contacts.points.copy(), contacts.depths.copy()
+    points[second, 0], depths[second, 0] = points[second, 1], depths[second, 1]
+    left = contacts._replace(touches=shut.sum(axis=1), points=points, depths=depths)
+    stay = shut[:count].any(axis=1)
+    return Contacts._make(field[:count][stay] for field in left)
 
 
 def rows_at(place: Coordinates, joints: ExactJoints, found: Features) -> Rows:

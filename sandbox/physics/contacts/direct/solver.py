@@ -26,19 +26,18 @@ from sandbox.physics.contacts.contact_queries import Query
 from sandbox.physics.contacts.direct import impacts
 from sandbox.physics.contacts.direct.constraint_impulses import Held, hold
 from sandbox.physics.contacts.direct.constraint_rows import Active
-from sandbox.physics.contacts.direct.convex_parts import Pair
+from sandbox.physics.contacts.direct.drift_parts import Landed, Part
 from sandbox.physics.contacts.direct.drift_subdivision import Divided, through
 from sandbox.physics.contacts.direct.kick_builder import KickBuilder
 from sandbox.physics.contacts.direct.kick_parts import Stage, Taken
 from sandbox.physics.contacts.direct.kick_system import Kick
-from sandbox.physics.contacts.direct.landing_impacts import land
-from sandbox.physics.contacts.direct.landing_stages import halves, with_landing
+from sandbox.physics.contacts.direct.landing_drifts import Landings
 from sandbox.physics.contacts.direct.row_layout import Surfaces
 from sandbox.physics.contacts.direct.speculative_contacts import LOOKS, SpeculativeContacts
 from sandbox.physics.contacts.direct.warm_start import WarmStart
 from sandbox.physics.contacts.sequential_impacts import Impacts
 from sandbox.physics.engine.batch import Batch, Booleans, Contacts
-from sandbox.physics.joints.exact.constraints import order
+from sandbox.physics.joints.exact.constraints import Coordinates, order
 from sandbox.physics.joints.exact.shake import ExactJoints
 from sandbox.physics.state.errors import JointFailure, NoForces
 
@@ -108,7 +107,7 @@ class Direct:
         self.drifted: Divided | None = None
         self._given = self._calm.impulse  # (n,), by which bodies were stopped since the last kick
         self._solved: tuple[Kick, Array] | None = None  # the last kick with contacts, its impulses
-        self._later: tuple[Kick, Array] | None = None  # the kick now, its impulses after the step
+        self._taken: Taken | None = None  # the kick now, if contacts were solved in it
 
     @property
     def contacts(self) -> Contacts:
@@ -152,7 +151,7 @@ class Direct:
         self._build.find_contacts(self._moved)
         self._pushed, self._until = None, until
         self.last, self.stages = self._calm, ()
-        self._later = None
+        self._taken = None
         self.kicked, self.drifted, self.divided = None, self.divided, None
         self._build.follow(until)
         if len(self._build.contacts.bodies) or np.count_nonzero(self._joints.added):
@@ -163,12 +162,14 @@ class Direct:
             self._solve_joints(until)
         given, self._given = self._given, self._calm.impulse
         after = self.divided.left if self.divided else self._batch.velocity()
-        if not self.divided:
-            self._land(after)
+        landed = None if self.divided else self._land(until)
         self._change = (after - self._begun) * (self._dt / self._joints.kick)
         if self.last is not self._calm:
             struck = self.last.struck[:, None]
             self._change = np.where(struck, 2 * (after - self.last.velocity), self._change)
+        if landed:
+            onwards = landed.onwards * self._dt
+            self._change = np.where(landed.reached[:, None], onwards, self._change)
         if np.count_nonzero(given):
             self.last = self.last._replace(impulse=given)
 
@@ -227,21 +228,41 @@ class Direct:
                 raise
             self._divide(kick, rates)
             return
-        for _ in range(LOOKS):
-            ahead = self._speculative.look(taken.kick, taken.moved, ())
-            if ahead is None:
-                break
-            try:
-                taken = self._take(self._build.with_ahead(taken.kick, ahead), rates)
-            except (JointFailure, NoForces):
-                break  # found where the drift ends it is in the way no longer
+        taken = self._closed(taken, rates)
         leaning = taken.kick.leaning(taken.moved, taken.forces)
         if leaning is not None:
             taken = self._take(leaning, rates)
-        self.last, self.stages, self._later = taken.impacts, taken.stages, (taken.kick, taken.later)
+        self.last, self.stages, self._taken = taken.impacts, taken.stages, taken
         self._batch.set_velocity(taken.moved[self._order])
         self._known.note(taken.kick, taken.forces, taken.active)
         self._report(taken.kick, taken.total, taken.active)
+
+    def _closed(self, taken: Taken, rates: Array) -> Taken:
+        """Return a kick after which corners that come down gently close, and go no further.
+
+        Those that come down faster than what acts makes them are located in the drift: see `_land`.
+        """
+        for _ in range(LOOKS):
+            corners = self._speculative.corners(taken.kick, taken.moved)
+            if not corners:
+                return taken._replace(strikes=False)
+            origin = self._joints.origin
+            ahead = self._speculative.contacts(corners, taken.kick.place, origin)
+            kick = self._build.with_ahead(taken.kick, ahead)
+            pulls = taken.forces @ taken.kick.response
+            if self._locates and kick.strikes(taken.moved, rates[1], pulls):
+                return taken._replace(strikes=True)
+            try:
+                taken = self._take(kick, rates)
+            except (JointFailure, NoForces):
+                break  # found where the drift ends it is in the way no longer
+        return taken
+
+    @property
+    def _locates(self) -> bool:
+        """Whether landings are located in the drift after this kick: it is a whole one."""
+        joints, lands = self._joints, bool(self._surfaces.lands.any())
+        return lands and not self._starts and joints.kick == joints.drift == self._dt
 
     def _divides(self, kick: Kick) -> bool:
         """Whether a drift can be taken in parts: nothing drives bodies, and it is a whole one."""
@@ -260,40 +281,39 @@ class Direct:
         self._known.note(first.kick, first.forces, first.active)
         self._report(first.kick, found.whole, first.active)
 
-    def _land(self, velocity: Array) -> None:
-        """Let come down what does within the drift after a kick; (n, 3), the velocities then."""
-        drift = self._joints.drift
-        if self._starts:
-            return
+    def _land(self, until: float) -> Landed | None:
+        """Let come down what does within the drift after a kick, which ends at a time [s]."""
+        if not self._locates:
+            return None
         place, motion = self._joints.coordinates()
+        way = self._dt * motion.values
+        strikes = self._taken is not None and self._taken.strikes
+        if not (strikes or self._speculative.approaching.near(self._build.contacts, place, way)):
+            return None
+        whole, (laws,) = self._whole(place, motion.values), self._spread(self._acceleration)
+        landings = Landings(self._speculative, self._build, laws, until, driven=self._driven())
+        parts = landings.follow(whole)
+        if len(parts) == 1:
+            return None
+        last, start = parts[-1], self._batch.state()[:, :3]
+        landed = Landed.of(whole, parts, laws, landings.reached, landings.pushed, start)
+        self.divided, self._given = landed.divided, landed.pushed
+        self.kicked = landed.divided.left
+        ways = (landed.divided.end - start) / self._dt
+        self._batch.set_velocity(np.where(landed.reached[:, None], ways, self.kicked))
+        self._known.note(last.kick, last.forces, last.active)
+        return landed
 
-        def near(moved: Array) -> list[Pair]:
-            return self._speculative.approaching.near(self._build.contacts, place, drift * moved)
-
-        pairs = near(motion.values)
-        if not pairs:
-            return
-        kick, later = self._later or (
-            self._build.at(place),
-            self._joints.tension * self._joints.kick / 2,
-        )
-        landed = land(
-            self._speculative,
-            kick,
-            motion.values,
-            pairs,
-            near,
-            self._build.with_ahead,
-            driven=self._driven(),
-        )
-        if landed is None:
-            return
-        after = landed.moved[self._order]
-        stages = self.stages or halves(kick, later * 2, self._begun, velocity)
-        self.stages = with_landing(stages, kick, later, landed, self._order)
-        self.kicked = velocity
-        self._given = Stage.of(landed.kick, 0.0, after, landed.impulse).normal(len(velocity))
-        self._batch.set_velocity(after)
+    def _whole(self, place: Coordinates, moved: Array) -> Part:
+        """Return the drift after a kick as one part: from a place with velocities, (3 N,)."""
+        dt, joints = self._dt, self._joints
+        if taken := self._taken:
+            forces, before = taken.forces, taken.stages[:-1]
+            known = taken.begun, taken.lasts, forces, taken.active
+            return Part(taken.kick, dt, dt, *known, moved, before)
+        begun, active = self._spread(self._begun)[0], joints.expected()[1]
+        held = Active(active, np.zeros(0, dtype=np.intp))
+        return Part(self._build.at(place), dt, dt, begun, dt, joints.tension, held, moved)
 
     def _take(self, kick: Kick, rates: Array, *, placed: bool = False) -> Taken:
         """Return what becomes of a kick.
@@ -327,7 +347,9 @@ class Direct:
         impulse, moved, active = self._hold(kick, begun + acceleration * rest, rest, placed)
         if stages:
             stages = *stages, Stage.of(kick, rest, moved[self._order], impulse)
-        return Taken(kick, moved, impulse / rest, active, total + impulse, record, stages)
+        return Taken(
+            kick, moved, impulse / rest, active, total + impulse, record, stages, begun, rest
+        )
 
     def _spread(self, *rates: Array) -> Array:
         """Return s rates (n, 3) as rows have coordinates: (s, 3 N)."""

@@ -138,6 +138,16 @@ class WarmStart:
         return [(g, old[key]) for g, key in enumerate(_keys(kick.layout.touching)) if key in old]
 
 
+def recalled(old: Kick, forces: Array, active: Active, new: Kick) -> tuple[Array, Active]:
+    """Return the forces of a kick, (r,) [N], and what held in it, for one with more or fewer rows.
+
+    What is new does not push yet.
+    """
+    known = WarmStart()
+    known.note(old, forces, active)
+    return known.guess(new, np.zeros(new.response.shape[1]), 1.0)
+
+
 def _keys(touching: Touching) -> list[tuple[int, int, int]]:
     """Return by what the gaps are known again in the next step."""
     seen: dict[tuple[int, int], int] = {}

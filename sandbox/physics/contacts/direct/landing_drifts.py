@@ -1,0 +1,292 @@
+"""Drifts in which bodies land: every landing is located, and is an impact at its own time.
+
+Between two kicks leapfrog stands for a motion with the accelerations of the last kick: a parabola.
+Where bodies meet on it, the drift is cut. The kick before it is solved again for a drift that ends
+there. Then comes an impact without rebound, all at once with the joints and contacts that take part
+in it, and then another drift, in which what has met touches. Thus nothing is stopped before it has
+come down, or lifted out of what it has come down on. A corner that comes down beside another that
+touches already lands in the same way, if it does so faster than what acts in a step makes it.
+
+What has nothing to do with a landing goes on as it did.
+"""
+
+from collections.abc import Sequence
+from dataclasses import replace
+from functools import partial
+from math import inf
+from typing import NamedTuple
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+from sandbox.physics.contacts.direct import impacts
+from sandbox.physics.contacts.direct.constraint_impulses import hold
+from sandbox.physics.contacts.direct.constraint_rows import Active
+from sandbox.physics.contacts.direct.convex_parts import Pair
+from sandbox.physics.contacts.direct.drift_parts import Part, concerned
+from sandbox.physics.contacts.direct.kick_builder import KickBuilder
+from sandbox.physics.contacts.direct.kick_parts import Stage
+from sandbox.physics.contacts.direct.kick_system import Kick
+from sandbox.physics.contacts.direct.speculative_contacts import (
+    LOOKS,
+    Corner,
+    SpeculativeContacts,
+)
+from sandbox.physics.contacts.direct.warm_start import recalled
+from sandbox.physics.contacts.time_of_impact import TOUCH, Hit, Path
+from sandbox.physics.engine.batch import Booleans
+from sandbox.physics.geometry.roots import root
+from sandbox.physics.joints.exact.constraints import Coordinates, order
+from sandbox.physics.state.errors import JointFailure, NoForces
+
+MOST = 8
+"""Landings of one drift that are located, at the most: what lands later is met where it ends."""
+
+SOON = 1e-6
+"""The share of a drift at its start through which nothing is solved, and at its end in which
+nothing lands: it waits for the next one."""
+
+TOGETHER = 1e-9
+"""The share of a drift within which landings are one, and to which their time is found."""
+
+REFINED = 6
+"""How often the time of a landing is refined, as joints bend the parabola that leads there."""
+
+
+class Met(NamedTuple):
+    """What meets first in a drift.
+
+    Attributes
+    ----------
+    time
+        How long after its start [s].
+    hits
+        Bodies that did not touch.
+    corners
+        Corners of those that do.
+    """
+
+    time: float
+    hits: Sequence[Hit]
+    corners: Sequence[Corner]
+
+    @property
+    def pairs(self) -> list[Pair]:
+        """The bodies that did not touch."""
+        return sorted({hit.bodies for hit in self.hits})
+
+
+class Landings:
+    """Cuts a drift where bodies land in it; N bodies with the plane.
+
+    Parameters
+    ----------
+    speculative
+        Knows what meets.
+    build
+        Builds the rows of contacts and joints.
+    laws
+        (3 N,), the accelerations by gravity and force laws [m/s², rad/s²].
+    until
+        The time at the end of the drift [s].
+    driven
+        Whether surfaces that run, or kinematic bodies, may give energy.
+
+    Attributes
+    ----------
+    reached
+        (n,), which bodies have to do with landings.
+    pushed
+        (n,), the sizes of their impulses on each body, added up [N s].
+    """
+
+    def __init__(
+        self,
+        speculative: SpeculativeContacts,
+        build: KickBuilder,
+        laws: Array,
+        until: float,
+        *,
+        driven: bool,
+    ) -> None:
+        self._speculative, self._build = speculative, build
+        self._laws, self._until, self._driven = laws, until, driven
+        count = len(laws) // 3 - 1
+        self._order = order(count)
+        self.reached: Booleans = np.zeros(count, dtype=bool)
+        self.pushed: Array = np.zeros(count)
+
+    def follow(self, whole: Part) -> list[Part]:
+        """Return the parts of the drift after a kick: the same one, if nothing lands."""
+        parts = [whole]
+        try:
+            while len(parts) <= MOST and (found := self._cut(parts[-1])):
+                parts[-1:] = found
+        finally:
+            whole.kick.joints.time(whole.drift, whole.drift)
+        return parts
+
+    def _cut(self, part: Part) -> tuple[Part, Part] | None:
+        """Return a part up to its first landing, and the part after that; None if none comes."""
+        kick, known = part.kick, self.reached
+        kick.joints.time(part.drift, part.drift)
+        approaching = self._speculative.approaching
+        near = approaching.near(kick.contacts, kick.place, part.drift * part.moved)
+        corners = self._speculative.corners(kick, part.moved)
+        met = self._meet(part, part.drift, near, corners) if near or corners else None
+        if met is None:
+            return None
+        pairs = [*met.pairs, *(corner.pair for corner in met.corners)]
+        self.reached = known | self._around(kick, pairs)
+        try:
+            shorter, met = self._until_it_meets(part, met)
+            return shorter, self._land(shorter, part.drift - shorter.drift, met)
+        except (JointFailure, NoForces):
+            self.reached = known  # it is found where the drift ends
+            return None
+
+    def _until_it_meets(self, part: Part, met: Met) -> tuple[Part, Met]:
+        """Return a part that ends with a landing, whose time was found for the whole of it."""
+        shorter = part
+        for _ in range(REFINED):
+            shorter = self._shortened(part, met.time)
+            again = self._meet(shorter, part.drift, met.pairs, met.corners)
+            if again is None or abs(again.time - met.time) <= TOGETHER * part.drift:
+                break
+            met = again
+        return shorter, met
+
+    def _meet(
+        self, part: Part, longest: float, pairs: Sequence[Pair], corners: Sequence[Corner]
+    ) -> Met | None:
+        """Return what meets first on the parabolas of a part, taken to be so long [s]."""
+        total = self._laws + part.pulls
+        begun, place = part.moved - total * (part.drift / 2), part.kick.place.values
+
+        def height(corner: Corner, t: float) -> float:
+            there = Coordinates(place + t * (begun + total * (t / 2)))
+            return self._speculative.height(corner, there) - TOUCH
+
+        path = Path(place[self._order], begun[self._order], total[self._order])
+        hits = self._speculative.approaching.meet(path, longest, pairs)
+        times = [root(partial(height, corner), longest) for corner in corners]
+        first = min((*(hit.time for hit in hits), *times), default=inf)
+        if first > longest * (1 - SOON):
+            return None
+        last = first + TOGETHER * longest
+        down = [corner for corner, time in zip(corners, times, strict=True) if time <= last]
+        return Met(first, [hit for hit in hits if hit.time <= last], down)
+
+    def _around(self, kick: Kick, pairs: Sequence[Pair]) -> Booleans:
+        """Return which bodies hang together with those of some pairs: (n,)."""
+        reached = np.zeros(len(self.reached), dtype=bool)
+        reached[[body for pair in pairs for body in pair]] = True
+        reached &= kick.joints.inverse[self._order].any(axis=1)
+        for rows, _, _ in kick.layout.islands:
+            bodies = (kick.response[rows][:, self._order] != 0).any(axis=(0, 2))
+            if (bodies & reached).any():
+                reached |= bodies
+        return reached
+
+    def _shortened(self, part: Part, drift: float) -> Part:
+        """Return the same part with a shorter drift [s]."""
+        lasts = part.lasts - (part.drift - drift) / 2
+        if drift >= SOON * part.drift:
+            return self._solved(part, drift, lasts)
+        moved = part.begun + lasts * (self._laws + part.pulls)
+        return part._replace(drift=drift, lasts=lasts, moved=moved)
+
+    def _land(self, shorter: Part, left: float, met: Met) -> Part:
+        """Return the part after a landing, which is so long [s]."""
+        place, joints = shorter.end, shorter.kick.joints
+        down = self._speculative.contacts(met.corners, place, joints.origin, met.hits)
+        joints.time(left, left)
+        lengths = joints.lengths(self._until - left), joints.lengths(self._until)
+        kick = self._build.anew(place, shorter.kick.contacts_at(place).and_(down), lengths)
+        forces, active = recalled(shorter.kick, shorter.forces, shorter.active, kick)
+        self.reached = self.reached | self._around(kick, down.bodies.tolist())
+        part = shorter._replace(kick=kick, forces=forces, active=active)
+        struck = kick.layout.touching.pair >= len(kick.contacts.bodies) - len(down.bodies)
+        begun, stages = self._struck(part, struck)
+        after = part._replace(left=left, drift=left, begun=begun, before=stages, moved=begun)
+        return self.closed(self._solved(after, left, left / 2))
+
+    def _struck(self, part: Part, struck: Booleans) -> tuple[Array, tuple[Stage, ...]]:
+        """Return the velocities after the impact at the end of a part, and its stages.
+
+        Its kick is that there, of whose gaps some are struck, (k,).
+        """
+        mine, others, drive = self._others(part)
+        some = replace(part.kick, layout=part.kick.layout.around(mine))
+        half = part.drift / 2
+        came, to_it = impacts.come(some, part.moved + half * drive, struck)
+        begun, pushes = impacts.bounce(some, came, struck)
+        stages = (
+            Stage.of(part.kick, half, came[self._order], to_it + half * others),
+            Stage.of(part.kick, 0.0, begun[self._order], pushes),
+        )
+        self.pushed = self.pushed + stages[1].normal(len(self.pushed))
+        return begun, stages
+
+    def _others(self, part: Part) -> tuple[Booleans, Array, Array]:
+        """Return which rows have to do with what is reached, the forces of the others, (r,) each.
+
+        And the accelerations by these and by laws: (3 N,).
+        """
+        mine = concerned(part.kick, self.reached)
+        others = np.where(mine, 0.0, part.forces)
+        return mine, others, self._laws + others @ part.kick.response
+
+    def _solved(self, part: Part, drift: float, lasts: float) -> Part:
+        """Return a part that is so long after a kick that lasts so long [s]."""
+        joints, start = part.kick.joints, self._until - part.left
+        joints.time(drift, drift)
+        kick = part.kick.between(
+            part.kick.place, joints.lengths(start), joints.lengths(start + drift)
+        )
+        mine, _, drive = self._others(part)
+        motion = part.begun + lasts * drive
+        part = part._replace(kick=kick, drift=drift, lasts=lasts, moved=motion)
+        if not mine.any():
+            return part
+        slips = mine[kick.layout.slips]
+        some = replace(kick, layout=kick.layout.around(mine))
+        guess = Active(part.active.on & mine, np.where(slips, part.active.slip, 0))
+        impulse, moved, held = hold(
+            some, motion, (np.where(mine, part.forces * lasts, 0.0), guess), driven=self._driven
+        )
+        leaning = some.leaning(moved, impulse)
+        if leaning is not None:
+            impulse, moved, held = hold(leaning, motion, (impulse, held), driven=self._driven)
+            kick = replace(leaning, layout=kick.layout)
+        return part._replace(
+            kick=kick,
+            forces=np.where(mine, impulse / lasts, part.forces),
+            active=Active(
+                np.where(mine, held.on, part.active.on),
+                np.where(slips, held.slip, part.active.slip),
+            ),
+            moved=moved,
+        )
+
+    def closed(self, part: Part) -> Part:
+        """Return a part in which corners that come down gently close their gaps, and go no further.
+
+        Those that come down faster than what acts makes them are left to be located.
+        """
+        for _ in range(LOOKS):
+            corners = self._speculative.corners(part.kick, part.moved)
+            if not corners:
+                break
+            ahead = self._speculative.contacts(corners, part.kick.place, part.kick.joints.origin)
+            kick = self._build.with_ahead(part.kick, ahead)
+            if kick.strikes(part.moved, self._laws, part.pulls):
+                break
+            kick.before, kick.after = part.kick.before, part.kick.after
+            forces, active = recalled(part.kick, part.forces, part.active, kick)
+            more = part._replace(kick=kick, forces=forces, active=active)
+            try:
+                part = self._solved(more, part.drift, part.lasts)
+            except (JointFailure, NoForces):
+                break
+        return part
