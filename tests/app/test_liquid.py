@@ -14,8 +14,8 @@ def test_it_fills_the_stage_below_its_surface_and_veils_what_is_within(person: P
         pixel = person.on_screen((x, y))
         return tuple(person.window.surface.get_at((round(pixel[0]), round(pixel[1]))))[:3]
 
-    assert color(2.03, -0.53) == theme.mix(theme.STAGE, theme.ACCENT, 0.14)
-    assert color(2.03, 0.53) == theme.STAGE
+    assert color(1.03, -0.53) == theme.mix(theme.STAGE, theme.ACCENT, 0.14)
+    assert color(1.03, 0.53) == theme.STAGE
     assert color(0.3, -0.2) != color(0.3, 0.5)  # of the block
 
 

@@ -10,7 +10,7 @@ import pymunk
 from numpy.typing import NDArray
 from pymunk.batch import ArbiterFields
 
-from sandbox.physics.engine.private_handles import ArbiterTable
+from sandbox.physics.engine.contact_handles import ArbiterTable
 
 _FIELDS = (
     ArbiterFields.BODY_A_ID

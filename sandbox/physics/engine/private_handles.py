@@ -2,10 +2,10 @@
 
 `pymunk.batch` reads or writes all bodies in one call of C, but makes the arguments of that call
 anew each time: 0.9 of the 1.1 µs that it takes to read two bodies, and 1.4 of the 1.6 to write
-them; of the 4.6 µs for three pairs in contact 3.7. A `pymunk.Body` takes 0.5 µs to tell its place,
-of which 0.3 make a vector of it. A whole step with a string or a force law takes few µs and has
-from two to eight such calls. Here the arguments are made once; no public way is as fast, and
-nothing else in the sandbox looks behind pymunk.
+them. A `pymunk.Body` takes 0.5 µs to tell its place, of which 0.3 make a vector of it. A whole step
+with a string or a force law takes few µs and has from two to eight such calls. Here the arguments
+are made once; no public way is as fast. Nothing but this and `contact_handles.py` looks behind
+pymunk.
 """
 
 from collections.abc import Callable
@@ -15,13 +15,12 @@ from struct import Struct
 import numpy as np
 import pymunk
 from pymunk._chipmunk_cffi import ffi, lib
-from pymunk.batch import ArbiterFields, BodyFields, Buffer
+from pymunk.batch import BodyFields
 
 from sandbox.model.expressions import Array
 
 _READ = ffi.addressof(lib, "pmSpaceBodyGetIteratorFuncBatched")
 _WRITE = ffi.addressof(lib, "pmSpaceBodySetIteratorFuncBatched")
-_PAIRS = ffi.addressof(lib, "pmSpaceArbiterIteratorFuncBatched")
 _PAIR = Struct("4d")
 
 
@@ -80,25 +79,6 @@ class Table:
         """Give the space what is here."""
         self._memory.floats.num = 0
         lib.cpSpaceEachBody(self._space, _WRITE, self._memory.call)
-
-
-class ArbiterTable:
-    """Some fields of all pairs of shapes that pymunk remembers as in contact."""
-
-    def __init__(self, space: pymunk.Space, fields: ArbiterFields) -> None:
-        self._buffer = Buffer()  # its arrays grow as pairs come
-        self._floats, self._integers = self._buffer._float_arr, self._buffer._int_arr  # noqa: SLF001
-        arrays = {"floatArray": self._floats, "intArray": self._integers}
-        self._call = ffi.new("pmBatchedData *", {"fields": fields.value, **arrays})
-        self._space = space._space  # noqa: SLF001
-
-    def read(self) -> tuple[bytes, bytes]:
-        """Return what the space has: whole numbers, and floats."""
-        floats, integers = self._floats, self._integers
-        floats.num = integers.num = 0
-        lib.cpSpaceEachCachedArbiter(self._space, _PAIRS, self._call)
-        whole, rest = (ffi.buffer(held.arr, 8 * held.num) for held in (integers, floats))
-        return bytes(whole), bytes(rest)
 
 
 class Pair:

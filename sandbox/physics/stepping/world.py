@@ -88,11 +88,9 @@ class World:
     @property
     def impacts(self) -> list[tuple[Pair, float]]:
         """Who hit whom between the last two steps, and when [s], where that is located."""
-        if not self._stages.impacts:
-            return []
-        names, before = list(self.scene.bodies), self.kicks.clock.after(-1)
-        located = self._stages.impacts()
-        return [(frozenset(names[b] for b in i.bodies), before + i.time) for i in located]
+        located = self._stages.impacts() if self._stages.impacts else []
+        names, t = list(self.scene.bodies), self.kicks.clock.after(-1)
+        return [(frozenset(names[b] for b in i.bodies), t + i.time) for i in located]
 
     @property
     def hooks(self) -> int:
@@ -137,9 +135,9 @@ class World:
             with np.errstate(all="ignore"):  # what is not finite is told by name
                 for _ in range(steps - 1):
                     self.step()
-                begun = self._observer.velocity(self._seen)
+                before = self._observer.velocity(self._seen)
                 self.step()
-                self._observe(begun)
+                self._observe(before)
         except Exception as error:  # noqa: BLE001 (as above)
             self._stop(error)
         return self._seen.snapshot
@@ -165,9 +163,8 @@ class World:
         stages = self._stages
         try:
             self._seen = seen = self._observer.observe(stages.begun() if stages.begun else begun)
-            cut = bool(stages.impacts and stages.impacts())
-            touched, disturbed = seen.contacts, self.disturbed
-            self._watch.look(seen.snapshot, touched, seen.begun, disturbed=disturbed, cut=cut)
+            cut, disturbed = bool(stages.impacts and stages.impacts()), self.disturbed
+            self._watch.look(seen.snapshot, seen.contacts, seen.begun, disturbed=disturbed, cut=cut)
         except Exception:
             self._seen = self._seen._replace(snapshot=self._watch.good)
             raise
@@ -177,9 +174,8 @@ class World:
         from sandbox.physics.stepping.failures import explained
 
         self._ended = explained(error, list(self.scene.bodies), self.t, self.stepping.rate)
-        if self._ended is error:
-            raise error
-        raise self._ended from error
+        cause = error.__cause__ if self._ended is error else error
+        raise self._ended from cause
 
     def recall(self, snapshot: Snapshot) -> None:
         """Show a state that was observed before; a world that does takes no step any more."""

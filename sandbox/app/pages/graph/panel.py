@@ -197,7 +197,7 @@ class GraphPage:
         try:
             session.go_to(min(round(t / session.world.dt), session.run.farthest.steps()))
         except SandboxError as error:
-            return str(error)
+            return say(error.message)
         return ""
 
     def wheel(self, notches: float, pixel: tuple[int, int]) -> bool:

@@ -39,7 +39,7 @@ class Stage(NamedTuple):
     def among(self, bodies: Booleans, joints: Booleans) -> "Stage":
         """Return what it gave some of the bodies, (n,), by some of what the joints keep, (m,)."""
         both = self.contacts
-        some = bodies[both.bodies].any(axis=1)
+        some = np.any(bodies[both.bodies], axis=1)
         contacts = both._replace(
             normal=both.normal * some,
             friction=both.friction * some,
