@@ -121,7 +121,8 @@ class Ledger:
         moment = Kick(t, step.dt, seen, step.snapshot.position, before, self._mechanics.inertia(t))
         self._carry(t, before, after)
         pulls = pulls_of(self._scene.joints, len(self._scene.inertia))
-        begun, slack = before, pulls.slack_before(*self._pulls)
+        slack = self._slack if step.divided else pulls.slack_before(*self._pulls)
+        begun = before
         stuck = not step.acted and bool(pulls.new(self._pulls[0]).any())
         for lasts, ended, tension, contacts in self._stages(after, pulls.tension):
             kick = moment._replace(length=lasts, mean=(begun + ended) / 2)

@@ -45,7 +45,7 @@ def test_the_run_stands_at_its_start_while_building_and_comes_back_there(mine: B
 
 def test_the_run_is_that_of_what_was_built(mine: Builder) -> None:
     mine.key(pygame.K_2, "2")
-    mine.drag((3, 2), (3.5, 2))
+    mine.drag((1.5, 2), (2, 2))
     mine.key(pygame.K_SPACE, " ")
     mine.person.wait(0.2)
 
@@ -132,7 +132,7 @@ def test_a_new_level_is_saved_under_the_name_that_is_typed(mine: Builder, tmp_pa
 
 def test_another_level_and_back_loses_nothing(mine: Builder) -> None:
     mine.key(pygame.K_2, "2")
-    mine.drag((3, 2), (3.5, 2))
+    mine.drag((1.5, 2), (2, 2))
     path, text = file_of(mine), mine.editor.work.draft.text
     mine.person.window.open_level("newton/incline")
     mine.person.wait(0.1)
@@ -145,7 +145,7 @@ def test_another_level_and_back_loses_nothing(mine: Builder) -> None:
 
 def test_what_was_not_saved_is_offered_to_the_next_window(mine: Builder) -> None:
     mine.key(pygame.K_2, "2")
-    mine.drag((3, 2), (3.5, 2))
+    mine.drag((1.5, 2), (2, 2))
     mine.person.wait(OFTEN + 0.1)
     text = mine.editor.work.draft.text
     recovery._OPEN.clear()  # as if the process had ended
@@ -166,7 +166,7 @@ def test_a_file_that_was_changed_outside_is_told_and_not_written_over(mine: Buil
     outside = path.read_text(encoding="utf-8").replace("Atwood machine", "Changed outside")
     path.write_text(outside, encoding="utf-8")
     mine.key(pygame.K_2, "2")
-    mine.drag((3, 2), (3.5, 2))
+    mine.drag((1.5, 2), (2, 2))
     mine.person.wait(OFTEN + 0.1)
     mine.control("s")
     assert path.read_text(encoding="utf-8") == outside

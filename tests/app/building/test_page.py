@@ -36,7 +36,7 @@ def test_what_was_typed_into_a_field_that_is_left_is_taken(builder: Builder) -> 
     builder.click(builder.page.inspector.field("bodies", "left", "angle").rect)
     pygame.event.post(pygame.Event(pygame.TEXTINPUT, text="1"))
     builder.person.wait(0.1)
-    builder.at(3, 3)
+    builder.at(1.5, 3)
 
     assert builder.document["bodies"]["left"]["angle"] == 1
     assert not builder.editor.work.selected
@@ -64,6 +64,18 @@ def test_escape_takes_back_what_was_refused(builder: Builder) -> None:
 
 def test_each_choice_has_a_button_and_what_cannot_be_is_told_beside_it(builder: Builder) -> None:
     builder.at(-0.6, 0)
+    lines = builder.page.inspector._lines["bodies", "left", "one_way"]
+    left = next(button for button, means in lines.choices.items() if means == "left")
+    builder.reach(left)
+    builder.click(left.rect)
+    builder.person.wait(0.1)
+
+    assert "only a line" in builder.page._refused["bodies", "left", "one_way"]
+    assert "one_way" not in builder.document["bodies"]["left"]
+
+
+def test_a_body_that_is_made_static_loses_its_mass(builder: Builder) -> None:
+    builder.at(-0.6, 0)
     lines = builder.page.inspector._lines["bodies", "left", "type"]
     static = next(button for button, means in lines.choices.items() if means == "static")
     dynamic = next(button for button, means in lines.choices.items() if means == "dynamic")
@@ -71,8 +83,9 @@ def test_each_choice_has_a_button_and_what_cannot_be_is_told_beside_it(builder: 
     builder.click(static.rect)
     builder.person.wait(0.1)
 
-    assert builder.page._refused["bodies", "left", "type"] == "a static body has no mass"
-    assert "type" not in builder.document["bodies"]["left"]
+    assert builder.page._refused == {}
+    assert builder.document["bodies"]["left"]["type"] == "static"
+    assert "mass" not in builder.document["bodies"]["left"]
 
 
 def test_the_joint_in_hand_is_lit(builder: Builder) -> None:

@@ -9,13 +9,14 @@ import numpy as np
 import pytest
 
 from sandbox.model.expressions import Values
-from sandbox.model.level import Level
+from sandbox.model.level import Level, Stepping
 from sandbox.physics.accuracy import cache
 from sandbox.physics.accuracy.cache import calibrated
 from sandbox.physics.accuracy.calibration import Setting, calibrate
 from sandbox.physics.accuracy.errors import Cancelled
-from sandbox.physics.run import build
+from sandbox.physics.run import build, simulate
 from tests.physics.accuracy.test_calibration import delivered, oscillator
+from tests.physics.scenes import orbit
 
 
 @pytest.fixture
@@ -194,3 +195,17 @@ def test_a_level_may_ask_for_its_accuracy(counted: list[float]) -> None:
     assert len(counted) == 1
     assert np.isfinite(world.advance(10).position).all()
     assert delivered(scene, world.stepping) <= 1e-5
+
+
+@pytest.mark.sweep
+@pytest.mark.parametrize("accuracy", [1e-7, 1e-8])
+def test_a_longer_run_is_judged_for_as_long_as_it_lasts(
+    counted: list[float], accuracy: float
+) -> None:
+    """Four times as long, an orbit that comes round early is four times as wrong."""
+    scene, asked = orbit(0.8), Stepping(accuracy=accuracy)
+    short = simulate(scene, record=["planet.position.x"], stepping=asked)
+    long = simulate(scene, duration=40, record=["planet.position.x"], stepping=asked)
+
+    assert long.stepping.rate > short.stepping.rate
+    assert len(counted) == 2

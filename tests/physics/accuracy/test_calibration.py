@@ -222,20 +222,6 @@ def test_what_is_recorded_is_judged_as_well() -> None:
         calibrate(scene, target=1e-5, also=["bob.charm"])
 
 
-@pytest.mark.sweep
-@pytest.mark.parametrize("accuracy", [1e-7, 1e-8])
-def test_a_longer_run_is_judged_for_as_long_as_it_lasts(
-    counted: list[float], accuracy: float
-) -> None:
-    """Four times as long, an orbit that comes round early is four times as wrong."""
-    scene, asked = orbit(0.8), Stepping(accuracy=accuracy)
-    short = simulate(scene, record=["planet.position.x"], stepping=asked)
-    long = simulate(scene, duration=40, record=["planet.position.x"], stepping=asked)
-
-    assert long.stepping.rate > short.stepping.rate
-    assert len(counted) == 2
-
-
 def test_a_touch_that_comes_at_once_is_not_chaos() -> None:
     """A ball that slides and then rolls feels a nudge towards the floor at once, but only once."""
     found = catalog_level("rotation/slide-to-roll")
