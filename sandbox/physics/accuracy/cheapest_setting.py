@@ -208,7 +208,9 @@ def _may_pile(level: Level) -> bool:
     What bounces off several others at once parts in another way there, and a single body that
     rests on what does not move needs no more than some sweeps.
     """
-    if is_direct(level) or not may_be_direct(level) or level.effects.restitution:
+    if is_direct(level) or not may_be_direct(level):
+        return False
+    if level.effects.restitution or level.effects.sticking:
         return False
     return sum(body.type == "dynamic" for body in level.bodies.values()) > 1
 
