@@ -261,14 +261,17 @@ class Direct:
     @property
     def _locates(self) -> bool:
         """Whether landings are located in the drift after this kick: it is a whole one."""
-        joints, lands = self._joints, bool(self._surfaces.lands.any())
-        return lands and not self._starts and joints.kick == joints.drift == self._dt
+        return self._is_whole and bool(self._surfaces.lands.any())
 
     def _divides(self, kick: Kick) -> bool:
         """Whether a drift can be taken in parts: nothing drives bodies, and it is a whole one."""
+        return self._is_whole and not (self._driven() or np.count_nonzero(kick.joint_rates()))
+
+    @property
+    def _is_whole(self) -> bool:
+        """Whether this kick and the drift after it are as long as a step."""
         joints = self._joints
-        whole = not self._starts and joints.kick == joints.drift == self._dt
-        return whole and not (self._driven() or np.count_nonzero(kick.joint_rates()))
+        return not self._starts and joints.kick == joints.drift == self._dt
 
     def _divide(self, kick: Kick, rates: Array) -> None:
         """Take the drift after a kick in parts."""
