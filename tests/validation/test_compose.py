@@ -417,6 +417,11 @@ MENDED = {
     1928214541: "a slack rope pulled with 6e-16 N, and when it was caught that was no jerk",
     4060324513: "joints alone went on from the mean velocity of a drift in four parts",
     3743251257: "a drift in two parts was booked as a whole one, in which a body turned by a third",
+    1519421136: "what went straight on while others landed was booked as pushed where it touched",
+    2886763452: "what went straight on while others landed was booked as weighed at other places",
+    4269536086: "friction was booked as giving what rods took, in a kick right after a landing",
+    3517261534: "what a rope gave back of its jerk, as something landed first, was not booked",
+    2973538356: "a jerk that began in the last part of a drift was not booked as one afterwards",
 }
 """Scenes that failed once, and why."""
 

@@ -45,7 +45,8 @@ def kicks_within(
 
     The last to be yielded takes back what the next whole kick gives too much.
 
-    Laws act in a divided drift as they did in the kick before it. The kick after it is a whole one,
+    Laws act in a divided drift as they did in the kick before it, on what goes in parts: nothing else
+    is kicked in it. The kick after it is a whole one,
     though it begins in the middle of a part: that much is taken back before it.
 
     Parameters
@@ -62,7 +63,8 @@ def kicks_within(
     t, begun = float(begin.t), np.column_stack((begin.velocity, begin.angular_velocity))
 
     def kick(t: float, lasts: float, place: Array, ended: Array) -> Kick:
-        return Kick(t, lasts, seen, place[:, :2], (begun + ended) / 2, inertia(t))
+        kicked = np.where(divided.reached[:, None], inertia(t), 0.0)
+        return Kick(t, lasts, seen, place[:, :2], (begun + ended) / 2, kicked)
 
     for place, jacobian, (lasts, ended, pulls, contacts) in divided.between:
         now = kick(t + lasts / 2, lasts, place, ended)

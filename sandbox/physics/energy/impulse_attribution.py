@@ -53,6 +53,10 @@ class Attribution:
         self._driven = any(ledger_accounts.drives(joint, level) for joint in own)
         self._hung = {list(scene.bodies).index(name) for joint in own for name in bodies_of(joint)}
 
+    def begin(self) -> None:
+        """Begin with a kick. All that is booked until the next one is part of it."""
+        self._entries.begin()
+
     def book(
         self,
         step: StepRecord,
@@ -62,7 +66,7 @@ class Attribution:
         contacts: Contacts,
         slack: Booleans | None,
     ) -> None:
-        """Book a kick that changes velocities so, (n, 3), and which ropes were slack before it.
+        """Book a kick, or a part of it, that changes velocities so, (n, 3), and which ropes were slack before it.
 
         None of that is told where bodies have stuck to each other in it.
 
@@ -83,6 +87,8 @@ class Attribution:
             self._entries.lose("sticking", float(works.sum()))
         else:
             moves = kick.inertia[:, 0] > 0
+            if kick.length < 0:  # what ropes gave too much is taken back
+                pulls = pulls._replace(tension=np.abs(pulls.tension))
             lost += float(works[reached(pulls, contacts, slack, moves)].sum())
         if lost:
             self._entries.lose("impacts", lost)
@@ -213,7 +219,8 @@ class Attribution:
             # in an impact friction and rebound act at once, and one feeds the other
             across = min(max(across, given), 0.0)
         self._entries.put_in(drives)
-        self._entries.rub(across)
+        if "friction" in self._entries.losses:
+            across = self._entries.lose("friction", across)
         lost = given - across
         if lost > 0 and not kick.length and "sticking" in self._entries.losses:
             self._entries.losses["sticking"] += (

@@ -121,10 +121,12 @@ class Ledger:
         moment = Kick(t, step.dt, seen, step.snapshot.position, before, self._mechanics.inertia(t))
         self._carry(t, before, after)
         pulls = pulls_of(self._scene.joints, len(self._scene.inertia))
-        slack = self._slack if step.divided else pulls.slack_before(*self._pulls)
-        begun = before
+        slack, begun = pulls.slack_before(*self._pulls), before
         stuck = not step.acted and bool(pulls.new(self._pulls[0]).any())
-        for lasts, ended, tension, contacts in self._stages(after, pulls.tension):
+        for number, stage in enumerate(self._stages(after, pulls.tension)):
+            lasts, ended, tension, contacts = stage
+            if number or not step.divided:
+                self._causes.begin()
             kick = moment._replace(length=lasts, mean=(begun + ended) / 2)
             held = pulls._replace(tension=tension)
             self._causes.book(step, kick, ended - begun, held, contacts, None if stuck else slack)
@@ -230,16 +232,18 @@ class Ledger:
     def _divide(self, divided: "Divided") -> Array:
         """Book a drift in parts; return the velocities that it ended with, as a whole one: (n, 3).
 
-        A rope that pulls in one of its kicks is caught in that, if it was slack in the one before.
+        The first of its kicks may belong to the whole one before it, from which it takes back what
+        that gave too much; the last belongs to the whole one after it, as that gives too much.
         """
-        last = self._pulls[0]
-        for kick, change, impulses, jacobian, contacts in kicks_within(
-            divided, self._end, self._seen, self._mechanics.inertia
-        ):
-            pulls = last._replace(tension=impulses, jacobian=jacobian)
+        kicks = kicks_within(divided, self._end, self._seen, self._mechanics.inertia)
+        for number, (kick, change, impulses, jacobian, contacts) in enumerate(kicks):
+            if number or kick.length >= 0:
+                self._causes.begin()
+            pulls = self._pulls[0]._replace(tension=impulses, jacobian=jacobian)
+            if kick.length >= 0:
+                self._slack = pulls.slack_before(*self._pulls)
+                self._pulls = pulls, self._pulls[0]
             self._causes.book(self._step, kick, change, pulls, contacts, self._slack)
-            if kick.length >= 0:  # no part of a kick that is taken back
-                self._slack = (impulses <= 0) & (self._slack | (kick.length > 0))
         half = self._step.dt / 2
         self._go_on(divided.begun, divided.lifted)
         middle = divided.end - half * divided.begun

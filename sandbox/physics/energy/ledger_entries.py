@@ -28,6 +28,11 @@ class Entries:
         self.works = dict.fromkeys((*ledger_accounts.works(level), "hand"), 0.0)
         self.losses = dict.fromkeys(ledger_accounts.losses(level), 0.0)
         self.impulses = {name: np.zeros(3) for name in ledger_accounts.outside(level)}
+        self._lost: dict[str, float] = {}  # in the kick so far [J]
+
+    def begin(self) -> None:
+        """Begin with a kick: until the next one it may take back what it has lost, and no more."""
+        self._lost = {}
 
     def give(self, name: str, impulse: Array, place: Array) -> None:
         """Book what gave impulses (n, 3) at places, unless bodies give them to each other."""
@@ -56,9 +61,13 @@ class Entries:
         if "friction" in self.losses:
             self.losses["friction"] += work
 
-    def lose(self, name: str, work: float) -> None:
-        """Book a loss; what would be a gain stays unexplained."""
-        self.losses[name] += min(work, 0.0)
+    def lose(self, name: str, work: float) -> float:
+        """Book a loss, and return what is booked; what a kick would gain stays unexplained."""
+        before = self._lost.get(name, 0.0)
+        self._lost[name] = before + work
+        booked = min(before + work, 0.0) - min(before, 0.0)
+        self.losses[name] += booked
+        return booked
 
     @property
     def explained(self) -> float:

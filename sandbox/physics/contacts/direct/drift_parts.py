@@ -76,8 +76,6 @@ class Landed(NamedTuple):
     ----------
     divided
         Its parts, as others see them.
-    reached
-        (n,), which bodies have to do with that.
     pushed
         (n,), the sizes of the impulses on each body, added up [N s].
     onwards
@@ -85,7 +83,6 @@ class Landed(NamedTuple):
     """
 
     divided: Divided
-    reached: Booleans
     pushed: Array
     onwards: Array
 
@@ -111,7 +108,9 @@ class Landed(NamedTuple):
             The drift as if nothing landed, and its parts.
         laws
             (3 N,), the accelerations by gravity and force laws [m/s², rad/s²].
-        reached, pushed
+        reached
+            (n,), which bodies have to do with the landings.
+        pushed
             See above.
         start
             (n, 3), where bodies are at its start [m, rad].
@@ -146,8 +145,8 @@ class Landed(NamedTuple):
         lifted = float(np.sum(mass * laws[places] * bent)) * whole.drift**2 / 8
         end = start + (last.end.values - origin)[places]
         before = *whole.before, Stage.of(led.kick, whole.lasts, left, given)
-        divided = Divided(left, begun, before, between, 1.0, end, lifted)
-        return cls(divided, reached, pushed, onwards)
+        divided = Divided(left, begun, reached, before, between, 1.0, end, lifted)
+        return cls(divided, pushed, onwards)
 
 
 def _catches(whole: Part, first: Part) -> bool:

@@ -17,7 +17,7 @@ from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.constraint_impulses import hold
 from sandbox.physics.contacts.direct.kick_parts import Stage, Taken
 from sandbox.physics.contacts.direct.kick_system import Kick
-from sandbox.physics.engine.batch import Integers
+from sandbox.physics.engine.batch import Booleans, Integers
 from sandbox.physics.joints.exact.constraints import Coordinates
 from sandbox.physics.state.errors import JointFailure, NoForces
 
@@ -54,6 +54,8 @@ class Divided(NamedTuple):
         [m/s, rad/s].
     begun
         (n, 3), those that a whole kick after it begins with [m/s, rad/s].
+    reached
+        (n,), which bodies go in parts; the others go straight on through all of it.
     before
         The parts of the kick before it, which ends in the middle of the first part of the drift.
     between
@@ -68,6 +70,7 @@ class Divided(NamedTuple):
 
     left: Array
     begun: Array
+    reached: Booleans
     before: tuple[Stage, ...]
     between: tuple[Between, ...]
     first: float
@@ -154,6 +157,7 @@ class Through(NamedTuple):
         return Divided(
             (moved + lost * (self.acceleration + forces))[order],
             begun,
+            np.ones(len(start), dtype=bool),
             first.stages or (Stage.of(kick, length, moved[order], first.total),),
             (*between, back),
             1 / (len(between) + 1),
