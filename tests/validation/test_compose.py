@@ -421,6 +421,8 @@ MENDED = {
     2886763452: "what went straight on while others landed was booked as weighed at other places",
     4269536086: "friction was booked as giving what rods took, in a kick right after a landing",
     3517261534: "what a rope gave back of its jerk, as something landed first, was not booked",
+    815655796: "what was wedged was asked to rebound as fast as if it were free",
+    1291654127: "a strut that stood upright under its load was asked which way it falls",
     2973538356: "a jerk that began in the last part of a drift was not booked as one afterwards",
 }
 """Scenes that failed once, and why."""

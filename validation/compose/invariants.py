@@ -111,6 +111,18 @@ class Case:
         """Whether surfaces rub."""
         return "friction" in self.document["effects"]
 
+    def steady(self) -> int:
+        """Return how many steps pass before rounding tips what stood in balance, if it did.
+
+        A strut that stands upright under its load falls one way or the other, by the last digit.
+        """
+        places = self.course.seen.position[:, self.extents > 0]
+        gone = np.abs(places - places[0]).max(axis=(1, 2), initial=0.0)
+        if gone[min(FEW, self.course.steps)] > EXACT:
+            return self.course.steps
+        moved = np.flatnonzero(gone > EXACT)
+        return int(moved[0]) if moved.size else self.course.steps
+
 
 def runs(case: Case) -> Iterator[Judgement]:
     """Ask that it comes to its end."""
@@ -226,7 +238,8 @@ def _smooth(case: Case) -> int:
         return 0  # nothing moves, or slipping may end anywhere
     taut = course.taut[1:]  # not every scheme knows its pulls at the start
     changed = np.flatnonzero((taut != taut[:1]).any(axis=1))
-    return min(course.undisturbed(), int(changed[0]) if changed.size else course.steps) - 1
+    setting_in = int(changed[0]) if changed.size else course.steps
+    return min(course.undisturbed(), setting_in, case.steady()) - 1
 
 
 def _errors(case: Case, finer: int, steps: int) -> tuple[float, float]:
@@ -251,7 +264,7 @@ def symmetry(case: Case) -> Iterator[Judgement]:
     Looked at until something touches that did not, and for no longer than `WINDOW`.
     """
     course = case.course
-    steps = min(course.undisturbed(), int(WINDOW * course.rate))
+    steps = min(course.undisturbed(), case.steady(), int(WINDOW * course.rate))
     if steps < FEW:
         return
     c, s = np.cos(TURN), np.sin(TURN)

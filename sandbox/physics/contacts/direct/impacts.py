@@ -10,6 +10,7 @@ from sandbox.physics.contacts.sequential_impacts import Impacts
 from sandbox.physics.engine.batch import Booleans
 from sandbox.physics.joints.exact.constraints import QUADRATIC, angles, order, planes
 from sandbox.physics.joints.exact.shake import TAUT
+from sandbox.physics.state.errors import JointFailure, NoForces
 
 ROUNDING = 1e-9
 """An approach slower than this share of the speeds that it is the difference of is none, nor is one
@@ -72,7 +73,8 @@ def bounce(kick: Kick, came: Array, strikes: Booleans) -> tuple[Array, Array]:
     """Return the velocities after the impacts of a step, and their impulses.
 
     Newton's law of restitution does not look at friction, and can give energy with it (Kane and
-    Levinson 1985). Then as much of the rebound is taken as gives none.
+    Levinson 1985). Nor does it look at what jams: no impulses may part what is wedged. Then as much
+    of the rebound is taken as gives none, and as there are impulses for.
 
     Parameters
     ----------
@@ -80,6 +82,11 @@ def bounce(kick: Kick, came: Array, strikes: Booleans) -> tuple[Array, Array]:
         (3 N,), the velocities before them [m/s, rad/s].
     strikes
         (k,), which gaps close.
+
+    Raises
+    ------
+    JointFailure, NoForces
+        If there are none without a rebound either.
     """
     layout, jacobian = kick.layout, kick.here.jacobian
     rates = jacobian @ came
@@ -95,14 +102,20 @@ def bounce(kick: Kick, came: Array, strikes: Booleans) -> tuple[Array, Array]:
         after = runs + jacobian @ (impulse @ kick.response)
         return impulse, float(impulse[touch] @ (runs + after)[touch]) / 2
 
-    impulse, work = rebound(1.0)
-    if work > EXACT * float(np.abs(impulse) @ np.abs(rates)) and leaves.any():
+    def takes(share: float, rounding: float) -> Array | None:
+        try:
+            impulse, work = rebound(share)
+        except (JointFailure, NoForces):
+            return None
+        return impulse if work <= rounding * float(np.abs(impulse) @ np.abs(rates)) else None
+
+    impulse = takes(1.0, EXACT)
+    if impulse is None:
         low, high = 0.0, 1.0
-        for _ in range(HALVINGS):
+        for _ in range(HALVINGS * leaves.any()):
             share = (low + high) / 2
-            _, work = rebound(share)
-            low, high = (share, high) if work <= 0 else (low, share)
-        impulse, _ = rebound(low)
+            low, high = (low, share) if takes(share, 0.0) is None else (share, high)
+        impulse = rebound(low)[0]
     return came + impulse @ kick.response, impulse
 
 
