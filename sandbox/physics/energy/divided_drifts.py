@@ -45,9 +45,9 @@ def kicks_within(
 
     The last to be yielded takes back what the next whole kick gives too much.
 
-    Laws act in a divided drift as they did in the kick before it, on what goes in parts: nothing else
-    is kicked in it. The kick after it is a whole one,
-    though it begins in the middle of a part: that much is taken back before it.
+    Laws act in a divided drift as they did in the kick before it, on what goes in parts: nothing
+    else is kicked in it. The kick after it is a whole one, though it begins in the middle of a
+    part: that much is taken back before it.
 
     Parameters
     ----------

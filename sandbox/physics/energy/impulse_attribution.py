@@ -66,9 +66,9 @@ class Attribution:
         contacts: Contacts,
         slack: Booleans | None,
     ) -> None:
-        """Book a kick, or a part of it, that changes velocities so, (n, 3), and which ropes were slack before it.
+        """Book a kick, or a part of it, that changes velocities so, (n, 3).
 
-        None of that is told where bodies have stuck to each other in it.
+        It is told which ropes were slack before it, but where bodies have stuck to each other.
 
         A rope that is caught stops all that it reaches at once. What keeps its length and what
         touches there work on each other within the kick; what they take together is the loss.

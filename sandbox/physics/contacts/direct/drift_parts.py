@@ -1,6 +1,8 @@
 """The parts of a drift that is cut where bodies land, and what others see of them."""
 
 from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
@@ -57,11 +59,6 @@ class Part(NamedTuple):
         """Where it ends."""
         return Coordinates(self.kick.place.values + self.drift * self.moved)
 
-    def stages(self, places: Integers) -> tuple[Stage, ...]:
-        """Return what happened at its beginning; the coordinates of each body are at (n, 3)."""
-        rest = Stage.of(self.kick, self.lasts, self.moved[places], self.forces * self.lasts)
-        return *self.before, rest
-
 
 def concerned(kick: Kick, reached: Booleans) -> Booleans:
     """Return which rows of a kick have to do with some of the bodies, (n,): (r,)."""
@@ -69,84 +66,117 @@ def concerned(kick: Kick, reached: Booleans) -> Booleans:
     return np.asarray((kick.response[:, columns] != 0).any(axis=1))
 
 
-class Landed(NamedTuple):
-    """A drift in which bodies have landed; n bodies.
+@dataclass(frozen=True)
+class Landed:
+    """A drift that was cut where bodies landed, as others see it; n bodies.
 
-    Attributes
+    The kicks before and after it are whole ones, the one as if nothing landed, the other with the
+    forces of its last part. What they give too much is taken back at its two ends. What has nothing
+    to do with the landings goes on as it did, and is given nothing between the two.
+
+    Parameters
     ----------
-    divided
-        Its parts, as others see them.
-    pushed
-        (n,), the sizes of the impulses on each body, added up [N s].
-    onwards
-        (n, 3), the accelerations at its end [m/s², rad/s²].
+    whole, parts
+        The drift as if nothing landed, and its parts.
+    laws
+        (3 N,), the accelerations by gravity and force laws [m/s², rad/s²].
+    reached
+        (n,), which bodies have to do with the landings.
+    start
+        (n, 3), where bodies are at its start [m, rad].
     """
 
-    divided: Divided
-    pushed: Array
-    onwards: Array
+    whole: Part
+    parts: Sequence[Part]
+    laws: Array
+    reached: Booleans
+    start: Array
 
-    @classmethod
-    def of(
-        cls,
-        whole: Part,
-        parts: Sequence[Part],
-        laws: Array,
-        reached: Booleans,
-        pushed: Array,
-        start: Array,
-    ) -> "Landed":
-        """Return it.
+    @cached_property
+    def divided(self) -> Divided:
+        """Its parts, as others see them."""
+        whole, led, lasts = self.whole, self._led, self.whole.lasts
+        left = self._moving((led.begun + lasts * (self.laws + led.pulls))[self._places])
+        lead = Stage.of(led.kick, lasts, left, lasts * led.forces)
+        kept, back = self._taken_back()
+        stages = [(part.kick, stage) for part in self.parts[1:] for stage in self._stages(part)]
+        between = (self.parts[0].kick, self._given_less()), *stages, (kept, back)
+        return Divided(
+            left,
+            back.velocity,
+            self.reached,
+            (*whole.before, lead),
+            tuple(self._seen(kick, stage) for kick, stage in between),
+            1.0,
+            self._place(self.parts[-1].end),
+            self._lifted,
+        )
 
-        The kicks before and after it are whole ones, the one as if nothing landed, the other with
-        the forces of its last part. What they give too much is taken back at its two ends. What has
-        nothing to do with the landings goes on as it did, and is given nothing between the two.
+    @property
+    def onwards(self) -> Array:
+        """(n, 3), the accelerations at its end [m/s², rad/s²]."""
+        last = self.parts[-1]
+        return np.asarray((self.laws + last.forces @ self._ended.response)[self._places])
 
-        Parameters
-        ----------
-        whole, parts
-            The drift as if nothing landed, and its parts.
-        laws
-            (3 N,), the accelerations by gravity and force laws [m/s², rad/s²].
-        reached
-            (n,), which bodies have to do with the landings.
-        pushed
-            See above.
-        start
-            (n, 3), where bodies are at its start [m, rad].
-        """
-        places, first, last = order(len(start)), parts[0], parts[-1]
-        origin, missing = whole.kick.place.values, (whole.drift - last.drift) / 2
+    @cached_property
+    def _places(self) -> Integers:
+        return order(len(self.start))
 
-        def seen(kick: Kick, stage: Stage) -> Between:
-            jacobian = -kick.here.jacobian[kick.layout.joints][:, places]
-            some = stage.among(reached, concerned(kick, reached)[kick.layout.joints])
-            some = some._replace(velocity=moving(stage.velocity))
-            return Between(start + (kick.place.values - origin)[places], jacobian, some)
+    @cached_property
+    def _ended(self) -> Kick:
+        """The rows of the last part at its end."""
+        last = self.parts[-1]
+        return last.kick.moved(last.end)
 
-        def moving(velocity: Array) -> Array:
-            return np.where(reached[:, None], velocity, whole.moved[places])
+    @property
+    def _led(self) -> Part:
+        """What leads into it: the whole drift, or the first part with what it does not catch."""
+        first = self.parts[0]
+        return first if _catches(self.whole, first) else self.whole
 
-        led = first if _catches(whole, first) else whole
-        left = moving((led.begun + whole.lasts * (laws + led.pulls))[places])
-        given = whole.lasts * led.forces
-        less = first.forces * first.lasts - given
-        lead = Stage.of(first.kick, first.lasts - whole.lasts, first.moved[places], less)
-        stages = [(part.kick, stage) for part in parts[1:] for stage in part.stages(places)]
-        ended = last.kick.moved(last.end)
-        forces = _steady(last, laws, missing, reached)
-        onwards = (laws + last.forces @ ended.response)[places]
-        begun = last.moved - missing * (laws + forces @ ended.response)
-        begun = moving(begun[places])
-        back = Stage.of(ended, -missing, begun, -missing * forces)
-        between = tuple(seen(*one) for one in ((first.kick, lead), *stages, (ended, back)))
-        mass = np.where(reached[:, None], inertia_of(whole.kick.joints.inverse)[places], 0.0)
-        bent = (led.pulls - last.pulls)[places]
-        lifted = float(np.sum(mass * laws[places] * bent)) * whole.drift**2 / 8
-        end = start + (last.end.values - origin)[places]
-        before = *whole.before, Stage.of(led.kick, whole.lasts, left, given)
-        divided = Divided(left, begun, reached, before, between, 1.0, end, lifted)
-        return cls(divided, pushed, onwards)
+    @property
+    def _lifted(self) -> float:
+        """How much more energy is read in the middle of it, see `Divided` [J]."""
+        inertia = inertia_of(self.whole.kick.joints.inverse)[self._places]
+        mass = np.where(self.reached[:, None], inertia, 0.0)
+        bent = (self._led.pulls - self.parts[-1].pulls)[self._places]
+        return float(np.sum(mass * self.laws[self._places] * bent)) * self.whole.drift**2 / 8
+
+    def _given_less(self) -> Stage:
+        """Return by how much the kick before it differs from a whole one."""
+        first, lasts = self.parts[0], self.whole.lasts
+        less = first.forces * first.lasts - lasts * self._led.forces
+        return Stage.of(first.kick, first.lasts - lasts, first.moved[self._places], less)
+
+    def _taken_back(self) -> tuple[Kick, Stage]:
+        """Return what the whole kick after it gives too much, and the rows of that."""
+        last, kick = self.parts[-1], self._ended
+        missing = (self.whole.drift - last.drift) / 2
+        forces = _steady(last, self.laws, missing, self.reached)
+        begun = last.moved - missing * (self.laws + forces @ kick.response)
+        return kick, Stage.of(kick, -missing, self._moving(begun[self._places]), -missing * forces)
+
+    def _stages(self, part: Part) -> tuple[Stage, ...]:
+        """Return what happened at the beginning of a part."""
+        rest = part.forces * part.lasts
+        return *part.before, Stage.of(part.kick, part.lasts, part.moved[self._places], rest)
+
+    def _seen(self, kick: Kick, stage: Stage) -> Between:
+        """Return a stage as others see it."""
+        joints = kick.layout.joints
+        some = stage.among(self.reached, concerned(kick, self.reached)[joints])
+        jacobian = -kick.here.jacobian[joints][:, self._places]
+        moving = some._replace(velocity=self._moving(stage.velocity))
+        return Between(self._place(kick.place), jacobian, moving)
+
+    def _moving(self, velocity: Array) -> Array:
+        """Return velocities, (n, 3), but those of the whole drift for what lands nowhere."""
+        return np.where(self.reached[:, None], velocity, self.whole.moved[self._places])
+
+    def _place(self, there: Coordinates) -> Array:
+        """Return where bodies are: (n, 3) [m, rad]."""
+        way = there.values - self.whole.kick.place.values
+        return self.start + way[self._places]
 
 
 def _catches(whole: Part, first: Part) -> bool:

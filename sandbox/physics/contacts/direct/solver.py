@@ -169,7 +169,7 @@ class Direct:
             self._change = np.where(struck, 2 * (after - self.last.velocity), self._change)
         if landed:
             onwards = landed.onwards * self._dt
-            self._change = np.where(landed.divided.reached[:, None], onwards, self._change)
+            self._change = np.where(landed.reached[:, None], onwards, self._change)
         if np.count_nonzero(given):
             self.last = self.last._replace(impulse=given)
 
@@ -299,11 +299,11 @@ class Direct:
         if len(parts) == 1:
             return None
         last, start = parts[-1], self._batch.state()[:, :3]
-        landed = Landed.of(whole, parts, laws, landings.reached, landings.pushed, start)
+        landed = Landed(whole, parts, laws, landings.reached, start)
         self.divided = divided = landed.divided
-        self._given, self.kicked = landed.pushed, divided.left
+        self._given, self.kicked = landings.pushed, divided.left
         ways = (divided.end - start) / self._dt
-        self._batch.set_velocity(np.where(divided.reached[:, None], ways, self.kicked))
+        self._batch.set_velocity(np.where(landed.reached[:, None], ways, self.kicked))
         self._known.note(last.kick, last.forces, last.active)
         return landed
 
