@@ -28,10 +28,11 @@ ENOUGH = 1000
 def refuse_overlaps(
     space: pymunk.Space,
     bodies: Mapping[str, pymunk.Body],
+    slop: float,
     hollows: Hollows | None,
     gates: "Gates | None",
 ) -> None:
-    """Refuse bodies that overlap by more than what is left alone; the worst is told.
+    """Refuse bodies that overlap by more than what is left alone [m]; the worst is told.
 
     Those that never collide, for they are welded or neither moves, do not overlap.
 
@@ -40,7 +41,9 @@ def refuse_overlaps(
     SimulationError
         If two do.
     """
-    found = max(islice(_pairs(space, bodies, hollows, gates), ENOUGH), default=None)
+    found = max(
+        islice(_pairs(space, bodies, max(TOUCHING, slop), hollows, gates), ENOUGH), default=None
+    )
     if found:
         depth, one, other = found
         rule = Message(
@@ -56,12 +59,15 @@ def refuse_overlaps(
 def _pairs(
     space: pymunk.Space,
     bodies: Mapping[str, pymunk.Body],
+    least: float,
     hollows: Hollows | None,
     gates: "Gates | None",
 ) -> Iterator[tuple[float, str, str]]:
-    """Yield by how much two bodies overlap [m], and their names in order."""
+    """Yield by how much two bodies overlap that do so by more than the least [m], and their names.
+
+    These are in order.
+    """
     names = {body: name for name, body in bodies.items()}
-    least = max(TOUCHING, space.collision_slop)
     for name, body in bodies.items():
         for shape in body.shapes if body.body_type == pymunk.Body.DYNAMIC else ():
             for found in touched(space, shape, hollows, gates):

@@ -7,6 +7,7 @@ import pymunk
 from pymunk import Vec2d
 
 from sandbox.model.body import Body
+from sandbox.model.effects.contact import Contact
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level
 from sandbox.model.shapes import (
@@ -169,8 +170,11 @@ def choose_correction(space: pymunk.Space, level: Level, values: Values, dt: flo
     else:
         correction = 0.0 if level.effects.restitution else CORRECTION
     space.collision_bias = (1 - correction) ** (1 / dt)
-    space.collision_slop = SLOP
+    space.collision_slop = slop_of(space, contact, values)
+
+
+def slop_of(space: pymunk.Space, contact: Contact, values: Values) -> float:
+    """Return by how much bodies may overlap and are left alone [m]."""
     if contact.slop is not None:
-        space.collision_slop = contact.slop(values)
-    elif contact.piles:
-        space.collision_slop = PILE_SLOP * smallest(space)
+        return contact.slop(values)
+    return PILE_SLOP * smallest(space) if contact.piles else SLOP

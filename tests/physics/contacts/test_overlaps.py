@@ -100,3 +100,14 @@ def test_an_overlap_is_found_whatever_the_rate_that_an_accuracy_takes() -> None:
     )
 
     assert refusal(scene)
+
+
+@pytest.mark.parametrize("solver", ["iterative", "direct"])
+@pytest.mark.parametrize("depth", [2e-5, 1e-3, 0.05])
+def test_an_overlap_is_a_mistake_however_shallow_and_whoever_solves_contacts(
+    solver: str, depth: float
+) -> None:
+    bodies = {"ball": disc((0, 0.5 - depth)), "floor": floor()}
+
+    told = f"'ball' and 'floor' overlap by {depth:.3g} m"
+    assert refused(bodies, solver=solver).startswith(told)
