@@ -76,7 +76,7 @@ def outlines(bodies: Sequence[pymunk.Body]) -> list[Outline]:
         for row, body in enumerate(bodies)
         for shape in plain(body.shapes)
     ]
-    return sorted(found, key=lambda o: (o.body, [(c.real, c.imag) for c in o.corners]))
+    return sorted(found, key=lambda o: (o.body, [(c.real, c.imag) for c in o.corners], o.radius))
 
 
 def plain(shapes: Iterable[pymunk.Shape]) -> list[pymunk.Shape]:

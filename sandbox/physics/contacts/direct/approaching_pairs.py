@@ -7,7 +7,6 @@ beside another only once.
 
 from collections.abc import Iterable
 from dataclasses import replace
-from itertools import product
 
 import numpy as np
 import pymunk
@@ -18,6 +17,7 @@ from sandbox.physics.contacts.contact_queries import Query, pairs_of
 from sandbox.physics.contacts.direct.convex_parts import Pair, Shapes
 from sandbox.physics.contacts.direct.corner_contacts import LEAST
 from sandbox.physics.contacts.direct.row_layout import Surfaces
+from sandbox.physics.contacts.direct.separation import Separation
 from sandbox.physics.contacts.time_of_impact import Hit, Path, meet
 from sandbox.physics.engine.batch import Booleans, Contacts, Integers
 from sandbox.physics.geometry.distance import Outline, outlines
@@ -86,15 +86,16 @@ class ApproachingPairs:
     def meet(self, path: Path, lasts: float, pairs: Iterable[Pair]) -> list[Hit]:
         """Return where the bodies of pairs meet on a path that is so long [s]."""
         gives = np.stack((path.acceleration * lasts,) * 2)
+        separation = Separation(self._shapes, path, lasts)
         found = (
-            meet(path, one, other, 0.0, lasts, gives)
-            for pair in pairs
-            for one, other in product(*map(self._outline, pair))
+            meet(path, self._outline(a)[first], self._outline(b)[second], 0.0, lasts, gives)
+            for a, b in pairs
+            for first, second in separation.unsure((a, b))
         )
         return [hit for hit in found if hit]
 
     def _outline(self, body: int) -> list[Outline]:
-        """Return the outlines of a body's shapes."""
+        """Return the outlines of a body's shapes, by the numbers of its parts."""
         if body not in self._outlines:
             own = outlines([self._bodies[body]])
             self._outlines[body] = [replace(outline, body=body) for outline in own]

@@ -4,6 +4,7 @@ They have few corners, and few of them are looked at in a step: arrays would tak
 """
 
 from collections.abc import Iterator, Sequence
+from itertools import product
 from math import inf
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -108,6 +109,12 @@ class Part(NamedTuple):
                 best, chosen = least, side
         return best - (self.rounding + other.rounding), chosen
 
+    def lowest(self, other: "Part", side: int) -> float:
+        """Return how far another is in front of a side at the least [m]."""
+        corner, across = self.corners[side], self.normals[side].conjugate()
+        least = min([((far - corner) * across).real for far in other.corners])
+        return least - (self.rounding + other.rounding)
+
     def gap(self, other: "Part") -> float:
         """Return how far two parts are apart at the least [m]: nothing if that is not seen."""
         around = abs(self.middle - other.middle) - self.radius - other.radius
@@ -124,7 +131,8 @@ def parts_of(shapes: Sequence[pymunk.Shape]) -> list[Part]:
     own = plain(shapes)
     if not all(isinstance(s, pymunk.Circle | pymunk.Poly | pymunk.Segment) for s in own):
         return []
-    return sorted(map(Part.of, own), key=lambda part: [(c.real, c.imag) for c in part.corners])
+    parts = map(Part.of, own)
+    return sorted(parts, key=lambda p: ([(c.real, c.imag) for c in p.corners], p.rounding))
 
 
 class Placed:
@@ -199,6 +207,11 @@ class Shapes:
         else:
             near = np.argwhere(self._between(pair, there.place) < 0)
             yield from ((int(first), int(second)) for first, second in near.tolist())
+
+    def pairs(self, pair: Pair) -> Iterator[Pair]:
+        """Return the parts of two bodies, each of the one with each of the other."""
+        one, other = (range(len(self._parts[body])) for body in pair)
+        return product(one, other)
 
     def gap(self, pair: Pair, here: Placed) -> float:
         """Return how far two bodies are apart at the least [m]: nothing if that is not seen."""
