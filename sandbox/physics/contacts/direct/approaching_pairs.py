@@ -61,6 +61,8 @@ class ApproachingPairs:
         self._calm = 0.0  # how far any two may go before all are to be looked at [m]
         self._seen: Array | None = None  # where all were when all were looked at last
         self._touch: Integers | None = None  # who touched then
+        self._ahead = b""  # how far they were to go
+        self._found: list[Pair] = []  # what came of it
 
     def near(self, contacts: Contacts, place: Coordinates, way: Array) -> list[Pair]:
         """Return the pairs that do not touch, but might within the drift.
@@ -81,7 +83,10 @@ class ApproachingPairs:
             went = (place.values - self._seen) * self._weights
             if MOST * float((np.abs(went) + np.abs(way)).max()) < self._calm:
                 return []
-        return self._search(contacts, place, way)
+            if not np.count_nonzero(went) and self._ahead == way.tobytes():
+                return self._found
+        self._ahead, self._found = way.tobytes(), self._search(contacts, place, way)
+        return self._found
 
     def meet(self, path: Path, lasts: float, pairs: Iterable[Pair]) -> list[Hit]:
         """Return where the bodies of pairs meet on a path that is so long [s]."""
