@@ -87,7 +87,10 @@ def _touch(side: Side, other: Piece, at: Placed, there: Placed) -> Verdict:
     if other.corner is None and len(core) > 1:
         return _flat(side, other, core, at)
     point = middle if other.corner is None else (put(there, other.corner) - at[0]) / at[1]
-    foot = side.course.foot(point, side.stretch)
+    near, knot = side.course.knot(point, side.stretch)
+    if _is_far(side, other.radius, point - knot, middle - point):
+        return False
+    foot = side.course.foot(point, side.stretch, near)
     if foot is None:
         return False
     left = 1j * foot.tangent
@@ -109,6 +112,24 @@ def _touch(side: Side, other: Piece, at: Placed, there: Placed) -> Verdict:
         on_other=put(at, point - hand * left * other.radius),
         sign=0 if center else 1 if inside else -1,
     )
+
+
+def _is_far(side: Side, radius: float, way: complex, inwards: complex) -> bool:
+    """Return whether a point is too far from a stretch to touch it, without looking for its foot.
+
+    Parameters
+    ----------
+    radius
+        Of what is around the point [m].
+    way, inwards
+        From the nearest knot to the point, and on to the middle of its shape [m].
+    """
+    far, spacing = abs(way), side.course.spacing
+    least = far - spacing
+    if least <= side.half + radius:
+        return False
+    turned = 2 * spacing / far  # how far the way from the foot may point elsewhere
+    return least + dot(inwards, way) / far > abs(inwards) * turned  # both are on the same side
 
 
 def _flat(side: Side, other: Piece, core: list[complex], at: Placed) -> Verdict:

@@ -23,6 +23,9 @@ QUADRATIC = 1e-6
 HALVINGS = 60
 """How often a foot is looked for; what Newton's method does not find is halved in on."""
 
+STRAIGHT = 1.01
+"""How many times as long as the straight ways between its points a course is, at the most."""
+
 FOLLOWED = 0.125
 """The share of a course by which a foot may go on in a step."""
 
@@ -88,30 +91,45 @@ class Course:
         Of which it consists.
     ends
         Its first and last point; none if they are the same.
+    spacing
+        How far it is from a knot to the next along it, at the most [m].
     """
 
     def __init__(self, points: Points) -> None:
         self._curve = Quintics(points)
         self._knots = points[::KNOT]
+        self.spacing = STRAIGHT * KNOT * float(np.abs(np.diff(points)).max())
         ends = () if self._curve.closed else (0.0, float(self._curve.count))
         self.ends = tuple(self.look(at) for at in ends)
         self.stretches = self._cut()
 
-    def foot(self, point: complex, stretch: Stretch | None = None) -> Foot | None:
-        """Return the nearest point of the course, or of a stretch of it.
+    def knot(self, point: complex, stretch: Stretch | None = None) -> tuple[int, complex]:
+        """Return which knot of the course, or of a stretch, is nearest to a point, and where."""
+        first, last = self._range(stretch)
+        way = self._knots[first : last + 1] - point
+        near = first + int(np.argmin(way.real**2 + way.imag**2))
+        return near, complex(self._knots[near])
+
+    def foot(
+        self, point: complex, stretch: Stretch | None = None, near: int | None = None
+    ) -> Foot | None:
+        """Return the nearest point of the course, or of a stretch of it; by its nearest knot.
 
         There is none where that would be an end of it; a point that is beside the end of one
         stretch, and so beside the beginning of the next, is beside the first of them alone.
         """
-        first, last = (stretch.first, stretch.last) if stretch else (0, len(self._knots) - 1)
-        way = self._knots[first : last + 1] - point
-        near = first + int(np.argmin(way.real**2 + way.imag**2))
+        first, last = self._range(stretch)
+        near = self.knot(point, stretch)[0] if near is None else near
         low, high = max(near - 1, first) * KNOT, min(near + 1, last) * KNOT
         if near == first and self._ahead(first * KNOT, point) <= 0:
             return None
         if near == last and self._ahead(last * KNOT, point) > 0:
             return None
         return self._between(point, float(low), float(high), float(near * KNOT))
+
+    def _range(self, stretch: Stretch | None) -> tuple[int, int]:
+        """Return the first and the last knot of a stretch, or of the whole."""
+        return (stretch.first, stretch.last) if stretch else (0, len(self._knots) - 1)
 
     def follow(self, point: complex, at: float) -> Foot:
         """Return the nearest point of the course that is near to a place on it."""

@@ -11,6 +11,9 @@ from sandbox.model.errors import LevelError
 from sandbox.physics.contacts.direct import gap_functions
 from sandbox.physics.contacts.direct.solver import Direct
 from sandbox.physics.contacts.hollow_contacts import Hollows
+from sandbox.physics.geometry import curves
+from sandbox.physics.geometry.arcs import Piece
+from sandbox.physics.geometry.plane_curve import KNOT, Course, Side
 from sandbox.physics.run import build
 from sandbox.physics.state.errors import SimulationError
 from sandbox.physics.stepping.world import World
@@ -375,3 +378,24 @@ def test_a_parameter_is_not_called_as_what_runs_along_a_curve() -> None:
             {"contact": {}},
             parameters=s,
         )
+
+
+@pytest.mark.parametrize("shape", ["disc", "corner"])
+def test_what_is_far_from_a_stretch_does_not_touch_it(
+    shape: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Most of what is near the circle around a stretch is told from its nearest knot alone."""
+    x = np.linspace(-3, 3, 24 * KNOT + 1)
+    course = Course(x + 0.3j * np.cos(2 * x))
+    square = tuple(0.3 * 1j**k for k in range(4))
+    other = Piece(1, (0j,), 0.3) if shape == "disc" else Piece(1, square, 0.0, corner=square[0])
+    draw, is_far = np.random.default_rng(3), curves._is_far
+    told: list[bool] = []
+    monkeypatch.setattr(curves, "_is_far", lambda *args: told.append(is_far(*args)))
+    for _ in range(500):
+        place = complex(*draw.uniform((-3.5, -1), (3.5, 1))), complex(np.exp(6j * draw.random()))
+        for stretch in course.stretches:
+            piece = Piece(0, (), 0.0, curve=Side(0, course, stretch, 0.01))
+            found = curves.verdict(piece, other, (0j, 1 + 0j), place)
+            assert not (found and told[-1])
+    assert sum(told) > len(told) / 2
