@@ -46,8 +46,9 @@ def hold(
     found: Held | None = None
     try:
         found = newton(kick, kick.layout, kick.rows, motion, joints.drift, wanted, impulse, active)
-        grown = _grows(kick, motion, found)
-        if not (grown or _squeezes(kick, motion, found)):
+        energy = joints.kinetic(motion)
+        grown = _grows(kick, motion, found, energy)
+        if not (grown or _squeezes(kick, motion, found, energy)):
             return found
     except (JointFailure, NoForces):
         if placed:
@@ -67,11 +68,14 @@ def hold(
     return flat
 
 
-def _grows(kick: Kick, motion: Array, found: Held) -> bool:
-    """Return whether energy comes from nowhere: from no winch, belt or kinematic body."""
+def _grows(kick: Kick, motion: Array, found: Held, energy: float) -> bool:
+    """Return whether energy comes from nowhere: from no winch, belt or kinematic body.
+
+    Without impulses there is so much of it [J].
+    """
     impulse, moved, _ = found
     joints, jacobian, layout = kick.joints, kick.here.jacobian, kick.layout
-    grown = joints.kinetic(moved) - GROWS * joints.kinetic(motion)
+    grown = joints.kinetic(moved) - GROWS * energy
     if grown <= 0:
         return False
     both, free = motion + moved, joints.inverse > 0
@@ -82,9 +86,9 @@ def _grows(kick: Kick, motion: Array, found: Held) -> bool:
     return grown > float(work)
 
 
-def _squeezes(kick: Kick, motion: Array, found: Held) -> bool:
-    """Return whether surfaces give energy by pressing on each other."""
+def _squeezes(kick: Kick, motion: Array, found: Held, energy: float) -> bool:
+    """Return whether surfaces give energy by pressing on each other; see `_grows`."""
     impulse, moved, _ = found
     gaps = kick.layout.gaps
     work = float(impulse[gaps] @ (kick.here.jacobian[gaps] @ (motion + moved))) / 2
-    return work > GIVES * kick.joints.kinetic(motion)
+    return work > GIVES * energy

@@ -88,9 +88,11 @@ class Direct:
         *,
         strikes: bool,
     ) -> None:
-        self._batch, self._joints, self._surfaces = batch, joints, surfaces
+        self._batch, self._joints = batch, joints
         self._dt, self._strikes = dt, strikes
         self._moves: Booleans = inertia[:, 0] > 0
+        self._fixed = np.flatnonzero(~self._moves)
+        self._lands, self._runs = bool(surfaces.lands.any()), bool(surfaces.running.any())
         self._order = order(len(inertia))
         self._calm = _calm(len(inertia))
         self._begun = self._acceleration = self._change = self._calm.jump
@@ -261,7 +263,7 @@ class Direct:
     @property
     def _locates(self) -> bool:
         """Whether landings are located in the drift after this kick: it is a whole one."""
-        return self._is_whole and bool(self._surfaces.lands.any())
+        return self._lands and self._is_whole
 
     def _divides(self, kick: Kick) -> bool:
         """Whether a drift can be taken in parts: nothing drives bodies, and it is a whole one."""
@@ -367,8 +369,7 @@ class Direct:
 
     def _driven(self) -> bool:
         """Whether surfaces that run, or kinematic bodies, may give energy."""
-        running = bool(self._surfaces.running.any())
-        return running or bool(self._begun[~self._moves].any())
+        return self._runs or bool(np.count_nonzero(self._begun[self._fixed]))
 
     def _report(self, kick: Kick, total: Array, active: Active) -> None:
         """Tell joints and contacts the impulses of the whole kick, (r,), and what held."""

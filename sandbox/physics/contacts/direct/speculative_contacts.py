@@ -75,6 +75,7 @@ class SpeculativeContacts:
         self._bodies, self._shapes = query.bodies, Shapes(query.bodies)
         shapes = self._shapes
         self._looks = shapes.sided[:, None] & shapes.sided & (surfaces.restitution == 0)
+        self._any = bool(self._looks.any())
         self.approaching = ApproachingPairs(query, shapes, surfaces, moves)
 
     def corners(self, kick: Kick, motion: Array) -> list[Corner]:
@@ -85,6 +86,8 @@ class SpeculativeContacts:
         motion
             (3 N,), the velocities after the kick [m/s, rad/s].
         """
+        if not self._any:
+            return []
         drift = kick.joints.drift
         turning = self._turning(kick.contacts, angles(motion) * drift)
         if not turning:
