@@ -115,7 +115,7 @@ def dropped(rows: int = 6, heights: float = 2.0) -> Document:
         NEWTON,
         effects=pile(1),
         bodies={**boxes, "ground": ground(4 * rows)},
-        stepping={"rate": 480, "iterations": 200},
+        stepping={"rate": 420, "iterations": 200},
         duration=3.5,
         checks=checks,
         view={"center": [0, rows / 2 + 1], "width": 7 * rows},
