@@ -146,14 +146,20 @@ class Landings:
             return None
 
     def _until_it_meets(self, part: Part, met: Met) -> tuple[Part, Met]:
-        """Return a part that ends with a landing, whose time was found for the whole of it."""
-        shorter = part
+        """Return a part that ends with a landing, whose time was found for the whole of it.
+
+        The time at which it meets is a function of the time that it is solved for: where the two
+        are one is found by secants.
+        """
+        shorter, known = part, (part.drift, part.drift - met.time)
         for _ in range(REFINED):
             shorter = self._shortened(part, met.time)
             again = self._meet(shorter, part.drift, met.pairs, met.corners)
             if again is None or abs(again.time - met.time) <= TOGETHER * part.drift:
                 break
-            met = again
+            tried = met.time, met.time - again.time
+            met = again._replace(time=_secant(known, tried, again.time, part.drift))
+            known = tried
         return shorter, met
 
     def _meet(
@@ -290,3 +296,14 @@ class Landings:
             except (JointFailure, NoForces):
                 break
         return part
+
+
+def _secant(
+    first: tuple[float, float], second: tuple[float, float], other: float, most: float
+) -> float:
+    """Return where a line through two points, (time, value), is 0; another time if it is beyond."""
+    (earlier, before), (later, after) = first, second
+    if after == before:
+        return other
+    zero = later - after * (later - earlier) / (after - before)
+    return zero if 0 < zero < most else other
