@@ -2,8 +2,10 @@
 
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.constraint_rows import Active
+from sandbox.physics.contacts.direct.held_contacts import check_held, without_held
 from sandbox.physics.contacts.direct.kick_system import Kick
 from sandbox.physics.contacts.direct.newton import newton
+from sandbox.physics.contacts.direct.row_layout import Layout
 from sandbox.physics.joints.exact.constraints import GROWS
 from sandbox.physics.state.errors import JointFailure, NoForces
 
@@ -42,10 +44,28 @@ def hold(
     JointFailure, NoForces
         If there are none.
     """
+    found = without_held(kick)
+    if found is None:
+        return _found(kick, kick.layout, motion, guess, driven=driven, placed=placed)
+    rest, decided = found
+    held = _found(kick, rest, motion, guess, driven=driven, placed=placed)
+    check_held(kick, decided, held[1])
+    return held
+
+
+def _found(
+    kick: Kick,
+    layout: Layout,
+    motion: Array,
+    guess: tuple[Array, Active],
+    *,
+    driven: bool,
+    placed: bool,
+) -> Held:
     joints, wanted, (impulse, active) = kick.joints, kick.targets(), guess
     found: Held | None = None
     try:
-        found = newton(kick, kick.layout, kick.rows, motion, joints.drift, wanted, impulse, active)
+        found = newton(kick, layout, kick.rows, motion, joints.drift, wanted, impulse, active)
         energy = joints.kinetic(motion)
         grown = _grows(kick, motion, found, energy)
         if not (grown or _squeezes(kick, motion, found, energy)):
@@ -56,7 +76,7 @@ def hold(
         grown = True
     none = 0.0 * impulse
     try:
-        flat = newton(kick, kick.layout, kick.flat_rows, motion, joints.drift, wanted, none, active)
+        flat = newton(kick, layout, kick.flat_rows, motion, joints.drift, wanted, none, active)
     except (JointFailure, NoForces):
         if found is None or grown:
             raise

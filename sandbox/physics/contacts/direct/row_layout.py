@@ -84,6 +84,8 @@ class Layout:
         (k,), the coefficients of the gaps.
     joints, gaps, slips, touch
         Where they are among all rows; gaps and slips together.
+    joined, ties
+        The gaps between bodies that a joint holds together, too, and the rows of such joints.
     """
 
     problem: Problem
@@ -93,6 +95,8 @@ class Layout:
     joints: slice
     gaps: slice
     slips: slice
+    joined: Integers
+    ties: Integers
 
     @property
     def touch(self) -> slice:
@@ -170,6 +174,7 @@ def lay_out(contacts: Contacts, joints: ExactJoints, surfaces: Surfaces, moves: 
         slice(first),
         gaps,
         slice(gaps.stop, whole),
+        *_joined(touch.tolist(), joints, moves),
     )
 
 
@@ -208,6 +213,19 @@ def _alike_in(one: Contacts, other: Contacts) -> bool:
         a is b or np.array_equal(a, b)
         for a, b in ((one.bodies, other.bodies), (one.touches, other.touches))
     )
+
+
+def _joined(
+    touch: Sequence[Sequence[int]], joints: ExactJoints, moves: Booleans
+) -> tuple[Integers, Integers]:
+    """Return which of these pairs of bodies a joint holds together, and the rows of such joints."""
+    still = {-1, len(moves), *np.flatnonzero(~moves).tolist()}  # with the plane
+    pairs = [frozenset(pair) - still for pair in touch]
+    held = [frozenset(bodies.tolist()) - still for bodies in joints.bodies]
+    rows = [row for row in np.flatnonzero(~joints.pulls_only).tolist() if held[row] in pairs]
+    tied = {held[row] for row in rows}
+    gaps = [gap for gap, pair in enumerate(pairs) if pair in tied]
+    return np.array(gaps, dtype=np.intp), np.array(rows, dtype=np.intp)
 
 
 def _points_of(rubs: Integers, seconds: Integers, count: int) -> Integers:

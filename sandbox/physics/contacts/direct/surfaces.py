@@ -65,8 +65,7 @@ def _left_to_it(level: Level) -> Booleans:
     """
     effects, names = level.effects, list(level.bodies)
     located = effects.contact is not None and effects.contact.located is not None
-    bounces = effects.restitution is not None
-    others = effects.in_sequence or located or bounces or any(breakable(level.joints))
+    others = effects.in_sequence or located or any(breakable(level.joints))
     left = np.full((len(names), len(names)), not others)
     for pair in effects.sticking.pairs if effects.sticking else ():
         a, b = (names.index(name) for name in pair.bodies)

@@ -192,6 +192,25 @@ def test_what_bounces_is_left_to_its_impact() -> None:
     assert seen.deepest > 1e-3
 
 
+def test_what_does_not_bounce_lands_as_well_where_something_else_does() -> None:
+    """Beside a ball on another floor, which bounces: the box falls as it does alone."""
+    fallen: Spec = {"falls": box((0, 1), angle=0.3, friction=0.5)}
+    ball: Spec = {"restitution": 1, "friction": 0.5}
+    beside = {
+        "shelf": {**GROUND, "position": [0, 9], "restitution": 1},
+        "ball": disc((3, 11), radius=0.2) | ball,
+    }
+    ground = {"ground": {**GROUND, "restitution": 0}}
+    alone = dropped(240, fallen)
+    bounces = {**DIRECT, "restitution": {}}
+    dull: Spec = {"falls": {**fallen["falls"], "restitution": 0}}
+    both = level({**ground, **dull, **beside}, bounces, stepping={"rate": 240})
+
+    one, other = (build(scene).advance(180) for scene in (alone, both))
+    assert one.position[1] == pytest.approx(other.position[1], abs=1e-12)
+    assert one.angle[1] == pytest.approx(other.angle[1], abs=1e-12)
+
+
 def test_what_flies_past_is_not_stopped() -> None:
     """A disc misses a post by a millimetre, in the bits in which it flies without one."""
     post = fixed({"type": "box", "width": 0.2, "height": 1.0}, (0.501, 0.5))

@@ -1,0 +1,60 @@
+"""Contacts that joints decide: what stands on the ground with a pin comes near to it by the pin.
+
+Such a contact can change nothing, and contradicts the pin by some nanometres as its corner turns,
+for that is round by the skin. Where this is in the way, the pin holds, and the contact bears
+nothing.
+"""
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+from sandbox.physics.contacts.direct.kick_system import Kick
+from sandbox.physics.contacts.direct.linear_systems import CUT
+from sandbox.physics.contacts.direct.row_layout import Layout
+from sandbox.physics.contacts.direct.surfaces import SLOP
+from sandbox.physics.contacts.shapes import DIRECT_SKIN
+from sandbox.physics.engine.batch import Booleans
+from sandbox.physics.state.errors import NoForces
+
+MOVES = 1e3 * CUT
+"""The share of its inverse mass that joints leave to a contact that they decide: rounding."""
+
+
+def without_held(kick: Kick) -> tuple[Layout, Booleans] | None:
+    """Return what all else asks for, and which contacts, (k,), joints decide; None if none."""
+    layout = kick.layout
+    if not len(layout.joined):
+        return None
+    here, response = kick.here.jacobian, kick.response
+    rows, answers = layout.joined + layout.gaps.start, response[layout.ties]
+    across = here[rows] @ answers.T
+    shares = np.linalg.lstsq(here[layout.ties] @ answers.T, across.T, rcond=CUT)[0]
+    own = np.vecdot(here[rows], response[rows])
+    held = layout.joined[own - np.vecdot(across, shares.T) <= MOVES * own]
+    if not len(held):
+        return None
+    decided = np.zeros(layout.gaps.stop - layout.gaps.start, dtype=bool)
+    decided[held] = True
+    pushes = layout.problem.pushes.copy()
+    pushes[layout.gaps] &= ~decided
+    return layout.asking(layout.problem._replace(pushes=pushes)), decided
+
+
+def check_held(kick: Kick, decided: Booleans, motion: Array) -> None:
+    """Refuse velocities, (3 N,) [m/s, rad/s], with which joints push bodies into each other.
+
+    Parameters
+    ----------
+    decided
+        (k,), which contacts they decide.
+
+    Raises
+    ------
+    NoForces
+        If they do, by more than the overlap that is left alone.
+    """
+    gaps, touching = kick.layout.gaps, kick.layout.touching
+    there = kick.rows(motion * kick.joints.drift).total
+    deep = (np.minimum(kick.targets(), -SLOP) - there)[gaps] * decided
+    if deep.max() > DIRECT_SKIN:
+        raise NoForces(*touching.bodies[:, int(deep.argmax())].tolist())
