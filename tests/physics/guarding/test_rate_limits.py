@@ -69,6 +69,17 @@ def test_a_fast_body_asks_for_steps_as_long_as_it_is_wide() -> None:
     assert smallest(world.scene.space) == pytest.approx(0.02, rel=1e-6)
 
 
+@pytest.mark.parametrize("solver", ["direct", "iterative"])
+def test_a_line_asks_for_nothing_for_it_is_as_wide_as_its_skin(solver: str) -> None:
+    line: Spec = {
+        "shape": {"type": "segment", "start": [-1, 0], "end": [1, 0]},
+        "mass": 1,
+        "velocity": [0, 5],
+    }
+    world = build(level({"line": line, "ball": disc((5, 5))}, {"contact": {"solver": solver}}))
+    assert needs(world.scene, world.snapshot) == []
+
+
 def test_a_pin_asks_for_nothing_for_it_has_no_length_to_swing_about() -> None:
     pin = {"type": "pivot", "ends": [[0, 0], {"body": "rod", "at": [-0.3, 0]}]}
     scene = level(
