@@ -8,9 +8,9 @@ import numpy as np
 from sandbox.model.expressions import Array
 from sandbox.physics.state.cancellation import cancellation_point
 
-REPEATS = 1e9
+REPEATS = 1e11
 """How much larger the solution of rows that do not repeat each other may be than what is asked for.
-A mass of 1,000,000 on one of 1 has 1e7."""
+A mass of 1,000,000 on one of 1 has 1e7, and one of 31,000,000, spread over 31 boxes, 1e10."""
 
 CUT = 1e-10
 """The share of the largest that a row adds to those before it, and that is nothing where rows

@@ -554,3 +554,19 @@ def test_what_hangs_together_beyond_what_a_step_can_solve_is_refused() -> None:
     """A stack of 800 boxes took 95 s to begin; as many apart from each other take a second."""
     with pytest.raises(SimulationError, match=r"1,803 conditions .* and 1,500 can be"):
         build(stack(600, 1))
+
+
+@pytest.mark.parametrize("light", [1e-5, 1e-6])
+def test_boxes_stand_on_one_of_a_thirty_millionth_of_their_mass(light: float) -> None:
+    """Its rows nearly repeat each other, and yet they do not."""
+    bodies = {
+        f"box{i}": box((0, 0.1 + 0.2 * i), size=(0.3, 0.2), mass=1 if i else light, friction=0.5)
+        for i in range(32)
+    }
+    effects = {**ROUGH, "contact": {"solver": "direct"}}
+    world = build(level({"ground": floor(friction=1), **bodies}, effects, stepping={"rate": 60}))
+    start = world.snapshot.position
+    now = world.advance(60)
+
+    assert np.abs(now.position - start).max() < 1e-7
+    assert now.normal[0] == pytest.approx((31 + light) * G, rel=1e-8)
