@@ -1,9 +1,12 @@
 """The impulses with which contacts and joints hold after a drift."""
 
+import numpy as np
+
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.constraint_rows import Active
 from sandbox.physics.contacts.direct.held_contacts import check_held, without_held
 from sandbox.physics.contacts.direct.kick_system import Kick
+from sandbox.physics.contacts.direct.linear_systems import CUT
 from sandbox.physics.contacts.direct.newton import newton
 from sandbox.physics.contacts.direct.row_layout import Layout
 from sandbox.physics.joints.exact.constraints import GROWS
@@ -107,8 +110,27 @@ def _grows(kick: Kick, motion: Array, found: Held, energy: float) -> bool:
 
 
 def _squeezes(kick: Kick, motion: Array, found: Held, energy: float) -> bool:
-    """Return whether surfaces give energy by pressing on each other; see `_grows`."""
+    """Return whether surfaces give energy by pressing on each other; see `_grows`.
+
+    Without the joints a body that is lifted at one end turns, and leaves with its other end what
+    presses on that: what surfaces give is seen beside a motion that joints allow.
+    """
     impulse, moved, _ = found
-    gaps = kick.layout.gaps
-    work = float(impulse[gaps] @ (kick.here.jacobian[gaps] @ (motion + moved))) / 2
-    return work > GIVES * energy
+    gaps, least = kick.layout.gaps, GIVES * energy
+    closing = kick.here.jacobian[gaps]
+
+    def work(before: Array) -> float:
+        return float(impulse[gaps] @ (closing @ (before + moved))) / 2
+
+    return work(motion) > least and work(_joined(kick, motion)) > least
+
+
+def _joined(kick: Kick, motion: Array) -> Array:
+    """Return the velocities, (3 N,), that joints alone make of others [m/s, rad/s]."""
+    held = np.flatnonzero(kick.layout.problem.free)
+    if not len(held):
+        return motion
+    jacobian, response = kick.here.jacobian[held], kick.response[held]
+    rates = jacobian @ motion + kick.joint_rates()[held]
+    impulse = np.linalg.lstsq(jacobian @ response.T, rates, rcond=CUT)[0]
+    return np.asarray(motion - impulse @ response)

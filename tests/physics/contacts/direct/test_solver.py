@@ -570,3 +570,24 @@ def test_boxes_stand_on_one_of_a_thirty_millionth_of_their_mass(light: float) ->
 
     assert np.abs(now.position - start).max() < 1e-7
     assert now.normal[0] == pytest.approx((31 + light) * G, rel=1e-8)
+
+
+def test_bricks_stay_where_they_lie_on_a_barrow_that_is_lifted() -> None:
+    """Its handle alone would turn it away under them; its axle does not let it."""
+    bodies = {
+        "ground": GROUND,
+        "wheel": disc((0, 0.2), radius=0.2, mass=3, friction=0.9),
+        "tray": box((0.7, 0.45), size=(1.4, 0.1), mass=15, friction=0.8),
+        "bricks": box((0.3, 0.7), size=(0.5, 0.4), mass=120, friction=0.7),
+    }
+    axle = {"type": "pivot", "ends": [{"body": "tray", "at": [-0.7, -0.25]}, "wheel"]}
+    handle = {"body": "tray", "at": [0.7, 0], "force": [0, "330 + 100*t"]}
+    effects = {**ROUGH, "contact": {"jointed": False}, "force": [handle]}
+    world = build(level(bodies, effects, joints={"axle": axle}, stepping={"rate": 240}))
+    now = world.advance(120)
+
+    (_, _, tray, bricks), tilt = now.position, now.angle[2]
+    apart = complex(*(bricks - tray)) * rect(1, -tilt)
+    assert tilt > 0.1
+    assert now.angle[3] == pytest.approx(tilt, abs=1e-12)
+    assert apart == pytest.approx(-0.4 + 0.25j, abs=1e-10)
