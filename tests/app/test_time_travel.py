@@ -50,28 +50,115 @@ def test_a_run_that_goes_back_comes_to_the_same_states_again(name: str) -> None:
     assert fingerprint(session.world.snapshot) == late
 
 
-def test_what_a_hand_did_is_done_again_and_what_it_did_later_is_forgotten() -> None:
-    session = opened("newton/atwood")
+def pulled() -> tuple[Session, dict[int, str]]:
+    """Return a run at step 40, of which a hand held a body from 10 to 20; and its states."""
+    session, states = opened("newton/atwood"), {}
     take(session, 10)
     session.playing = True
     session.grab("left", (-0.6, 0.0))
     session.drag((-0.6, 0.5))
-    for _ in range(10):
+    for step in range(11, 41):
         session._advance()
-    session.release()
-    for _ in range(20):
+        states[step] = fingerprint(session.world.snapshot)
+        if step == 15:
+            session.drag((-0.6, 0.7))
+        if step == 20:
+            session.release()
+    session.playing = False
+    return session, states
+
+
+def kinds(session: Session) -> list[str]:
+    return [action.kind for action in session.all_actions]
+
+
+def test_what_a_hand_did_is_done_again_back_and_ahead() -> None:
+    session, states = pulled()
+    done = ["grab", "drag", "drag", "release"]
+    assert kinds(session) == done
+
+    for step in (40, 15, 35, 12, 3, 17, 38):
+        go_to(session, step)
+        assert kinds(session) == done
+        if step > 10:
+            assert fingerprint(session.world.snapshot) == states[step]
+
+    go_to(session, 5)
+    session.playing = True
+    while session.world.steps < 40:
         session._advance()
-    held, after = 15, fingerprint(session.world.snapshot)
-    assert [action.kind for action in session.actions] == ["grab", "drag", "release"]
-
-    go_to(session, 40)
-    assert fingerprint(session.world.snapshot) == after
-
-    go_to(session, held)
-    assert [action.kind for action in session.actions] == ["grab", "drag", "release"]
-    assert session.actions[-1].step == held
+    assert fingerprint(session.world.snapshot) == states[40]
     free = opened("newton/atwood")
-    assert fingerprint(session.world.snapshot) != take(free, held)
+    assert fingerprint(session.world.snapshot) != take(free, 40)
+    assert session.earlier == ()
+
+
+def test_something_new_at_an_earlier_step_starts_another_future_and_the_old_one_stays() -> None:
+    session, _ = pulled()
+    go_to(session, 17)  # while the body is held
+
+    session.grab("left", (-0.6, 0.0))
+    session.drag((-0.6, 1.0))
+    session.release()
+
+    assert kinds(session) == ["grab", "drag", "drag", "release", "place"]
+    assert [action.step for action in session.all_actions] == [10, 10, 15, 17, 17]
+    (left,) = session.earlier
+    assert left.label.startswith("left at ")
+    assert left.world.steps == 40
+    assert session.later is None
+    state = take(session, 20)
+    go_to(session, 0)
+    go_to(session, 37)
+    assert fingerprint(session.world.snapshot) == state
+
+
+def test_a_branch_is_taken_again_back_and_ahead() -> None:
+    session = opened("kinematics/projectile")
+    take(session, 20)
+    session.branch({"g": 3.0})
+    state = take(session, 20)
+
+    go_to(session, 5)
+    assert session.values["g"] != 3.0
+    go_to(session, 40)
+
+    assert session.values["g"] == 3.0
+    assert fingerprint(session.world.snapshot) == state
+    assert len(session.earlier) == 1
+
+
+def test_another_branch_at_an_earlier_step_takes_the_place_of_the_later_one() -> None:
+    session = opened("kinematics/projectile")
+    take(session, 20)
+    session.branch({"g": 3.0})
+    take(session, 60)
+    go_to(session, 10)
+
+    session.branch({"g": 5.0})
+
+    assert kinds(session) == ["branch"]
+    assert [run.world.steps for run in session.earlier] == [20, 80]
+
+
+def test_what_was_recorded_on_both_sides_of_a_move_is_shown_at_once(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    session = opened("newton/atwood")
+    early = take(session, 20)
+    take(session, 10)
+    session.grab("left", (-0.6, 0.0))
+    session.drag((-0.6, 1.0))
+    session.release()
+    late = take(session, 20)
+    take(session, 10)
+    go_to(session, 25)
+    slowly(monkeypatch)
+
+    session.go_to(20)
+    assert fingerprint(session.shown.snapshot) == early
+    session.go_to(50)
+    assert fingerprint(session.shown.snapshot) == late
 
 
 def test_what_was_put_elsewhere_before_the_start_still_is_after_the_way_back_to_it() -> None:

@@ -43,7 +43,7 @@ class Trial:
         text = session.original.text
         steps = session.world.steps if session.sought is None else session.sought
         if steps:
-            run = Run(tuple(session.actions), steps, session.begun_with, session.t)
+            run = Run(tuple(session.all_actions), steps, session.begun_with, session.t)
             self._left.pop(text, None)
             self._left[text] = run
             self._latest = text
@@ -67,14 +67,14 @@ class Trial:
     @staticmethod
     def changed(session: Session) -> bool:
         """Whether the run that is shown was changed on the way."""
-        return any(action.kind == "alter" for action in session.actions)
+        return any(action.kind == "alter" for action in session.all_actions)
 
     def take_back(self, session: Session) -> None:
         """Take back the last change of a run that was changed: it stands where that was done."""
-        *_, last = (i for i, action in enumerate(session.actions) if action.kind == "alter")
-        action = session.actions[last]
-        self._undone.append(action)
-        session.resume(session.actions[:last], action.step)
+        actions = session.all_actions
+        *_, last = (i for i, action in enumerate(actions) if action.kind == "alter")
+        self._undone.append(actions[last])
+        session.resume(actions[:last], actions[last].step)
 
     def is_taken_back(self, session: Session) -> bool:
         """Whether the run stands where a change of it was taken back."""

@@ -40,7 +40,8 @@ class Earlier(NamedTuple):
     Attributes
     ----------
     values
-        The parameters that were changed after it, with the values that they had, in words.
+        The parameters that were changed after it, with the values that they had, in words; empty
+        where a hand changed it.
     left
         When a branch left it [s]; None if the next run started anew.
     trail, history, world
@@ -58,6 +59,8 @@ class Earlier(NamedTuple):
         """What it is, in words."""
         if self.left is None:
             return self.values
+        if not self.values:
+            return say("left at {t:.2f} s", t=self.left)
         return say("{values}, left at {t:.2f} s", values=self.values, t=self.left)
 
 
@@ -80,9 +83,10 @@ def kept(
     before = run.world.values
     changed = ", ".join(f"{n} = {v:.6g}" for n, v in before.items() if v != values.get(n, v))
     made = Earlier(changed, left, *run)
-    if any(one.label == made.label for one in earlier) or _is_brief(run):
+    others = tuple(one for one in earlier if one.label != made.label)
+    if (changed and len(others) < len(earlier)) or _is_brief(run):
         return earlier
-    return (*earlier, made)[-len(theme.LANES) :]
+    return (*others, made)[-len(theme.LANES) :]
 
 
 def _is_brief(run: Observed) -> bool:

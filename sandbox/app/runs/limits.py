@@ -20,16 +20,14 @@ class Limits:
     ----------
     message
         Why the run is to pause; empty while nothing is the matter.
-
-    Parameters
-    ----------
     recorder
         What is recorded of the run.
     """
 
-    def __init__(self, recorder: Recorder) -> None:
+    recorder: Recorder
+
+    def __init__(self) -> None:
         self.message = ""
-        self._recorder = recorder
         self._patience: Patience | None = Patience(SLOW)
         self._room = True  # as far as anybody has been told
 
@@ -39,10 +37,10 @@ class Limits:
             message = later("A step takes {time}; the window waits for each")
             self.message = say(message, time=formatting.seconds(seconds))
             self._patience = None  # somebody knows
-        elif self._room and self._recorder.full:
+        elif self._room and self.recorder.full:
             self.message = say(
                 "{count:,} instants are recorded, the most there can be: checks see no more",
-                count=len(self._recorder),
+                count=len(self.recorder),
             )
             self._room = False
         else:

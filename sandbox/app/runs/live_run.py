@@ -72,7 +72,8 @@ class LiveRun:
     actions
         What a person has done to it so far.
     script
-        What is to be done to it at steps to come, because it was done when it was taken before.
+        What is to be done to it at steps to come, because it was done when it was taken before; it
+        is dropped when something else is done first.
     ahead
         How far it had been before a way back; None if it never came farther.
 
@@ -106,9 +107,9 @@ class LiveRun:
         self.script: Sequence[Action] = ()
         self.ahead: Observed | None = None
         self._fork: World | None = None  # from which it branched off last
-        self._recorder = Recorder(world, [*needed(original), *milestones.needed(world.level)])
-        self._grading = Grading(self._recorder)
-        self.limits, self._patience = Limits(self._recorder), Patience()
+        self._quantities = [*needed(original), *milestones.needed(world.level)]
+        self.limits, self._patience = Limits(), Patience()
+        self._record()
         self._attempts: Ration[Attempt | None] = Ration(self._attempt, None)
 
     @property
@@ -122,6 +123,18 @@ class LiveRun:
         here = Observed(self.trail, self.history, self.world)
         return max((run for run in (self.ahead, here) if run), key=Observed.steps)
 
+    @property
+    def all_actions(self) -> Sequence[Action]:
+        """What a person has done to it at any step, also at those that are still to come again."""
+        return [*self.actions, *self.script]
+
+    def _record(self) -> None:
+        """Record it from now on, and nothing of what was before."""
+        self._recorder = Recorder(self.world, self._quantities)
+        self._recorded, self._moved = self.world, False
+        self._grading = Grading(self._recorder)
+        self.limits.recorder = self._recorder
+
     def keep_as_earlier(self, values: Mapping[str, float]) -> None:
         """Keep it, as it is now, among the runs before one with other parameters."""
         here = Observed(self.trail, self.history, self.world)
@@ -130,6 +143,8 @@ class LiveRun:
     def advance(self) -> None:
         """Take a step, its companions too, and note what is observed."""
         self.catch_up()
+        if self._moved:
+            self._record()
         if self.world.steps % 2:  # whoever comes second finds the caches warm: take turns
             self._follow(self.t + self.world.dt)
         try:
@@ -143,8 +158,8 @@ class LiveRun:
         self._follow(self.t)
         self.trail.add(snapshot.position)
         self.history.note(snapshot)
-        graded = self.world.steps <= self.end and not self.world.disturbed
-        if graded and not self._recorder.full:
+        recorded = self.world is self._recorded and self.world.steps <= self.end
+        if recorded and not self._recorder.full:
             self._recorder.note()
 
     def _follow(self, t: float) -> None:
@@ -158,8 +173,25 @@ class LiveRun:
             self._do(action)
 
     def act(self, kind: Literal["grab", "drag", "release", "place"], body: str, point: XY) -> None:
-        """Do to a body what a hand does, at a point [m], and note it."""
+        """Do to a body what a hand does, at a point [m], and note it.
+
+        What was recorded of later steps becomes an earlier run: what comes now is another one.
+        """
+        self._begin_new_future(self.world.values)
         self._do(Action(step=self.world.steps, kind=kind, body=body, point=point))
+
+    def _begin_new_future(self, values: Mapping[str, float], *, branches: bool = False) -> None:
+        """Keep what was recorded of later steps as an earlier run; what comes now is another.
+
+        A run that `branches` is kept also where nothing later was recorded of it.
+        """
+        left, overwritten = self.farthest, bool(self.script)
+        overwritten |= left.steps() > self.world.steps
+        self.script, self.ahead = (), None
+        if overwritten or branches:
+            self.earlier = kept(self.earlier, left, values, self.t)
+        if overwritten:
+            self.release_what_is_held()
 
     def _do(self, action: Action) -> None:
         """Do something to the run, and note it."""
@@ -170,12 +202,15 @@ class LiveRun:
             self.failure = error
             return
         if world is not before:
+            if action.kind == "branch" and self.ahead is None:
+                self.earlier = kept(self.earlier, self.farthest, world.values, self.t)
             self._go_on_in(world, before, action)
             return
         self.actions.append(action)
         if action.kind in ("place", "release"):
             self.books.hand_over()
         if action.kind == "place":
+            self._moved = True
             self.books.restart()
             self.trail.restart(self.world.snapshot.position)
             self.history.restart(self.world.snapshot)
@@ -197,6 +232,7 @@ class LiveRun:
         world = perform(action, before)
         if again:
             self.actions.pop()
+        self._begin_new_future(values, branches=not again)
         self._go_on_in(world, before, action)
 
     def alter(self, text: str) -> None:
@@ -208,13 +244,13 @@ class LiveRun:
             If that cannot be; then all stays as it was.
         """
         action = Action(step=self.world.steps, kind="alter", level=json.loads(text))
-        self._go_on_in(perform(action, self.world), self.world, action)
+        world = perform(action, self.world)
+        self._begin_new_future(world.values)
+        self._go_on_in(world, self.world, action)
 
     def _go_on_in(self, world: World, before: World, action: Action) -> None:
         """Go on in a world that has branched off from another one, of which something stays."""
-        if before is self.world and action.kind == "branch":
-            self.earlier = kept(self.earlier, self.farthest, world.values, self.t)
-        self._fork, self.world, self.ahead = before, world, None
+        self._fork, self.world = before, world
         self.actions.append(action)
         self.end = max(self.end, count_steps(world))
         booked = self.books.kept

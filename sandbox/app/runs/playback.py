@@ -18,7 +18,7 @@ from sandbox.app.runs.actions import Action
 from sandbox.app.runs.grabbed_body import Grip
 from sandbox.app.runs.live_run import LiveRun
 from sandbox.app.runs.pace import faster, slower
-from sandbox.app.runs.record import Record
+from sandbox.app.runs.record import Records
 from sandbox.app.runs.run_view import RunView
 from sandbox.model.errors import SandboxError
 from sandbox.model.shapes import XY
@@ -68,8 +68,8 @@ class Playback(RunView, ABC):
         self._grip = Grip(run)
         self._owed = 0.0  # steps
         self.sought: int | None = None
-        self._record: Record | None = None  # of what is taken again
-        self._known = False  # whether what is sought is in it
+        self._records = Records()  # of what is taken again
+        self._recalled: Observed | None = None  # what is sought, if it is in one of them
 
     @abstractmethod
     def _run_anew(self) -> LiveRun:
@@ -101,9 +101,7 @@ class Playback(RunView, ABC):
 
         It is there at once: the run itself takes its time until it stands there again.
         """
-        if self._record is None or self.sought is None or not self._known:
-            return None
-        return self._record.run
+        return self._recalled if self.sought is not None else None
 
     @property
     def shown(self) -> World:
@@ -112,8 +110,8 @@ class Playback(RunView, ABC):
 
     def _recall(self) -> None:
         """Show what was recorded of the step that is sought, or nothing if nobody knows it."""
-        if self._record and self.sought is not None:
-            self._known = self._record.show(self.sought, [*self.actions, *self.run.script])
+        if self.sought is not None:
+            self._recalled = self._records.show(self.sought, self.run.all_actions)
 
     def toggle(self) -> None:
         """Play, or pause; go on with a run that had to stop, if it can."""
@@ -138,15 +136,16 @@ class Playback(RunView, ABC):
         """Go to another step of the run, back or ahead; to the level's end at the most.
 
         A way back begins at the start: the run is taken again, with all that a hand did to it, and
-        so is the same to the last bit. What was done later is forgotten. A long way takes some
-        frames, see `sought`; what was recorded is there before, see `recalled`.
+        so is the same to the last bit. What was done later is done again when its step comes,
+        unless something else is done before. A long way takes some frames, see `sought`; what was
+        recorded is there before, see `recalled`.
 
         Parameters
         ----------
         step
             Which.
         undone
-            Whether what was done at that step itself is forgotten, too.
+            Whether what was done at that step and later is forgotten.
 
         Raises
         ------
@@ -175,14 +174,13 @@ class Playback(RunView, ABC):
         self._seek(budget)
 
     def _begin_again(self, sought: int, *, undone: bool = False) -> None:
-        """Start anew with the same parameters, to do again what was done up to a step."""
-        before, record = self.run, self._record
-        actions = [*before.actions, *before.script]
-        if record is None or not record.covers(before.world.steps, actions):
-            record = Record(Observed(before.trail, before.history, before.world), before.actions)
+        """Start anew with the same parameters, to do again what was done."""
+        before, actions = self.run, self.run.all_actions
+        here = Observed(before.trail, before.history, before.world)
+        records = self._records.having(here, before.actions)
         self._take_up(self._run_anew())
-        self._record = record
-        self.run.script = [a for a in actions if a.step < sought + (not undone)]
+        self._records = records
+        self.run.script = [a for a in actions if a.step < sought or not undone]
         self.run.ahead = before.farthest
         self.run.end = max(self.run.end, before.end)
         self.sought = sought
@@ -196,7 +194,8 @@ class Playback(RunView, ABC):
             elif self.world.steps >= self.sought:
                 self.run.catch_up()
                 self.sought = None
-                self.run.release_what_is_held()
+                if not self.run.script:
+                    self.run.release_what_is_held()
                 self.playing = playing and not self.at_end
             elif perf_counter() > deadline:
                 return

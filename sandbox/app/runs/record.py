@@ -6,6 +6,9 @@ from typing import NamedTuple
 from sandbox.app.observing.earlier_runs import Observed
 from sandbox.app.runs.actions import Action
 
+MOST = 3
+"""So many are kept: what is observed begins anew where a hand moves a body, or the run branches."""
+
 
 class Record(NamedTuple):
     """A run that was left.
@@ -29,9 +32,21 @@ class Record(NamedTuple):
         begun = float(self.run.history.snapshots.t[0])
         return begun <= step * self.run.world.dt and step <= self.run.steps() and known == done
 
-    def show(self, step: int, actions: Sequence[Action]) -> bool:
-        """Let its world show what is kept nearest to a step; return whether it is known at all."""
-        covered = self.covers(step, actions)
-        if covered:
-            self.run.world.recall(self.run.history.at(step * self.run.world.dt))
-        return covered
+
+class Records(tuple[Record, ...]):
+    """The last runs that were left, the newest last."""
+
+    __slots__ = ()
+
+    def having(self, run: Observed, actions: Sequence[Action]) -> "Records":
+        """Return them with a run to which this was done, unless one of them has come as far."""
+        if any(each.covers(run.steps(), actions) for each in self):
+            return self
+        return Records((*self, Record(run, actions))[-MOST:])
+
+    def show(self, step: int, actions: Sequence[Action]) -> Observed | None:
+        """Let a world show what is kept nearest to a step of a run; None if it is in no record."""
+        found = next((each.run for each in reversed(self) if each.covers(step, actions)), None)
+        if found:
+            found.world.recall(found.history.at(step * found.world.dt))
+        return found

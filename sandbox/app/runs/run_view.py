@@ -99,6 +99,11 @@ class RunView:
         return self.run.actions
 
     @property
+    def all_actions(self) -> Sequence[Action]:
+        """What a person has done to the run, also at recorded steps that are still to come."""
+        return self.run.all_actions
+
+    @property
     def clock(self) -> Clock:
         """What the steps take."""
         return self.run.clock

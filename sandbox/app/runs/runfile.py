@@ -33,11 +33,11 @@ class Run(Model):
     parameters: Mapping[str, Annotated[float, Field(strict=False, allow_inf_nan=False)]]
     """their values at the start"""
     steps: Annotated[int, Field(ge=0)]
-    """how many steps were taken"""
+    """after how many steps it stood"""
     actions: Annotated[tuple[Action, ...], Field(strict=False)] = ()
-    """what was done to it, in order"""
+    """what was done to it, in order, also at steps later than that"""
     state: str
-    """a hash of the state at the end"""
+    """a hash of the state after these steps"""
 
 
 def run_of(session: Session) -> Run:
@@ -50,7 +50,7 @@ def run_of(session: Session) -> Run:
         level=level.model_dump(mode="json", by_alias=True, exclude_defaults=True),
         parameters={name: session.begun_with[name] for name in level.parameters},
         steps=session.world.steps,
-        actions=tuple(session.actions),
+        actions=tuple(session.all_actions),
         state=fingerprint(session.world.snapshot),
     )
 

@@ -83,7 +83,7 @@ class Session(Playback):
     @property
     def touched(self) -> bool:
         """Whether a person has changed anything since the level was opened."""
-        changed = self.companions or self.earlier or self.run.actions
+        changed = self.companions or self.earlier or self.all_actions
         return bool(changed) or (self.level, self.values) != self._opened
 
     def values_for(self, level: Level) -> Values:
@@ -117,6 +117,16 @@ class Session(Playback):
             self._take_up(self._run_with(values))
         except SandboxError as error:
             self._stop(error)
+
+    def rewind(self) -> None:
+        """Go back to the start, with what a hand did there and later.
+
+        A run that went on with other parameters or parts starts anew with the present ones.
+        """
+        if any(action.kind in ("branch", "alter") for action in self.all_actions) or self.failure:
+            self.restart()
+        else:
+            self.go_to(0)
 
     def forget_earlier(self) -> None:
         """Let nothing stay of the runs with other parameters."""

@@ -36,7 +36,7 @@ class Setup(NamedTuple):
     """the parameters at the start of the run"""
     branches: Sequence[Branch]
     values: Mapping[str, float]
-    """the parameters now"""
+    """the parameters after all branches"""
     speed: float
 
 
@@ -112,11 +112,15 @@ class Undoing:
 
 def setup(session: Session) -> Setup:
     """Return what is chosen now."""
-    branches = [Branch(a.step, a.parameters) for a in session.actions if a.kind == "branch"]
+    branches = [Branch(a.step, a.parameters) for a in session.all_actions if a.kind == "branch"]
     beside = [companion.variant for companion in session.companions]
+    values = dict(session.values_for(session.begun_as))
+    for to_come in branches:
+        if to_come.step > session.world.steps:
+            values |= to_come.parameters
     return Setup(
-        session.begun_as, session.changes, beside, session.begun_with, branches,
-        session.values_for(session.begun_as), session.speed,
+        session.begun_as, session.changes, beside, session.begun_with, branches, values,
+        session.speed,
     )  # fmt: skip
 
 

@@ -9,6 +9,7 @@ import pygame
 import pytest
 
 from sandbox.app.cards.card import Card
+from sandbox.app.cards.checks import TOUCHED
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
 from sandbox.app.pages.predict import card, neglected
@@ -17,6 +18,7 @@ from sandbox.app.pages.predict.panel import PredictPage
 from sandbox.app.pages.predict.predicting import Predicting
 from sandbox.app.pages.predict.questions import questions, read, when
 from sandbox.app.runs.session import Session
+from sandbox.app.words.language import say
 from sandbox.model.arithmetic import ExpressionError
 from sandbox.model.effect_variants import Variation
 from sandbox.physics.run import simulate
@@ -349,7 +351,9 @@ def test_a_prediction_ends_with_its_level(asked: Person, tmp_path: Path) -> None
     assert not asked.session.locked
 
 
-def test_a_run_that_a_hand_has_touched_is_begun_anew(asked: Person) -> None:
+def test_what_a_hand_did_before_or_while_it_is_asked_belongs_to_the_run(
+    asked: Person, written: list[str]
+) -> None:
     asked.session.grab("ball", (0, 5))
     asked.session.drag((1, 6))
     asked.session.release()
@@ -360,7 +364,41 @@ def test_a_run_that_a_hand_has_touched_is_begun_anew(asked: Person) -> None:
 
     outcome = predicting(asked).outcome
     assert outcome is not None
+    assert outcome.formula is None
+    # it fell from y = 6 at 10 m/s² for half a second
     assert outcome.simulated == pytest.approx(5)
+    assert asked.session.world.snapshot.position[0].tolist() == pytest.approx([1, 1])
+    assert say(TOUCHED) in written
+    assert not predicting(asked).trials
+
+
+def test_two_balls_that_were_lifted_are_still_when_the_last_ones_way_is_predicted(
+    person: Person,
+) -> None:
+    person.window.open_level("momentum/cradle")
+    person.wait()
+    for ball in ("ball2", "ball1"):
+        row = list(person.session.level.bodies).index(ball)
+        x, y = person.session.world.snapshot.position[row]
+        person.drag(person.on_screen((x, y)), person.on_screen((x - 0.5, y + 0.4)))
+    lifted = person.session.world.snapshot.position[:2].copy()
+    person.press(pygame.K_SPACE, " ")
+    person.wait(0.2)
+    done = list(person.session.all_actions)
+
+    person.press(pygame.K_q, "q")
+    person.click(person.page(PredictPage).button.rect)
+
+    assert person.session.world.steps == 0
+    assert (person.session.world.snapshot.position[:2] == lifted).all()
+    answer(person, "1")
+    assert person.session.playing
+    person.wait(0.1)
+    assert list(person.session.all_actions) == done
+    until_tried(person)
+    outcome = predicting(person).outcome
+    assert outcome is not None
+    assert outcome.formula is None
 
 
 def test_what_is_impossible_is_left_out_of_what_is_tried() -> None:

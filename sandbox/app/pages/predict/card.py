@@ -70,18 +70,18 @@ def result(
 ) -> pygame.Surface:  # fmt: skip
     """Draw what came of a prediction, and which neglected effects would change that."""
     card = Card(pen, width)
-    if session.world.disturbed:
-        card.text(say(TOUCHED), 14, theme.NOTICE)
-        message = say("Restart (R) to test your prediction.")
-        card.text(message, 13, theme.DIM)
-    elif outcome is None:
+    if outcome is None:
         over = session.failure is not None or session.world.steps >= session.end
         message = say(NEVER) if over else say("It runs …")
         card.text(message, 14, theme.NOTICE if over else theme.DIM)
     else:
         _verdict(card, outcome)
         _compared(card, outcome)
-        _explained(card, outcome, trials, trying)
+        if outcome.formula is None:
+            card.y += GAP
+            card.text(say(TOUCHED), 12, theme.DIM)
+        else:
+            _explained(card, outcome, trials, trying)
     return card.drawn()
 
 
@@ -103,12 +103,15 @@ def _compared(card: Card, outcome: Outcome) -> None:
         (say("simulation"), outcome.simulated, ""),
     ]
     for name, value, apart in rows:
-        told = formatting.quantity(value, outcome.unit)
-        card.columns([(name, theme.DIM), (told, theme.TEXT), (apart, theme.DIM)], 14)
+        if value is not None:
+            told = formatting.quantity(value, outcome.unit)
+            card.columns([(name, theme.DIM), (told, theme.TEXT), (apart, theme.DIM)], 14)
 
 
-def _apart(outcome: Outcome, value: float) -> str:
-    """Write how far a value is from the simulated one."""
+def _apart(outcome: Outcome, value: float | None) -> str:
+    """Write how far a value is from the simulated one, if there is one."""
+    if value is None:
+        return ""
     apart = outcome.apart(value)
     if abs(apart) < 1e-9:
         return say("equal")

@@ -22,7 +22,7 @@ class Outcome:
     Attributes
     ----------
     predicted, formula, simulated
-        Three values of one quantity.
+        Three values of one quantity; no formula describes a run that a hand has changed.
     unit
         Theirs.
     scale
@@ -30,7 +30,7 @@ class Outcome:
     """
 
     predicted: float
-    formula: float
+    formula: float | None
     simulated: float
     unit: str
     scale: float | None
@@ -53,21 +53,26 @@ class Outcome:
         return say("within {share:g} %", share=100 * self.limit)
 
 
-def judged(check: Check, trace: Trace, predicted: float) -> Outcome | None:
+def judged(
+    check: Check, trace: Trace, predicted: float, *, formula_holds: bool = True
+) -> Outcome | None:
     """Hold a prediction against a run; None while what was asked for has not come."""
     result = grade_check(check, trace)
-    if result.measured is None or result.expected is None:
+    if result.measured is None:
         return None
-    scale = _scale(result, trace)
-    return Outcome(predicted, result.expected, result.measured, result.unit, scale)
+    formula = result.expected if formula_holds else None
+    scale = _scale(result, formula, trace)
+    return Outcome(predicted, formula, result.measured, result.unit, scale)
 
 
-def _scale(result: Result, trace: Trace) -> float | None:
-    """Return the size of the expected value; where that is zero, of the quantity in the run."""
-    check, expected, measured = result.check, result.expected, result.measured
-    assert expected is not None
+def _scale(result: Result, formula: float | None, trace: Trace) -> float | None:
+    """Return the size of what the formula says, or else of what was measured.
+
+    Where that is zero, it is the size of the quantity in the run.
+    """
+    check, measured = result.check, result.measured
     assert measured is not None
-    size = abs(expected if isfinite(expected) else measured)
+    size = abs(formula if formula is not None and isfinite(formula) else measured)
     size = max(size, least_scale(check, trace.values))
     if size > ZERO:
         return size

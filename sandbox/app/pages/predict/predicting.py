@@ -68,11 +68,14 @@ class Predicting:
         return self._work.running
 
     def ask(self, session: Session, question: Check) -> None:
-        """Put the run back to its start, and lock it until the question is answered."""
+        """Put the run back to its start, and lock it until the question is answered.
+
+        What a hand did to it is done again: the prediction is one of that run.
+        """
         self._forget()
         self._session, self.question, self._values = session, question, session.values
         session.playing = False
-        session.restart()
+        session.rewind()
         session.locked = True
         self._world = session.world
 
@@ -91,8 +94,6 @@ class Predicting:
             self.refusal = error.message
             return False
         self.refusal, session.locked = NOTHING, False
-        if session.world.disturbed:
-            session.restart()
         self._judge_from_now_on(session, self.question, self.predicted)
         session.playing = session.failure is None
         return True
@@ -100,7 +101,10 @@ class Predicting:
     def _judge_from_now_on(self, session: Session, question: Check, predicted: float) -> None:
         self._world, self.outcome = session.world, None
         self._ration: Ration[Outcome | None] = Ration(
-            lambda: judged(question, session.trace, predicted), None
+            lambda: judged(
+                question, session.trace, predicted, formula_holds=not session.world.disturbed
+            ),
+            None,
         )
 
     def follow(self, session: Session, seconds: float, *, watched: bool) -> str | None:  # noqa: ARG002
@@ -118,7 +122,7 @@ class Predicting:
         if session.world is not self._world:
             self._judge_from_now_on(session, self.question, self.predicted)
         self._judge(session)
-        if self.outcome is not None and watched and not self._tried:
+        if self.outcome and self.outcome.formula is not None and watched and not self._tried:
             self._try(session)
         self._look()
         return None
