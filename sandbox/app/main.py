@@ -9,6 +9,7 @@ from time import perf_counter
 
 import pygame
 
+from sandbox.app.heap import give_back_large_blocks
 from sandbox.app.window import Window
 
 FIRST = "kinematics/projectile"
@@ -71,6 +72,7 @@ def _opened(
     """Yield the window with what it begins with, and close it."""
     # a tool tip that does not fit is cut off; that is nothing to tell a terminal
     warnings.filterwarnings("ignore", "Unable to fit tool tip", UserWarning)
+    give_back_large_blocks()
     window = Window()
     with window.hold_up.watched():
         window.open_level(level or FIRST, settings, accuracy)

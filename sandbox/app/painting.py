@@ -27,6 +27,8 @@ def paint(space: Workspace) -> None:
         surface.fill(theme.PANEL, column)
     space.panels.controls.draw(surface, space.session)
     space.panels.manager.draw_ui(surface)
+    if space.panels.side is not None:
+        space.panels.side.draw_over(surface)
     space.panels.focus.draw(surface, space.panels.manager, layout)
     for x in (layout.stage.left, layout.stage.right - 1):
         surface.fill(theme.EDGE, (x, 0, 1, layout.stage.height))

@@ -168,10 +168,44 @@ def test_the_card_that_the_wheel_brings_under_the_mouse_is_lit(visitor: Person) 
 
 
 def test_what_acts_on_the_level_shows_it_again(visitor: Person) -> None:
-    visitor.click(visitor.window.panels.controls.button("play").rect)
+    visitor.press(pygame.K_r, "r")
 
     assert not home(visitor).open
-    assert visitor.session.playing
+
+
+def test_the_bar_below_the_cards_leads_back_and_nothing_on_it_acts_on_the_hidden_run(
+    person: Person,
+) -> None:
+    person.window.open_level("kinematics/free-fall")
+    person.press(pygame.K_SPACE, " ")
+    person.wait(0.2)
+    person.press(pygame.K_F2)
+    bar = person.window.panels.controls
+    steps = person.session.world.steps
+
+    for x in range(0, bar._rect.width, 20):  # where the time could be dragged to
+        if not any(b.rect.collidepoint(x, bar._rect.centery) for b in bar._buttons.values()):
+            person.click((x, bar._rect.centery))
+    assert (person.session.world.steps, person.session.sought) == (steps, None)
+    assert set(bar._buttons) == {"home", "challenges", "help"}
+
+    person.click(bar.button("home").rect)
+    assert not home(person).open
+    assert person.window.panels.controls.button("play")
+
+
+@pytest.mark.parametrize("size", [(900, 600), (1280, 800)])
+def test_the_bar_below_the_cards_is_not_crowded_in_any_language(
+    person: Person, size: tuple[int, int]
+) -> None:
+    person.window.comfort.choose(language="de", size=150)
+    person.window.open_level("kinematics/free-fall")
+    person.resize(size)
+    person.press(pygame.K_F2)
+
+    rects = [b.rect for b in person.window.panels.controls._buttons.values()]
+    assert all(person.window.surface.get_rect().contains(rect) for rect in rects)
+    assert not any(a.colliderect(b) for i, a in enumerate(rects) for b in rects[:i])
 
 
 def test_time_stands_while_nobody_sees_it_pass(person: Person) -> None:

@@ -3,6 +3,7 @@
 import pygame
 import pytest
 
+from sandbox.app.drawing import theme
 from sandbox.app.runs import playback
 from sandbox.app.runs.session import Session
 from sandbox.model import catalog
@@ -323,3 +324,52 @@ def test_a_click_on_the_bar_of_the_time_goes_there(person: Person) -> None:
     person.press(pygame.K_LEFT)
     arrive(person)
     assert person.session.world.steps < person.session.end
+
+
+def test_the_bar_of_the_time_marks_what_a_hand_did_and_scrubbing_keeps_it(person: Person) -> None:
+    person.window.open_level("newton/atwood")
+    for _ in range(30):
+        person.press(pygame.K_RIGHT)
+    x, y = person.session.world.snapshot.position[0]
+    person.drag(person.on_screen((x, y)), person.on_screen((x, y + 0.5)))
+    for _ in range(30):
+        person.press(pygame.K_RIGHT)
+    done, session = list(person.session.actions), person.session
+    state = fingerprint(session.world.snapshot)
+    assert done
+    track = person.window.panels.controls._track
+
+    def at(step: int) -> tuple[float, float]:
+        return track.x + track.width * step / session.end, float(track.centery)
+
+    assert person.color_at((round(at(30)[0]), track.bottom + 1)) == theme.NOTICE
+    person.drag(at(60), at(5))
+    arrive(person)
+    assert session.world.steps < 30
+    person.wait()
+    assert person.color_at((round(at(30)[0]), track.bottom + 1)) == theme.NOTICE
+    person.drag(at(session.world.steps), at(60))
+    arrive(person)
+
+    assert list(session.actions) == done
+    session.go_to(60)
+    arrive(person)
+    assert fingerprint(session.world.snapshot) == state
+
+
+def test_the_column_says_of_what_time_it_tells_while_another_one_is_shown(
+    person: Person, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    person.window.open_level("lagrange/double-pendulum")
+    take(person.session, 60)
+    slowly(monkeypatch)
+    person.session.go_to(40)
+    person.wait()
+
+    top = person.side._sheet.container.rect.topleft
+    pixel = top[0] + 2, top[1] + 2
+    assert person.session.recalled
+    assert person.color_at(pixel) == theme.RAISED
+    arrive(person)
+    person.wait()
+    assert person.color_at(pixel) == theme.PANEL

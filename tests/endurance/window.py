@@ -25,6 +25,7 @@ import typer
 
 from sandbox.app.commands import BINDINGS
 from sandbox.app.files.preferences import Preferences
+from sandbox.app.heap import give_back_large_blocks
 from sandbox.app.pages.register import PAGES
 from sandbox.app.window import Window
 from sandbox.model import catalog
@@ -168,6 +169,7 @@ def main(events: int = 100_000, seed: int = 0) -> None:
     """Post so many events, and tell how memory went."""
     with tempfile.TemporaryDirectory() as folder:
         move_home(folder)
+        give_back_large_blocks()  # as the app does
         readings = _readings(events, seed, Path(folder))
     grown = median(readings[-LAST:]) - median(readings[1 : 1 + LAST])
     typer.echo(f"grown by {grown:.1f} MB from the first readings to the last; {LEAK:g} may be")

@@ -184,6 +184,8 @@ class Page:
     """whether it tells where energy or momentum come from and go: it is booked while it is open"""
     suits: Callable[[Level], bool] | None = None
     """which levels it is made for: with those it is opened, and with others the first page is"""
+    recalls: bool = False
+    """whether it tells what was recorded, while the run itself is on its way there"""
     overlay: str = ""
     """an overlay of the stage that is drawn while the page is shown, also if it is switched off"""
     beside: Callable[[Session], Sequence[Row]] | None = None

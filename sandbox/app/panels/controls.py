@@ -3,22 +3,17 @@
 from collections.abc import Iterator, Mapping
 
 import pygame
-from pygame_gui import UI_BUTTON_PRESSED, UIManager
-from pygame_gui.core import ObjectID
-from pygame_gui.elements import UIButton
+from pygame_gui import UIManager
 
-from sandbox.app.commands import tip
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
+from sandbox.app.panels.bar import GAP, MARGIN, Bar
 from sandbox.app.runs.session import Session
 from sandbox.app.stage.overlays.register import OVERLAYS
 from sandbox.app.widgets.widget_helpers import press
 from sandbox.app.words import formatting
 from sandbox.app.words.language import later, say
 
-HEIGHT = 34  # px, of a button
-GAP = 6  # px
-MARGIN = 12  # px
 SPEED = 58  # px, for the number between the two buttons
 
 ROOMY = 900  # px, the window's width from which on there is room for what is shown
@@ -31,55 +26,34 @@ LEFT: tuple[tuple[str, str], ...] = (
 WAYS: tuple[tuple[str, str], ...] = (("fit", later("Fit")), ("help", later("Help")))
 KNOB = 7.0  # px, the radius of what is dragged along the time
 REACH = 24  # px, how much higher than the bar of the time the area is that can be clicked on
-PADDING = 22  # px, beside the caption of a button, left and right together
+MARKED = "grab", "release", "place", "branch", "alter"
+"""What a person does that has a mark on the bar of the time; a pull goes from one to the next."""
 NEARLY = 0.95  # of the chosen speed, from which on nobody needs to be told that it is not reached
 
 
-class Controls:
+class Controls(Bar):
     """Buttons for the commands that are used all the time, and the clock between them."""
 
     def __init__(self, manager: UIManager, pen: Pen, rect: pygame.Rect) -> None:
-        self._manager, self._pen, self._rect = manager, pen, rect
-        self._buttons: dict[str, UIButton] = {}
+        super().__init__(manager, pen, rect)
         px = pen.px
         x = px(MARGIN)
         for command, text in LEFT:
-            x = self._button(command, say(text), x, self._room(command, text))
+            main = command == "play"
+            room = self._room(*map(say, (PLAY, PAUSE) if main else (text,)), main=main)
+            x = self._button(command, say(text), x, room, main=main)
         self._speed = pygame.Rect(0, 0, 0, 0)
         if rect.width >= px(TIGHT):
             x = self._button("slower", "−", x + px(GAP), 32)
             self._speed = pygame.Rect(x, 0, px(SPEED), 0)
             x = self._button("faster", "+", x + px(SPEED), 32)
-        captions = (*_overlays(), *WAYS) if rect.width >= px(ROOMY) else WAYS[-1:]
-        shown = [(command, say(text), self._room(command, text)) for command, text in captions]
+        wanted = (*_overlays(), *WAYS) if rect.width >= px(ROOMY) else WAYS[-1:]
+        shown = [(command, say(text), self._room(say(text))) for command, text in wanted]
         right = rect.width - px(MARGIN - GAP) - sum(px(width) + px(GAP) for _, _, width in shown)
         self._clock = pygame.Rect(x + px(12), rect.y, right - x - px(28), rect.height)
         self._seeking = False
         for command, text, width in shown:
             right = self._button(command, text, right, width)
-
-    def _room(self, command: str, caption: str) -> int:
-        """Return how wide a button is at the usual scale, whatever its caption will be [px]."""
-        captions = (PLAY, PAUSE) if command == "play" else (caption,)
-        widest = max(self._pen.write(say(each)).width for each in captions)
-        return round(widest / self._pen.scale) + PADDING
-
-    def _button(self, command: str, text: str, x: int, width: int) -> int:
-        """Make a button, and return where the next one begins."""
-        width, height = self._pen.px(width), self._pen.px(HEIGHT)
-        place = pygame.Rect(x, self._rect.y + (self._rect.height - height) // 2, width, height)
-        self._buttons[command] = UIButton(
-            place, text, self._manager, tool_tip_text=tip(command),
-            object_id=ObjectID(class_id="@main") if command == "play" else None,
-        )  # fmt: skip
-        return x + width + self._pen.px(GAP)
-
-    def process(self, event: pygame.event.Event) -> str | None:
-        """Return the command whose button was pressed, if one was."""
-        if event.type != UI_BUTTON_PRESSED:
-            return None
-        pressed = (c for c, button in self._buttons.items() if button is event.ui_element)
-        return next(pressed, None)
 
     def sought(self, event: pygame.event.Event) -> float | None:
         """Return which part of the run was clicked on or dragged to, from 0 to 1; None if none."""
@@ -99,10 +73,6 @@ class Controls:
         px = self._pen.px
         return pygame.Rect(area.x, area.centery + px(8), area.width, px(5))
 
-    def button(self, command: str) -> UIButton:
-        """Return the button of a command."""
-        return self._buttons[command]
-
     def update(self, session: Session | None, shown: Mapping[str, bool]) -> None:
         """Let the buttons say what is the case."""
         playing = session is not None and session.playing
@@ -115,8 +85,7 @@ class Controls:
 
     def draw(self, surface: pygame.Surface, session: Session | None) -> None:
         """Draw the bar's ground, the speed and the clock; the buttons are the manager's."""
-        surface.fill(theme.PANEL, self._rect)
-        surface.fill(theme.EDGE, (*self._rect.topleft, self._rect.width, 1))
+        super().draw(surface, session)
         if session is None:
             return
         if self._speed.width:
@@ -141,12 +110,22 @@ class Controls:
         if share > 0:
             done = pygame.Rect(track.topleft, (round(track.width * share), track.height))
             pygame.draw.rect(surface, theme.ACCENT, done, border_radius=2)
+        self._mark_acts(surface, session)
         knob = track.x + track.width * share, float(track.centery)
         pygame.draw.aacircle(surface, theme.ACCENT, knob, pen.px(KNOB))
         if session.sought is not None:
             other = session.world.steps if session.recalled else session.sought
             ring = track.x + track.width * other / session.end, float(track.centery)
             pygame.draw.aacircle(surface, theme.NOTICE, ring, pen.px(KNOB), 2)
+
+    def _mark_acts(self, surface: pygame.Surface, session: Session) -> None:
+        """Mark where a person did something to the run, also where that is still to come again."""
+        track, px = self._track, self._pen.px
+        steps = {action.step for action in session.all_actions if action.kind in MARKED}
+        for x in {round(track.x + track.width * min(step / session.end, 1.0)) for step in steps}:
+            mark = pygame.Rect(0, 0, max(px(2), 2), track.height + px(6))
+            mark.center = x, track.centery
+            surface.fill(theme.NOTICE, mark)
 
 
 def _overlays() -> list[tuple[str, str]]:

@@ -20,6 +20,7 @@ from sandbox.app.pages.workers import Workers
 from sandbox.app.panels import messages
 from sandbox.app.panels.controls import Controls
 from sandbox.app.panels.focus import Focus
+from sandbox.app.panels.home_bar import HomeBar
 from sandbox.app.panels.layout import Layout, divide
 from sandbox.app.panels.levels import LevelList
 from sandbox.app.panels.refusal import Refusal
@@ -34,6 +35,7 @@ from sandbox.model.errors import SandboxError
 if TYPE_CHECKING:
     from pygame_gui.elements import UIButton
 
+    from sandbox.app.panels.bar import Bar
     from sandbox.app.panels.footer import View
 
 
@@ -49,7 +51,7 @@ class Panels:
     list, side
         The two columns; None while they are hidden.
     controls
-        The bar below.
+        The bar below: that of the run, or of the cards while they are shown.
     energy
         How the energy is shown.
     page
@@ -134,7 +136,10 @@ class Panels:
                 load=self._load,
                 comfort=self._comfort,
             )
-        self.controls = Controls(manager, pen, layout.controls)
+        if self.home.open:
+            self.controls: Bar = HomeBar(manager, pen, layout.controls, session)
+        else:
+            self.controls = Controls(manager, pen, layout.controls)
         self.refusal = None
         if refused is not None and not self.home.open:
             self.refusal = Refusal(manager, pen, layout.stage, refused)

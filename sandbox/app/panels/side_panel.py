@@ -7,6 +7,7 @@ import pygame
 from pygame_gui import UI_BUTTON_PRESSED, UIManager
 from pygame_gui.elements import UIButton
 
+from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.files.preferences import Comfort
 from sandbox.app.frame_load import Load
@@ -19,6 +20,8 @@ from sandbox.app.runs.session import Session
 from sandbox.app.widgets.parameters import Parameters
 from sandbox.app.widgets.sheet import MARGIN, Panel, Sheet
 from sandbox.app.widgets.widget_helpers import scroll, scrolled
+from sandbox.app.words.formatting import seconds
+from sandbox.app.words.language import say
 
 REFRESH = 0.1  # s
 LEAST = 160  # px, of a page that is left to it above the foot
@@ -43,7 +46,7 @@ class SidePanel:
         self, manager: UIManager, pen: Pen, rect: pygame.Rect, session: Session, *,
         page: str, view: View, workers: Workers, load: Load, comfort: Comfort,
     ) -> None:  # fmt: skip
-        self._session = session
+        self._session, self._pen = session, pen
         self._workers = workers
         self.desk = Desk(session, workers.all, load, comfort)
         px = pen.px
@@ -57,6 +60,7 @@ class SidePanel:
         upper = pygame.Rect(rect.x, top, rect.width, max(end - top, 1))
         self._sheet = Sheet(manager, pen, upper)
         self.page: Panel = register.page(page).open(self._sheet, self.desk)
+        self._late = end if register.page(page).recalls else top  # px, from where on it lags behind
         self.books = register.page(page).books or bool(self.foot and self.foot.books)
         self._since, self._below = 0.0, False  # whether the foot is due
         self._shown = self._state
@@ -97,6 +101,17 @@ class SidePanel:
         if event.type == pygame.MOUSEWHEEL:
             return self.page.wheel(event.precise_y, pygame.mouse.get_pos())
         return event.type == pygame.KEYDOWN and event.key == pygame.K_HOME and self.page.home()
+
+    def draw_over(self, surface: pygame.Surface) -> None:
+        """Say of what time it tells, while the stage shows what was recorded of another one."""
+        rect, pen = self._sheet.container.rect, self._pen
+        if self._session.recalled is None or (self._late > rect.top and self.foot is None):
+            return
+        at = say("Here still t = {t}: the run is on its way", t=seconds(self._session.t))
+        told = pen.write(pen.shorten(at, rect.width - 2 * pen.px(MARGIN), 13), 13, theme.NOTICE)
+        strip = pygame.Rect(rect.x, self._late, rect.width, told.height + pen.px(8))
+        surface.fill(theme.RAISED, strip)
+        surface.blit(told, told.get_rect(center=strip.center))
 
     def tab(self, page: str) -> UIButton:
         """Return the tab of a page, given by its command."""

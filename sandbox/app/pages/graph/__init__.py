@@ -9,6 +9,7 @@ PAGE = Page(
     caption="Graph",
     key="d",
     text="graphs of any quantity against any other",
+    recalls=True,
     panel=GraphPage,
     worker=Choice,
 )
