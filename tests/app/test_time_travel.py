@@ -4,6 +4,7 @@ import pygame
 import pytest
 
 from sandbox.app.drawing import theme
+from sandbox.app.panels.controls import Controls
 from sandbox.app.runs import playback
 from sandbox.app.runs.session import Session
 from sandbox.model import catalog
@@ -302,6 +303,12 @@ def test_an_earlier_run_with_other_parameters_stays_as_a_trail() -> None:
     assert len(session.earlier) == 2
 
 
+def track_of(person: Person) -> pygame.Rect:
+    controls = person.window.panels.controls
+    assert isinstance(controls, Controls)
+    return controls._track
+
+
 def arrive(person: Person) -> None:
     while person.session.sought is not None:
         person.wait()
@@ -311,7 +318,7 @@ def test_a_click_on_the_bar_of_the_time_goes_there(person: Person) -> None:
     person.window.open_level("kinematics/projectile")
     person.press(pygame.K_SPACE, " ")
     person.wait(1.0)
-    track = person.window.panels.controls._track
+    track = track_of(person)
 
     person.click((track.x + track.width * 0.25, track.centery))
     arrive(person)
@@ -337,7 +344,7 @@ def test_the_bar_of_the_time_marks_what_a_hand_did_and_scrubbing_keeps_it(person
     done, session = list(person.session.actions), person.session
     state = fingerprint(session.world.snapshot)
     assert done
-    track = person.window.panels.controls._track
+    track = track_of(person)
 
     def at(step: int) -> tuple[float, float]:
         return track.x + track.width * step / session.end, float(track.centery)

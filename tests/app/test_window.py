@@ -12,6 +12,7 @@ from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.pages.level.panel import LevelPage
 from sandbox.app.panels import messages
+from sandbox.app.panels.controls import Controls
 from sandbox.app.panels.footer import counted
 from sandbox.app.panels.layout import divide
 from sandbox.model import catalog
@@ -393,6 +394,7 @@ def test_in_the_smallest_window_the_clock_can_be_read(player: Person) -> None:
     player.wait(0.1)
     controls = player.window.panels.controls
 
+    assert isinstance(controls, Controls)
     assert controls._clock.width > 100
     assert controls._clock.right < controls.button("help").rect.left
 
