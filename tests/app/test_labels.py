@@ -37,6 +37,14 @@ def test_words_cover_what_they_should_avoid_only_if_nothing_else_is_left() -> No
     assert labels.find([BEST, SECOND], avoid=[BEST]) == BEST
 
 
+def test_words_lie_over_a_line_only_if_nothing_else_is_left() -> None:
+    labels = Labels(BOUNDS)
+    labels.mark((0, 0), (60, 30))
+
+    assert labels.find([BEST, SECOND]) == SECOND
+    assert labels.find([BEST, SECOND]) == BEST
+
+
 def test_events_at_one_place_are_written_apart(pen: Pen) -> None:
     session = play(Session(load(catalog.find("lagrange/bead-on-a-wire"))))
     written: list[pygame.Rect] = []

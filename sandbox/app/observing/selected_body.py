@@ -92,18 +92,43 @@ def colors() -> Mapping[str, Color]:
     return {name: theme.ACTING.get(name) or next(free) for name in dict.fromkeys(_NAMES)}
 
 
-def text(acting: Acting, found: FreeBody) -> str:
-    """Return what is written beside a force: of several of a name, who gives each."""
-    alone = sum(other.name == acting.name for other in felt(found)) == 1
-    name = say(acting.name)
-    if acting.by and not alone:
-        name = say("from {giver}", giver=acting.by)
-    return f"{name} {newtons(acting.size)} N"
+def texts(found: FreeBody) -> Sequence[tuple[Acting, str]]:
+    """Return the forces on a body, and what is written beside each: another name for each.
+
+    A name is as short as it can be: that of the force alone; of several of a name, who gives each,
+    or both where those that one gives have several names; and else a number, too.
+    """
+    forces = felt(found)
+    alike = [acting for acting in forces if _count(forces, acting) > 1]
+    short = len({acting.name for acting in alike}) == 1 and all(acting.by for acting in alike)
+    told = [
+        say(a.name) if a not in alike else say("from {giver}", giver=a.by) if short else _whole(a)
+        for a in forces
+    ]
+    sizes = [f"{newtons(acting.size)} N" for acting in forces]
+    return [*zip(forces, map(" ".join, zip(_numbered(told), sizes, strict=True)), strict=True)]
 
 
-def title(acting: Acting) -> str:
-    """Say what a force is called, and who gives it."""
+def titles(found: FreeBody) -> Sequence[tuple[Acting, str]]:
+    """Return the forces on a body, and what each is called, and who gives it."""
+    forces = felt(found)
+    return [*zip(forces, _numbered([*map(_whole, forces)]), strict=True)]
+
+
+def _whole(acting: Acting) -> str:
     return f"{say(acting.name)}, {acting.by}" if acting.by else say(acting.name)
+
+
+def _count(forces: Sequence[Acting], acting: Acting) -> int:
+    return sum(other.name == acting.name for other in forces)
+
+
+def _numbered(names: Sequence[str]) -> Sequence[str]:
+    """Return names with a number behind those that are alike."""
+    return [
+        name if names.count(name) == 1 else f"{name} ({names[: place + 1].count(name)})"
+        for place, name in enumerate(names)
+    ]
 
 
 def felt(found: FreeBody) -> Sequence[Acting]:

@@ -117,6 +117,8 @@ class Forces:
         """Draw the forces; those that act on the same point are put together."""
         scale = self.scale(camera)
         ordered = sorted(self.arrows(world), key=lambda arrow: arrow.row)
+        for arrow in ordered:
+            labels.mark(camera.to_screen(arrow.tail), arrow.tip(camera, scale))
         for _, group in groupby(ordered, key=lambda arrow: (arrow.row, arrow.tail)):
             arrows = list(group)
             if len(arrows) > 1:
@@ -157,7 +159,8 @@ def write_beside(
 ) -> None:
     """Write beside the tip of an arrow that is long enough to be seen, or beyond a steep one.
 
-    Where other words stand there, it is written a line higher or lower, or else left out.
+    Where other words or an arrow are in the way, it is written around the tip, or along the arrow;
+    where there is no room at all, it is left out.
     """
     length, seen = hypot(end[0] - start[0], end[1] - start[1]), surface.get_rect()
     if length < HANDLE or not seen.collidepoint(end):
@@ -167,7 +170,25 @@ def write_beside(
     aside = copysign(HANDLE + 6 + image.width / 2, ux) if abs(ux) > STEEP else 0.0
     beyond = uy * (6 if aside else HANDLE + 4 + image.height / 2)
     place = image.get_rect(center=(end[0] + aside, end[1] + beyond))
-    places = (place.move(0, off * image.height).clamp(seen) for off in (0, -1, 1))
+    around = [place.move(0, off * image.height) for off in (0, -1, 1)]
+    for back in (0.0, 0.5, 1.0):
+        x, y = end[0] - back * ux * length, end[1] - back * uy * length
+        beside = image.get_rect(center=(x, y))
+        across, over = image.width / 2 + HANDLE + 6, image.height / 2 + HANDLE + 4
+        moves = (
+            (across, 0),
+            (-across, 0),
+            (0, over),
+            (0, -over),
+            (across, over),
+            (-across, over),
+            (across, -over),
+            (-across, -over),
+            (0, 2 * over),
+            (0, -2 * over),
+        )
+        around += [beside.move(move) for move in moves]
+    places = [each.clamp(seen) for each in around]
     if found := labels.find(places):
         surface.blit(image, found)
 

@@ -4,6 +4,8 @@ from collections.abc import Iterable, Sequence
 
 import pygame
 
+from sandbox.model.shapes import XY
+
 
 class Labels:
     """The places that are taken by words in one picture."""
@@ -11,10 +13,15 @@ class Labels:
     def __init__(self, bounds: pygame.Rect) -> None:
         self._bounds = bounds
         self._taken: list[pygame.Rect] = []
+        self._crossed: list[tuple[XY, XY]] = []
 
     def take(self, place: pygame.Rect) -> None:
         """Keep words from a place [px]."""
         self._taken.append(place)
+
+    def mark(self, start: XY, end: XY) -> None:
+        """Let words rather not lie over a line, such as an arrow [px]."""
+        self._crossed.append((start, end))
 
     def find(
         self, places: Iterable[pygame.Rect], avoid: Sequence[pygame.Rect] = ()
@@ -33,7 +40,12 @@ class Labels:
             for place in places
             if self._bounds.contains(place) and place.collidelist(self._taken) < 0
         ]
-        clear = (place for place in free if place.collidelist(avoid) < 0)
+        clear = (
+            place
+            for place in free
+            if place.collidelist(avoid) < 0
+            and not any(place.clipline(start, end) for start, end in self._crossed)
+        )
         found = next(clear, free[0] if free else None)
         if found:
             self.take(found)

@@ -106,7 +106,8 @@ class FreeBodies:
         for entry, law in self._laws:
             at = getattr(entry, "at", None)
             arm = _turned(evaluate(at, self._world.values), kick) if at else None
-            yield self._by_law(kick, law, arm)
+            own = getattr(entry, "name", None) or ""
+            yield self._by_law(kick, law, arm)._replace(by=own)
         if (turned := kick.step.turned) is not None:
             x, y = (kick.mass * turned[row]).tolist()
             name = ", ".join(turn.effect.called for turn in scene.turns)

@@ -1,5 +1,6 @@
 """The page of the forces on a body, and their arrows on the stage."""
 
+from collections.abc import Sequence
 from itertools import combinations, pairwise
 from math import hypot
 
@@ -15,6 +16,7 @@ from sandbox.app.pages.forces.panel import ForcesPage
 from sandbox.app.runs.session import Session
 from sandbox.app.stage.labels import Labels
 from sandbox.app.stage.overlays import accelerations, center, forces
+from sandbox.model.shapes import XY
 from sandbox.physics.measuring.free_body import FRICTION, NORMAL, Acting, FreeBody
 from tests.app import scenes
 from tests.app.person import Person
@@ -195,11 +197,86 @@ def test_the_scale_of_the_arrows_changes_seldom() -> None:
 
 def test_of_several_forces_of_a_name_who_gives_each_is_told() -> None:
     found = at(stepped("hard/stack-of-40-directly"))
-    texts = [selected_body.text(acting, found) for acting in selected_body.felt(found)]
+    texts = [text for _, text in selected_body.texts(found)]
 
     assert "weight 9.81 N" in texts
     assert any(text.startswith("from ground ") for text in texts)
     assert any(text.startswith("from box2 ") for text in texts)
+
+
+ALIKE = (
+    ("machines/trebuchet", "stone", ["from arm (1)", "from arm (2)"]),
+    ("machines/waiters-tray", "tray", ["from left", "from right", "normal force", "friction"]),
+    ("newton/two-forces", "box", ["applied force (1)", "applied force (2)"]),
+    ("machines/car-over-bumps", "chassis", ["from rear_axle", "from front_axle", "from bolts"]),
+    ("hard/arch", "stone1", ["normal force, stone2", "friction, stone2", "friction, ground"]),
+)
+
+
+@pytest.mark.parametrize(("level", "body", "names"), ALIKE)
+def test_no_two_forces_on_a_body_are_named_alike(
+    level: str, body: str, names: Sequence[str]
+) -> None:
+    session = stepped(level, 20)
+    session.looking.chosen = body
+    for told in (selected_body.texts(at(session)), selected_body.titles(at(session))):
+        assert len({text for _, text in told}) == len(told)
+
+    texts = [text.rsplit(" ", 2)[0] for _, text in selected_body.texts(at(session))]
+    assert set(names) <= set(texts)
+
+
+@pytest.mark.parametrize(
+    ("level", "body"), [("machines/car-over-bumps", "chassis"), ("rotation/balance-beam", "beam")]
+)
+def test_forces_along_one_line_all_have_their_words(
+    pen: Pen, level: str, body: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    session = stepped(level)
+    session.looking.chosen = body
+    found = at(session)
+    places: list[pygame.Rect] = []
+    find = Labels.find
+
+    def noted(self: Labels, *told: object) -> pygame.Rect | None:
+        place = find(self, *told)  # type: ignore[arg-type]
+        places.extend([place] if place else [])
+        return place
+
+    monkeypatch.setattr(Labels, "find", noted)
+    diagram.free_body(pen, (WIDTH, card.DIAGRAM), found)
+
+    assert len(places) == len(selected_body.felt(found))
+    assert not any(a.colliderect(b) for a, b in combinations(places, 2))
+
+
+def test_words_of_forces_on_the_stage_lie_over_no_arrow(
+    person: Person, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    person.window.open_level("machines/squeaking-crate")
+    person.press(pygame.K_j, "j")
+    places: list[pygame.Rect] = []
+    lines: list[tuple[XY, XY]] = []
+    find, mark = Labels.find, Labels.mark
+
+    def noted(self: Labels, *told: object) -> pygame.Rect | None:
+        place = find(self, *told)  # type: ignore[arg-type]
+        places.extend([place] if place else [])
+        return place
+
+    def marked(self: Labels, start: XY, end: XY) -> None:
+        lines.append((start, end))
+        mark(self, start, end)
+
+    monkeypatch.setattr(Labels, "find", noted)
+    monkeypatch.setattr(Labels, "mark", marked)
+    for _ in range(30):
+        person.session.step()
+    person.wait()
+
+    assert len(places) >= 4
+    assert len(lines) >= 5
+    assert not any(place.clipline(*line) for place in places for line in lines)
 
 
 def test_every_force_has_a_colour() -> None:

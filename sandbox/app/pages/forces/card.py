@@ -56,9 +56,9 @@ def _table(card: Card, found: FreeBody, first: XY, inclined: bool) -> None:
     """Add a row for each force, their sum, and mass times acceleration."""
     axes = (say("along"), say("across")) if inclined else ("x", "y")
     _row(card, "N", None, (say("size"), *axes), theme.DIM)
-    for acting in selected_body.felt(found):
+    for acting, title in selected_body.titles(found):
         cells = _cell(acting.force, first)
-        _row(card, selected_body.title(acting), selected_body.color(acting), cells, theme.TEXT)
+        _row(card, title, selected_body.color(acting), cells, theme.TEXT)
     line = pygame.Surface((card.width, 1))
     line.fill(theme.EDGE)
     card.y += 2

@@ -7,6 +7,7 @@ import pygame
 
 from sandbox.app.drawing import lines, theme
 from sandbox.app.drawing.text import Pen
+from sandbox.app.drawing.theme import Color
 from sandbox.app.observing import selected_body
 from sandbox.app.stage.labels import Labels
 from sandbox.app.words.language import say
@@ -17,6 +18,7 @@ FREE, CLOSE = (24, 26), (12, 14)  # px, left free beside and above arrows: for w
 SHORTEST = 6.0  # px; a shorter arrow is not told
 WIDTH = 3.0  # px
 APART = 7.0  # px, between arrows that would lie on each other
+FURTHER = 16, 28, 44  # px, how far off words may stand from their arrow
 SIMILAR = 0.12  # rad, between directions that look alike
 FLAT = 0.04
 """The least share of its length that a polygon is wide, if it is not to be drawn apart."""
@@ -24,14 +26,15 @@ FLAT = 0.04
 
 def free_body(pen: Pen, size: tuple[int, int], found: FreeBody) -> pygame.Surface:
     """Draw all forces from one point, and the net force, each with its name and its size [px]."""
-    surface, forces = _sheet(size), selected_body.felt(found)
+    surface, texts = _sheet(size), selected_body.texts(found)
+    forces = [acting for acting, _ in texts]
     vectors = [(acting.force[0], -acting.force[1]) for acting in forces]
     low_x, high_x, low_y, high_y = _extent([(0.0, 0.0), *vectors])
     scale = _scale(size, (pen.px(FREE[0]), pen.px(FREE[1])), high_x - low_x, high_y - low_y)
     middle = size[0] / 2, size[1] / 2
     center = middle[0] - scale * (low_x + high_x) / 2, middle[1] - scale * (low_y + high_y) / 2
     labels, ends = Labels(surface.get_rect()), []
-    for place, (acting, (x, y)) in enumerate(zip(forces, vectors, strict=True)):
+    for place, ((acting, text), (x, y)) in enumerate(zip(texts, vectors, strict=True)):
         off = APART * _before(vectors, place)
         turn = atan2(y, x)
         start = center[0] - off * sin(turn), center[1] + off * cos(turn)
@@ -39,13 +42,12 @@ def free_body(pen: Pen, size: tuple[int, int], found: FreeBody) -> pygame.Surfac
         lines.arrow(surface, selected_body.color(acting), start, end, WIDTH)
         for covered in _along(start, end):
             labels.take(covered)
-        ends.append((acting, start, end))
+        ends.append((text, selected_body.color(acting), start, end))
     pygame.draw.aacircle(surface, theme.TEXT, center, 5)
     labels.take(pygame.Rect(center[0] - 7, center[1] - 7, 14, 14))
-    for acting, start, end in ends:
+    for text, color, start, end in ends:
         if hypot(end[0] - start[0], end[1] - start[1]) >= SHORTEST:
-            image = pen.write(selected_body.text(acting, found), 12, selected_body.color(acting))
-            _tell(surface, image, labels, start, end)
+            _tell(surface, pen.write(text, 12, color), color, labels, start, end)
     return surface
 
 
@@ -130,9 +132,13 @@ def _along(start: XY, end: XY) -> Iterator[pygame.Rect]:
 
 
 def _tell(
-    surface: pygame.Surface, image: pygame.Surface, labels: Labels, start: XY, end: XY
-) -> None:
-    """Put words beside a tip: beyond it, at its sides, or further back along the arrow."""
+    surface: pygame.Surface, image: pygame.Surface, color: Color, labels: Labels, start: XY,
+    end: XY,
+) -> None:  # fmt: skip
+    """Put words beside a tip: beyond it, at its sides, or further back along the arrow.
+
+    Where others are in the way, a thin line leads to words that stand further off.
+    """
     length = hypot(end[0] - start[0], end[1] - start[1])
     ux, uy = (end[0] - start[0]) / length, (end[1] - start[1]) / length
     half, high = image.width / 2 + 8, image.height / 2 + 6
@@ -145,3 +151,22 @@ def _tell(
     rects = (image.get_rect(center=place).clamp(bounds) for place in places)
     if found := labels.find(rects):
         surface.blit(image, found)
+        return
+    for x, y, place in _further_off(image, start, end):
+        if found := labels.find([place.clamp(bounds)]):
+            nearest = min(max(x, found.left), found.right), min(max(y, found.top), found.bottom)
+            pygame.draw.aaline(surface, color, (x, y), nearest)
+            surface.blit(image, found)
+            return
+
+
+def _further_off(
+    image: pygame.Surface, start: XY, end: XY
+) -> Iterator[tuple[float, float, pygame.Rect]]:
+    """Yield points of an arrow, and a place further off from each, the nearest first [px]."""
+    for off in FURTHER:
+        for back in (0.05, 0.3, 0.6):
+            x, y = (b + (a - b) * back for a, b in zip(start, end, strict=True))
+            for across, up in ((1, 0), (-1, 0), (1, 1), (-1, 1), (1, -1), (-1, -1)):
+                aside = across * (image.width / 2 + off)
+                yield x, y, image.get_rect(center=(x + aside, y - up * image.height * 1.1))

@@ -5,6 +5,7 @@ import pygame
 from sandbox.app.stage import marks
 from sandbox.app.stage.overlays.overlay import Overlay
 from sandbox.app.stage.view import View
+from sandbox.model.shapes import XY
 
 AT_REST = 1e-6
 """A body that goes less far than this part of what is seen is at rest, but for rounding."""
@@ -20,15 +21,25 @@ def seconds(view: View) -> float | None:
 def _draw(surface: pygame.Surface, view: View) -> None:
     if not view.few or not view.moving:
         return
-    view.forces.draw(surface, view.camera, view.pen, view.world, view.labels)
     ahead = seconds(view)
+    moves = (
+        [] if ahead is None else [(view.state(o)[0], _velocity(view, o.row)) for o in view.moving]
+    )
+    for (x, y), (vx, vy) in moves:
+        end = x + vx * (ahead or 0.0), y + vy * (ahead or 0.0)
+        view.labels.mark(view.camera.to_screen((x, y)), view.camera.to_screen(end))
+    view.forces.draw(surface, view.camera, view.pen, view.world, view.labels)
     if ahead is None:
         return
-    for outline in view.moving:
-        vx, vy = view.world.snapshot.velocity[outline.row].tolist()
-        marks.draw_arrow(surface, view.camera, view.state(outline)[0], (vx, vy), ahead)
+    for place, velocity in moves:
+        marks.draw_arrow(surface, view.camera, place, velocity, ahead)
     corner = view.camera.size[0] - 16.0, view.camera.size[1] - float(view.pen.px(66))
     marks.draw_arrow_key(surface, view.camera, view.pen, ahead, corner)
+
+
+def _velocity(view: View, row: int) -> XY:
+    vx, vy = view.world.snapshot.velocity[row].tolist()
+    return vx, vy
 
 
 OVERLAY = Overlay(

@@ -1,5 +1,8 @@
 """All forces on the selected body, as arrows at the points where they act."""
 
+from itertools import pairwise
+from math import hypot
+
 import pygame
 
 from sandbox.app.drawing import lines, theme
@@ -8,11 +11,13 @@ from sandbox.app.stage.forces import LONGEST, write_beside
 from sandbox.app.stage.overlays.overlay import Overlay
 from sandbox.app.stage.view import View
 from sandbox.model.effects.force import Force
-from sandbox.physics.measuring.free_body import FreeBody
+from sandbox.model.shapes import XY
+from sandbox.physics.measuring.free_body import FRICTION, FreeBody
 
 WIDTH = 3.5  # px
 CUT = 1.5
 """How many times as long as the longest arrow one may be drawn, where an impact is stronger."""
+SURFACE = 300.0  # px, how far along a surface words keep off it
 RING = 4.0  # px, the radius of the mark at the centre of mass
 
 
@@ -24,18 +29,38 @@ def _draw(surface: pygame.Surface, view: View) -> None:
     given = _given(view, found)
     scale = given or longest / (view.looking.full(found) or 1.0)  # px/N
     ends = []
-    for acting in selected_body.felt(found):
+    _mark_joints(view)
+    for acting, text in selected_body.texts(found):
         if given and acting.name == Force.effect.called:
             continue
         share = min(scale, CUT * longest / acting.size)
         x, y = start = view.camera.to_screen(acting.at)
         end = x + acting.force[0] * share, y - acting.force[1] * share
         lines.arrow(surface, selected_body.color(acting), start, end, WIDTH)
-        ends.append((acting, start, end))
+        ends.append((text, start, end))
+        _mark(view, acting.name, start, end)
     if lines.near((center := view.camera.to_screen(found.center),)):
         pygame.draw.aacircle(surface, theme.TEXT, center, RING, 2)
-    for acting, start, end in ends:  # words last: nothing is drawn over them
-        write_beside(surface, view.pen, selected_body.text(acting, found), start, end, view.labels)
+    for text, start, end in ends:  # words last: nothing is drawn over them
+        write_beside(surface, view.pen, text, start, end, view.labels)
+
+
+def _mark(view: View, name: str, start: XY, end: XY) -> None:
+    """Keep words off an arrow, and off the surface along which there is friction."""
+    view.labels.mark(start, end)
+    if name == FRICTION:
+        length = hypot(end[0] - start[0], end[1] - start[1]) or 1.0
+        x, y = ((b - a) / length * SURFACE for a, b in zip(start, end, strict=True))
+        view.labels.mark((start[0] - x, start[1] - y), (start[0] + x, start[1] + y))
+
+
+def _mark_joints(view: View) -> None:
+    """Keep words off springs, strings and rods, where there is room beside them."""
+    for path in view.world.scene.joints.paths.values():
+        ends = [anchor.look(view.world.snapshot)[0] for anchor in path]
+        pixels = [view.camera.to_screen((float(end.real), float(end.imag))) for end in ends]
+        for start, end in pairwise(pixels):
+            view.labels.mark(start, end)
 
 
 def _given(view: View, found: FreeBody) -> float:
