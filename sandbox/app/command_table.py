@@ -10,7 +10,7 @@ from sandbox.app.keys import AT_HOME
 from sandbox.app.pages.page import Desk, PageCommand
 from sandbox.app.pages.register import PAGES
 from sandbox.app.pages.table.stopwatch import Stopwatch
-from sandbox.app.panels.footer import NEXT
+from sandbox.app.panels.footer import FIRST, NEXT
 from sandbox.app.panels.layout import room
 from sandbox.app.runs.session import Session
 from sandbox.app.stage.overlays.register import OVERLAYS
@@ -174,7 +174,8 @@ class CommandTable:
 
     def _show_energy_otherwise(self) -> None:
         panels = self._space.panels
-        panels.energy = NEXT[panels.energy][0]
+        foot = panels.side.foot if panels.side is not None else None
+        panels.energy = NEXT[foot.view if foot else panels.energy or FIRST][0]
         self._space.lay_out()
 
     def turn_to(self, page: str) -> None:

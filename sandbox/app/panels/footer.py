@@ -21,6 +21,9 @@ from sandbox.physics.measuring.grading import Verdict
 View = Literal["graph", "bars", "total"]
 """What is shown of the energy: over time, by account, or only the sum."""
 
+FIRST: View = "graph"
+"""What is shown where nobody has chosen, if there is ample room."""
+
 FOLDED: View = "total"
 """The lowest of them."""
 
@@ -46,6 +49,8 @@ class Foot:
     ----------
     top
         Where it begins [px].
+    view
+        What it shows of the energy.
     switch
         The button that leads to the next view of the energy.
     books
@@ -57,7 +62,7 @@ class Foot:
     def __init__(
         self, manager: UIManager, pen: Pen, rect: pygame.Rect, session: Session, view: View
     ) -> None:
-        self._pen, self._session, self._view = pen, session, view
+        self._pen, self._session, self.view = pen, session, view
         self.books = view == "bars"
         px = pen.px
         self._width = rect.width - 2 * px(MARGIN) - px(10)
@@ -103,7 +108,7 @@ class Foot:
         session, books = self._session, self._session.books
         if self.books:
             return ledger(self._pen, self._width, books.balance, books.covered)
-        if self._view == "total":
+        if self.view == "total":
             return total(self._pen, self._width, books.start, books.energies)
         drawn = energy_graph.energies(self._graph_size, books.history, session.duration)
         return energy(self._pen, self._width, books.start, books.energies, drawn)

@@ -53,7 +53,7 @@ class Panels:
     controls
         The bar below: that of the run, or of the cards while they are shown.
     energy
-        How the energy is shown.
+        How the energy is shown; None as long as nobody has chosen.
     page
         The command of the side panel's tab that is chosen.
     refusal
@@ -71,7 +71,7 @@ class Panels:
     ) -> None:
         self._pen, self._workers, self._load, self._comfort = pen, workers, load, comfort
         self._hidden: set[str] = set()
-        self.energy: View = "graph"
+        self.energy: View | None = None
         self._advised: float | None = None
         self.side: SidePanel | None = None
         self._listed: object = None  # what the list was built for

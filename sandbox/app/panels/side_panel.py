@@ -14,7 +14,7 @@ from sandbox.app.frame_load import Load
 from sandbox.app.pages import register
 from sandbox.app.pages.page import Desk, Leading, Zoomed
 from sandbox.app.pages.workers import Workers
-from sandbox.app.panels.footer import FOLDED, Foot, View
+from sandbox.app.panels.footer import FIRST, FOLDED, Foot, View
 from sandbox.app.panels.tabs import GAP, TOP, Tabs
 from sandbox.app.runs.session import Session
 from sandbox.app.widgets.parameters import Parameters
@@ -25,6 +25,7 @@ from sandbox.app.words.language import say
 
 REFRESH = 0.1  # s
 LEAST = 160  # px, of a page that is left to it above the foot
+AMPLE = 300  # px, that are left to it above a foot that nobody has asked for
 
 
 class SidePanel:
@@ -44,7 +45,7 @@ class SidePanel:
 
     def __init__(
         self, manager: UIManager, pen: Pen, rect: pygame.Rect, session: Session, *,
-        page: str, view: View, workers: Workers, load: Load, comfort: Comfort,
+        page: str, view: View | None, workers: Workers, load: Load, comfort: Comfort,
     ) -> None:  # fmt: skip
         self._session, self._pen = session, pen
         self._workers = workers
@@ -53,9 +54,12 @@ class SidePanel:
         across = pygame.Rect(rect.x + px(MARGIN), px(TOP), rect.width - 2 * px(MARGIN), 0)
         self._tabs = Tabs(manager, pen, across, register.PAGES, page)
         top = self._tabs.bottom + px(TOP) - px(GAP)
-        least = top + px(LEAST)
-        feet = _feet(manager, pen, rect, session, view) if register.page(page).energy else ()
-        self.foot = next((foot for foot in feet if foot.top >= least), None)
+        least = {FIRST: top + px(AMPLE)} if view is None else {}
+        feet = (
+            _feet(manager, pen, rect, session, view or FIRST) if register.page(page).energy else ()
+        )
+        lowest = top + px(LEAST)
+        self.foot = next((foot for foot in feet if foot.top >= least.get(foot.view, lowest)), None)
         end = self.foot.top if self.foot is not None else rect.bottom
         upper = pygame.Rect(rect.x, top, rect.width, max(end - top, 1))
         self._sheet = Sheet(manager, pen, upper)

@@ -1,7 +1,7 @@
 """Lines over a numbered axis: the base of all graphs."""
 
 from collections.abc import Iterator, Sequence
-from math import ceil, floor
+from math import ceil, degrees, floor
 from typing import NamedTuple
 
 import numpy as np
@@ -23,6 +23,7 @@ MANY = 600
 
 SIGNED = 4
 """How many signs stand on a line; those of other lines stand elsewhere along it."""
+GAP = 7  # px, between the numbers of two ticks
 DOT = 2.5  # px, the radius of a marked point
 MARGIN = 3  # px, around the field, in which what stands on its edge is drawn
 
@@ -59,6 +60,12 @@ class Scale(NamedTuple):
         share = (pixel - self.start) / (self.end - self.start)
         return self.low + share * (self.high - self.low)
 
+    def read_in(self, unit: str) -> "Scale":
+        """Return it with the numbers that a person reads of a quantity with a unit."""
+        if not unit.startswith("rad"):
+            return self
+        return self._replace(low=degrees(self.low), high=degrees(self.high))
+
     def ticks(self, most: int) -> Iterator[float]:
         """Yield round numbers along it, about so many at the most."""
         step = formatting.nice((self.high - self.low) / most)
@@ -80,16 +87,17 @@ def scale(values: Sequence[Array], start: float, end: float, room: float) -> Sca
 
 def draw(
     pen: Pen, size: tuple[int, int], series: Sequence[Series], span: Scale, cursor: float | None,
-    up: Scale | None = None,
+    up: Scale | None = None, units: tuple[str, str] = ("", ""),
 ) -> pygame.Surface:  # fmt: skip
     """Draw lines, the last on top; and a cursor at a value of x, if there is one.
 
-    Without a scale upwards there is room for all of them.
+    Without a scale upwards there is room for all of them. The units of x and y say how the axes
+    are numbered: what is kept in radians is read in degrees.
     """
     surface = pygame.Surface(size)
     surface.fill(theme.STAGE)
     up = up or upwards(pen, size[1], [each.y for each in series])
-    _draw_axes(surface, pen, span, up)
+    _draw_axes(surface, pen, span.read_in(units[0]), up.read_in(units[1]))
     field = pygame.Rect(round(span.start), round(up.end), 0, 0)
     field.size = round(span.end - span.start), round(up.start - up.end)
     surface.set_clip(field.inflate(2 * MARGIN, 2 * MARGIN))
@@ -171,12 +179,23 @@ def _draw_axes(surface: pygame.Surface, pen: Pen, span: Scale, up: Scale) -> Non
         surface.blit(
             pen.write(f"{_brief(offset)} + …", 11, theme.NOTICE), (left + 6, round(up.end))
         )
-    for value in span.ticks(4):
+    for value in _ticks_apart(pen, span):
         x = round(float(span.pixels(np.array(value))))
         pygame.draw.line(surface, theme.GRID_STRONG, (x, up.end), (x, bottom))
         text = pen.write(_brief(value), 11, theme.DIM)
         place = text.get_rect(midtop=(x, bottom + 3)).clamp(surface.get_rect())
         surface.blit(text, place)
+
+
+def _ticks_apart(pen: Pen, span: Scale) -> Sequence[float]:
+    """Return ticks whose numbers keep apart, as many as there is room for."""
+    for most in (4, 2, 1):
+        ticks = [*span.ticks(most)]
+        widest = max((pen.write(_brief(value), 11).width for value in ticks), default=0)
+        apart = (span.end - span.start) * (ticks[1] - ticks[0] if len(ticks) > 1 else 1.0)
+        if len(ticks) < 2 or apart / (span.high - span.low) > widest + pen.px(GAP):
+            break
+    return ticks
 
 
 def _offset(up: Scale) -> float:

@@ -156,3 +156,18 @@ def test_a_run_to_its_end_loses_no_energies() -> None:
     assert t[0] == 0
     assert t[-1] == session.t
     assert (np.diff(t)[:-1] > 0).all()
+
+
+def test_in_a_small_window_the_energy_is_folded_until_somebody_asks_for_it(person: Person) -> None:
+    def view() -> str:
+        assert person.side.foot is not None
+        return person.side.foot.view
+
+    person.window.open_level("momentum/cradle")
+    assert view() == "graph"
+
+    person.resize((900, 600))
+    assert view() == "total"
+    assert person.side.foot is not None
+    person.click(person.side.foot.switch.rect)
+    assert view() == "graph"

@@ -78,9 +78,11 @@ def graphs(
         size = width, pen.px(HEIGHT)
         rise = zoom.on(plot.upwards(pen, size[1], [each.y for each in series]), unit)
         found.append(Graph(unit, pygame.Rect((0, card.y), size), span, rise))
-        card.put(plot.draw(pen, size, series, span, mark, rise), 0)
+        card.put(plot.draw(pen, size, series, span, mark, rise, (units[across], unit)), 0)
         card.y += size[1] + GAP
-    message = say("against {quantity}", quantity=f"{across} [{units[across]}]")
+    message = say(
+        "against {quantity}", quantity=formatting.with_unit_in_brackets(across, units[across])
+    )
     card.text(message, 12, theme.DIM)
     return Graphs(card.drawn(), found)
 

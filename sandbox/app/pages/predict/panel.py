@@ -20,7 +20,7 @@ HEIGHT = 28  # px, of the button
 FIELD = 26  # px, its height
 UNIT = 84  # px, what is kept for the unit beside it
 ROW = 20  # px, of the list
-BESIDE = 40  # px, of the list, beside its words
+BESIDE = 24  # px, of the list, beside its words
 MOST = 6
 """So many rows of the list are seen at once."""
 

@@ -1,0 +1,50 @@
+"""The axes of graphs: numbers that can be read, in the units in which quantities are told."""
+
+from math import radians
+
+import numpy as np
+import pytest
+
+from sandbox.app.drawing.text import Pen
+from sandbox.app.widgets import plot
+from sandbox.app.widgets.plot import GAP, Scale, Series
+
+SIZE = 278, 150  # px
+
+
+@pytest.mark.parametrize("end", [0.01983, 0.19833, 0.7, 1.61, 19.83, 1234.5, 2.3e-7])
+@pytest.mark.parametrize("width", [120, 278, 360])
+def test_the_numbers_of_an_axis_keep_apart(pen: Pen, end: float, width: int) -> None:
+    span = plot.across(pen, width, [np.array([0.0, end])])
+
+    ticks = plot._ticks_apart(pen, span)
+
+    assert ticks
+    places = span.pixels(np.array(ticks))
+    half = [pen.write(plot._brief(tick), 11).width / 2 for tick in ticks]
+    for i in range(len(ticks) - 1):
+        assert places[i] + half[i] + pen.px(GAP) / 2 < places[i + 1] - half[i + 1]
+
+
+def test_what_is_kept_in_radians_is_numbered_in_degrees(
+    pen: Pen, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    texts: list[str] = []
+    brief = plot._brief
+    monkeypatch.setattr(plot, "_brief", lambda v: texts.append(brief(v)) or brief(v))  # type: ignore[func-returns-value]
+    line = Series((255, 255, 255), np.array([0.0, 1.0]), np.array([0.0, radians(90)]))
+    span = plot.across(pen, SIZE[0], [line.x])
+
+    plot.draw(pen, SIZE, [line], span, None, units=("s", "rad"))
+    assert "80" in texts
+
+    texts.clear()
+    plot.draw(pen, SIZE, [line], span, None, units=("s", "m"))
+    assert "1.2" in texts
+
+
+def test_a_scale_of_another_unit_is_read_as_it_is() -> None:
+    scale = Scale(0.0, 2.0, 0.0, 100.0)
+
+    assert scale.read_in("m") is scale
+    assert scale.read_in("rad/s").high == pytest.approx(360 / 3.14159265, rel=1e-6)
