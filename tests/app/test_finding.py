@@ -227,3 +227,17 @@ def test_the_keyboard_gets_to_every_row(player: Person) -> None:
     player.press(pygame.K_TAB, "\t")
 
     assert len(listed(player).rows) == len(catalog.names())
+
+
+def test_where_a_search_ends_the_level_that_is_played_is_in_view(player: Person) -> None:
+    player.press(pygame.K_SLASH, "/")
+    player.type("cradle")
+    player.press(pygame.K_RETURN)
+    player.press(pygame.K_ESCAPE)
+    player.wait(0.1)
+
+    shown = listed(player)
+    assert shown.sought == ""
+    assert player.window.path is not None
+    row = shown.button(player.window.path).rect
+    assert player.window.panels.layout.levels.contains(row)

@@ -28,7 +28,7 @@ def _silence() -> Iterator[None]:
 
 
 def blows(*shares: float) -> list[Blow]:
-    return [Blow(1, 0.1, (0.0, 0.0), share, 1) for share in shares]
+    return [Blow(1, 0.1, (0.0, 0.0), share, 1, ("ball", "floor"), share) for share in shares]
 
 
 def settings(person: Person) -> SettingsPage:

@@ -4,6 +4,7 @@ import pygame
 import pytest
 
 from sandbox.app.drawing import theme
+from sandbox.app.observing.impacts import Blow
 from sandbox.app.panels.controls import Controls
 from sandbox.app.runs import playback
 from sandbox.app.runs.session import Session
@@ -380,3 +381,42 @@ def test_the_column_says_of_what_time_it_tells_while_another_one_is_shown(
     arrive(person)
     person.wait()
     assert person.color_at(pixel) == theme.PANEL
+
+
+def test_impacts_are_marked_and_a_click_near_a_mark_goes_exactly_there(person: Person) -> None:
+    person.window.open_level("momentum/cradle")
+    take(person.session, 400)
+    person.wait()
+    session, track = person.session, track_of(person)
+    first = session.run.marks.shown[0]
+    assert set(first.names) <= {"ball1", "ball2"}
+
+    def mark() -> tuple[float, float]:
+        return track.x + track.width * first.steps / session.end, float(track.centery)
+
+    person.move(mark())
+    controls = person.window.panels.controls
+    assert isinstance(controls, Controls)
+    ((told, _),) = controls._pointed_at(session)
+    assert "ball1 strikes ball2" in told
+    assert " N s" in told
+
+    person.click((mark()[0] + 4, mark()[1]))
+    arrive(person)
+    assert session.world.steps == first.steps
+    assert session.flashes
+
+    go_to(session, 0)  # what is still to come again stays marked
+    assert first in session.run.marks.shown
+    session.grab("ball1", (0.0, 0.0))
+    session.drag((0.1, 0.0))
+    session.release()
+    assert session.run.marks.shown == []
+
+
+def test_a_run_with_very_many_impacts_has_no_marks() -> None:
+    session = opened("hard/100-on-five")
+    for step in range(1, 200):
+        session.run.marks.note([Blow(step, step / 60, (0.0, 0.0), 1.0, 0, ("a", "b"), 1.0)])
+
+    assert session.run.marks.shown == ()

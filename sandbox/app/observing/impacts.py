@@ -37,6 +37,10 @@ class Blow(NamedTuple):
         How hard it was, from `FAINTEST` to 1.
     body
         The index of the lighter body, of those that can be moved.
+    names
+        The two bodies.
+    impulse
+        Along the normal [N s].
     """
 
     steps: int
@@ -44,6 +48,8 @@ class Blow(NamedTuple):
     at: XY
     share: float
     body: int
+    names: tuple[str, str]
+    impulse: float
 
 
 class Flash(NamedTuple):
@@ -60,6 +66,7 @@ class ImpactLog:
         self._world = world
         level, values = world.level, world.values
         self._usual = level.view.width(values) / level.duration(values)  # m/s
+        self._names = list(world.scene.bodies)
         self._peak = 0.0  # kg m/s
         self._last: deque[Blow] = deque(maxlen=MOST)
 
@@ -76,7 +83,11 @@ class ImpactLog:
         shares = np.minimum(found.impulse / np.maximum(usual, self._peak), 1.0)
         for i in np.flatnonzero(shares >= FAINTEST).tolist():
             x, y = found.at[i].tolist()
-            yield Blow(steps, t, (x, y), float(shares[i]), int(found.lighter[i]))
+            a, b = found.bodies[i].tolist()
+            yield Blow(
+                steps, t, (x, y), float(shares[i]), int(found.lighter[i]),
+                (self._names[a], self._names[b]), float(found.impulse[i]),
+            )  # fmt: skip
 
     def since(self, steps: int) -> Sequence[Blow]:
         """Return those that came after so many steps, the latest first."""

@@ -1,6 +1,6 @@
 """The bar at the bottom: play, speed, time, and overlays."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 
 import pygame
 from pygame_gui import UIManager
@@ -25,6 +25,7 @@ LEFT: tuple[tuple[str, str], ...] = (
 )  # fmt: skip
 WAYS: tuple[tuple[str, str], ...] = (("fit", later("Fit")), ("help", later("Help")))
 KNOB = 7.0  # px, the radius of what is dragged along the time
+SNAP = 6  # px, from a mark, within which a click means it
 REACH = 24  # px, how much higher than the bar of the time the area is that can be clicked on
 MARKED = "grab", "release", "place", "branch", "alter"
 """What a person does that has a mark on the bar of the time; a pull goes from one to the next."""
@@ -52,6 +53,7 @@ class Controls(Bar):
         right = rect.width - px(MARGIN - GAP) - sum(px(width) + px(GAP) for _, _, width in shown)
         self._clock = pygame.Rect(x + px(12), rect.y, right - x - px(28), rect.height)
         self._seeking = False
+        self._snaps: Sequence[float] = ()
         for command, text, width in shown:
             right = self._button(command, text, right, width)
 
@@ -64,7 +66,11 @@ class Controls(Bar):
             self._seeking = False
         if not self._seeking or event.type not in (pygame.MOUSEBUTTONDOWN, pygame.MOUSEMOTION):
             return None
-        return min(max((event.pos[0] - track.x) / max(track.width, 1), 0.0), 1.0)
+        share = min(max((event.pos[0] - track.x) / max(track.width, 1), 0.0), 1.0)
+        if event.type == pygame.MOUSEBUTTONDOWN:  # exactly to an impact; what is dragged is free
+            near = min(self._snaps, key=lambda snap: abs(snap - share), default=share)
+            share = near if abs(near - share) * track.width <= self._pen.px(SNAP) else share
+        return share
 
     @property
     def _track(self) -> pygame.Rect:
@@ -101,7 +107,8 @@ class Controls(Bar):
         now = pen.write(f"t = {formatting.seconds(shown)}", 15, bold=True)
         surface.blit(now, (area.x, middle - pen.px(20)))
         room = area.width - now.width - pen.px(10)
-        written = (pen.write(text, 13, color) for text, color in notes(session))
+        told = [*self._pointed_at(session), *notes(session)]
+        written = (pen.write(text, 13, color) for text, color in told)
         if note := next((note for note in written if note.width <= room), None):
             surface.blit(note, (area.right - note.width, middle - pen.px(18)))
         track = self._track
@@ -110,6 +117,7 @@ class Controls(Bar):
         if share > 0:
             done = pygame.Rect(track.topleft, (round(track.width * share), track.height))
             pygame.draw.rect(surface, theme.ACCENT, done, border_radius=2)
+        self._mark_impacts(surface, session)
         self._mark_acts(surface, session)
         knob = track.x + track.width * share, float(track.centery)
         pygame.draw.aacircle(surface, theme.ACCENT, knob, pen.px(KNOB))
@@ -117,6 +125,28 @@ class Controls(Bar):
             other = session.world.steps if session.recalled else session.sought
             ring = track.x + track.width * other / session.end, float(track.centery)
             pygame.draw.aacircle(surface, theme.NOTICE, ring, pen.px(KNOB), 2)
+
+    def _mark_impacts(self, surface: pygame.Surface, session: Session) -> None:
+        """Mark where bodies struck, also where that is still to come again."""
+        track, px = self._track, self._pen.px
+        self._snaps = [min(blow.steps / session.end, 1.0) for blow in session.run.marks.shown]
+        for x in {round(track.x + track.width * snap) for snap in self._snaps}:
+            pygame.draw.aacircle(surface, theme.DIM, (x, track.bottom + px(6)), max(px(2), 2))
+
+    def _pointed_at(self, session: Session) -> Iterator[tuple[str, theme.Color]]:
+        """Yield what is said of an impact while the mouse is at its mark."""
+        track, (x, y), snap = self._track, pygame.mouse.get_pos(), self._pen.px(SNAP)
+        if not track.inflate(2 * snap, self._pen.px(REACH)).collidepoint(x, y):
+            return
+        away = {
+            abs(track.x + track.width * b.steps / session.end - x): b
+            for b in session.run.marks.shown
+        }
+        if away and min(away) <= snap:
+            blow = away[min(away)]
+            (a, b), impulse = blow.names, formatting.quantity(blow.impulse, "N s", 3)
+            t = formatting.seconds(blow.t)
+            yield say("{t}: {a} strikes {b}, {impulse}", t=t, a=a, b=b, impulse=impulse), theme.TEXT
 
     def _mark_acts(self, surface: pygame.Surface, session: Session) -> None:
         """Mark where a person did something to the run, also where that is still to come again."""

@@ -234,6 +234,7 @@ class LevelList:
         if self.sought:
             self.field.set_text("")
             self._show()
+            self.choose(self._chosen)
 
     def choose(self, path: Path | None) -> None:
         """Mark a level as the one that is played, and bring it into view."""

@@ -10,6 +10,7 @@ from sandbox.app.observing.energy_books import Books
 from sandbox.app.observing.first_contacts import FirstContacts
 from sandbox.app.observing.grading import Grading, Ration, Reading
 from sandbox.app.observing.history import History
+from sandbox.app.observing.impact_marks import ImpactMarks
 from sandbox.app.observing.impacts import ImpactLog
 from sandbox.app.observing.milestones import Milestone
 from sandbox.app.observing.trail import Trail
@@ -63,6 +64,8 @@ class LiveRun:
         What energies there were, and where they came from.
     blows
         Its impacts, as they are seen and heard.
+    marks
+        The impacts that are marked on the bar of the time, also those that are still to come again.
     contacts
         Which bodies have touched, and when they first did.
     pace
@@ -102,6 +105,7 @@ class LiveRun:
         self.history = History(world.snapshot)
         self.books = Books(world, self.end)
         self.blows, self.contacts = ImpactLog(world), FirstContacts(world)
+        self.marks = ImpactMarks()
         self.pace = Pace()
         self.actions: list[Action] = []
         self.script: Sequence[Action] = ()
@@ -154,6 +158,7 @@ class LiveRun:
             return
         self.books.note()
         self.blows.note()
+        self.marks.note(self.blows.since(self.world.steps - 1))
         self.contacts.note()
         self._follow(self.t)
         self.trail.add(snapshot.position)
@@ -188,6 +193,7 @@ class LiveRun:
         left, overwritten = self.farthest, bool(self.script)
         overwritten |= left.steps() > self.world.steps
         self.script, self.ahead = (), None
+        self.marks.forget_after(self.world.steps)
         if overwritten or branches:
             self.earlier = kept(self.earlier, left, values, self.t)
         if overwritten:

@@ -182,6 +182,9 @@ class Playback(RunView, ABC):
         self._records = records
         self.run.script = [a for a in actions if a.step < sought or not undone]
         self.run.ahead = before.farthest
+        self.run.marks = before.marks
+        if undone:
+            self.run.marks.forget_after(sought)
         self.run.end = max(self.run.end, before.end)
         self.sought = sought
 

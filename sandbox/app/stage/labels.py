@@ -1,6 +1,7 @@
 """The placement of labels, so that none covers another."""
 
 from collections.abc import Iterable, Sequence
+from itertools import chain
 
 import pygame
 
@@ -33,20 +34,21 @@ class Labels:
         places
             Where words could stand [px], the best first.
         avoid
-            What they should rather not cover; they may if nothing else is left.
+            What they should rather not cover, even less than a line; they may if nothing else is
+            left.
         """
         free = [
             place
             for place in places
             if self._bounds.contains(place) and place.collidelist(self._taken) < 0
         ]
-        clear = (
-            place
-            for place in free
-            if place.collidelist(avoid) < 0
-            and not any(place.clipline(start, end) for start, end in self._crossed)
-        )
-        found = next(clear, free[0] if free else None)
+        clear = [place for place in free if place.collidelist(avoid) < 0]
+        apart = (place for place in clear if not self._crosses(place))
+        found = next(chain(apart, clear, free), None)
         if found:
             self.take(found)
         return found
+
+    def _crosses(self, place: pygame.Rect) -> bool:
+        """Whether a line goes through a place."""
+        return any(place.clipline(start, end) for start, end in self._crossed)

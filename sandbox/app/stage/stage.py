@@ -1,6 +1,7 @@
 """The picture of a world, on any surface."""
 
 from collections.abc import Sequence
+from itertools import pairwise
 
 import numpy as np
 import pygame
@@ -90,6 +91,8 @@ class Stage:
         view.trail, view.labels = trail, Labels(surface.get_rect())
         wide, high = self._pen.px(130), self._pen.px(90)
         view.labels.take(pygame.Rect(surface.width - wide, surface.height - high, wide, high))
+        if view.few:
+            _mark_joints(view)
         self._draw_base()
         traced = view.few and any(each.draw_trail for each in self._overlays)
         others = [(each.trail, each.variant.color) for each in beside] or [
@@ -280,3 +283,12 @@ class Stage:
     def watch(self) -> None:
         """Note how fast the world is now, so that arrows keep to one scale over a run."""
         self.view.watch()
+
+
+def _mark_joints(view: View) -> None:
+    """Keep words off springs, strings and rods, where there is room beside them."""
+    for path in view.world.scene.joints.paths.values():
+        ends = [anchor.look(view.world.snapshot)[0] for anchor in path]
+        pixels = [view.camera.to_screen((float(end.real), float(end.imag))) for end in ends]
+        for start, end in pairwise(pixels):
+            view.labels.mark(start, end)

@@ -1,6 +1,5 @@
 """All forces on the selected body, as arrows at the points where they act."""
 
-from itertools import pairwise
 from math import hypot
 
 import pygame
@@ -29,7 +28,6 @@ def _draw(surface: pygame.Surface, view: View) -> None:
     given = _given(view, found)
     scale = given or longest / (view.looking.full(found) or 1.0)  # px/N
     ends = []
-    _mark_joints(view)
     for acting, text in selected_body.texts(found):
         if given and acting.name == Force.effect.called:
             continue
@@ -52,15 +50,6 @@ def _mark(view: View, name: str, start: XY, end: XY) -> None:
         length = hypot(end[0] - start[0], end[1] - start[1]) or 1.0
         x, y = ((b - a) / length * SURFACE for a, b in zip(start, end, strict=True))
         view.labels.mark((start[0] - x, start[1] - y), (start[0] + x, start[1] + y))
-
-
-def _mark_joints(view: View) -> None:
-    """Keep words off springs, strings and rods, where there is room beside them."""
-    for path in view.world.scene.joints.paths.values():
-        ends = [anchor.look(view.world.snapshot)[0] for anchor in path]
-        pixels = [view.camera.to_screen((float(end.real), float(end.imag))) for end in ends]
-        for start, end in pairwise(pixels):
-            view.labels.mark(start, end)
 
 
 def _given(view: View, found: FreeBody) -> float:

@@ -1,0 +1,35 @@
+"""The impacts of a run that are marked on the bar of the time: the hardest of each step."""
+
+from collections.abc import Sequence
+
+from sandbox.app.observing.impacts import Blow
+
+MOST = 60
+"""So many are marked at the most: among more, nobody finds the one that is looked for."""
+HARD = 0.1
+"""How hard an impact is at the least, as `Blow.share` says."""
+
+ALIKE = 6
+"""Decimals to which impacts are compared: what differs by rounding is as hard."""
+
+
+class ImpactMarks:
+    """The hardest impact of each step at which there was a hard one."""
+
+    def __init__(self) -> None:
+        self._at: dict[int, Blow] = {}
+
+    def note(self, blows: Sequence[Blow]) -> None:
+        """Take in the impacts of a step; of equal ones it is the first that counts."""
+        hardest = max(reversed(blows), key=lambda blow: round(blow.share, ALIKE), default=None)
+        if hardest and hardest.share >= HARD and len(self._at) <= MOST:
+            self._at[hardest.steps] = hardest
+
+    def forget_after(self, steps: int) -> None:
+        """Forget those that came after so many steps: something else comes now."""
+        self._at = {step: blow for step, blow in self._at.items() if step <= steps}
+
+    @property
+    def shown(self) -> Sequence[Blow]:
+        """What is marked; nothing of a run with very many."""
+        return list(self._at.values()) if len(self._at) <= MOST else ()
