@@ -8,7 +8,7 @@ import re
 from collections.abc import Iterable, Iterator
 from typing import Any, get_args
 
-from sandbox.app import commands, keys
+from sandbox.app import keymap, keys
 from sandbox.app.building import fields
 from sandbox.app.building.tools.joining import kinds
 from sandbox.app.building.tools.register import TOOLS
@@ -40,7 +40,7 @@ def words() -> Iterator[str]:
 def shown_keys() -> Iterator[str]:
     """Yield what keys and gestures are called in the help, some more than once."""
     every = (
-        *(binding.shown for binding in commands.BINDINGS),
+        *(binding.shown for binding in keymap.BINDINGS),
         *(key for page in PAGES for key, _ in page.keys),
         *(gesture for gesture, _ in keys.MOUSE),
     )
@@ -54,9 +54,10 @@ def has_words(text: str) -> bool:
 
 def _of_the_window() -> Iterator[str]:
     """Yield what pages, overlays, keys, tools and themes are called, and what they do."""
-    yield from (binding.text for binding in commands.BINDINGS)
+    yield from (binding.text for binding in keymap.BINDINGS)
     for page in PAGES:
         yield page.caption
+        yield page.text
         yield from (text for _, text in page.keys)
     yield from (text for _, text in keys.MOUSE)
     for tool in TOOLS:

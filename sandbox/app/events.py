@@ -4,8 +4,8 @@ import pygame
 
 from sandbox.app.building.editor import Editor
 from sandbox.app.building.file_offers import recover
-from sandbox.app.command_table import CommandTable
-from sandbox.app.commands import command
+from sandbox.app.command_actions import CommandActions
+from sandbox.app.keymap import command
 from sandbox.app.keys import WHILE_TYPING
 from sandbox.app.pages.build import PAGE as BUILD_PAGE
 from sandbox.app.runs.session import Session
@@ -21,7 +21,7 @@ _MOUSE = (pygame.MOUSEBUTTONDOWN, pygame.MOUSEBUTTONUP, pygame.MOUSEMOTION)
 class Events:
     """Gives each event to the widgets, to the cards, to the commands, or to the stage."""
 
-    def __init__(self, workspace: Workspace, commands: CommandTable) -> None:
+    def __init__(self, workspace: Workspace, commands: CommandActions) -> None:
         self._space, self._commands = workspace, commands
 
     def handle(self, event: pygame.event.Event) -> None:

@@ -1,4 +1,4 @@
-"""The keys of the window's own commands; pages and overlays declare theirs (see `commands`)."""
+"""The keys of the window's own commands; pages and overlays declare theirs (see `keymap`)."""
 
 from dataclasses import dataclass
 
@@ -59,9 +59,16 @@ LARGER = (pygame.K_PLUS, pygame.K_EQUALS, pygame.K_KP_PLUS)  # the second is + w
 SMALLER = (pygame.K_MINUS, pygame.K_KP_MINUS)
 USUAL = (pygame.K_0, pygame.K_KP_0)
 
+NEXT_PAGE = "next page"
+"""The command that leads to every page, also to one that has no key of its own."""
+
 WINDOW = (
     Binding("page down", "Page down", "scroll the panel down", (pygame.K_PAGEDOWN,)),
     Binding("page up", "Page up", "scroll the panel up", (pygame.K_PAGEUP,)),
+    Binding(NEXT_PAGE, "Ctrl Page down", "next page of the panel", controls=(pygame.K_PAGEDOWN,)),
+    Binding(
+        "previous page", "Ctrl Page up", "previous page of the panel", controls=(pygame.K_PAGEUP,)
+    ),
     Binding("open file", "Ctrl O", "open a level of your own", controls=(pygame.K_o,)),
     Binding("undo", "Ctrl Z", "undo a change of the run", controls=(pygame.K_z,)),
     Binding("redo", "Ctrl Y", "redo (also Ctrl Shift Z)", controls=(pygame.K_y,)),

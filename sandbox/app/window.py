@@ -6,7 +6,7 @@ from time import perf_counter
 
 import pygame
 
-from sandbox.app.command_table import CommandTable
+from sandbox.app.command_actions import CommandActions
 from sandbox.app.events import Events
 from sandbox.app.files.open_level_watch import FileWatch
 from sandbox.app.frame_budget import Allowance
@@ -35,7 +35,7 @@ class Window(Workspace):
 
     def __init__(self, size: tuple[int, int] = SIZE) -> None:
         super().__init__(size)
-        self.commands = CommandTable(self)
+        self.commands = CommandActions(self)
         self._events = Events(self, self.commands)
         self._watch, self._sounds = FileWatch(), Sounds()
         self.hold_up = HoldUp(self)

@@ -165,10 +165,10 @@ class Page:
     """the name of its folder"""
     caption: str
     """of its tab"""
-    key: str
-    """the letter that opens it"""
     text: str
     """what the help and its tab's tool tip say"""
+    key: str = ""
+    """the letter or sign that opens it; without one its tab does, and the key of the next page"""
     card: Callable[[Pen, int, Session], pygame.Surface] | None = None
     """draws what it tells, so wide [px]; a page without a panel shows this and nothing else"""
     panel: Callable[[Sheet, Desk], Panel] | None = None
@@ -193,7 +193,7 @@ class Page:
     where nothing does. A still picture shows the page's card then, in place of the checks."""
 
     def __post_init__(self) -> None:
-        for part in ("name", "caption", "key", "text"):
+        for part in ("name", "caption", "text"):
             if not getattr(self, part):
                 raise ValueError(self._lacks(f"a {part}"))
         if self.card is None and self.panel is None:
@@ -217,7 +217,11 @@ class Page:
         taken = {command.character for command in self.commands}
         opening = "".join(c for c in dict.fromkeys((self.key, self.key.upper())) if c not in taken)
         return (
-            Binding(self.command, self.key.upper(), self.text, (), opening),
+            *(
+                [Binding(self.command, self.key.upper(), self.text, (), opening)]
+                if self.key
+                else []
+            ),
             *(command.binding for command in self.commands),
         )
 

@@ -7,9 +7,9 @@ from pygame_gui import UI_BUTTON_PRESSED, UIManager
 from pygame_gui.core import ObjectID
 from pygame_gui.elements import UIButton
 
-from sandbox.app.commands import tip
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
+from sandbox.app.keymap import tip
 from sandbox.app.runs.session import Session
 
 HEIGHT = 34  # px, of a button

@@ -13,11 +13,11 @@ from pygame_gui import (
 from pygame_gui.core import ObjectID, UIContainer, UIElement
 from pygame_gui.elements import UIButton, UIImage, UIScrollingContainer
 
-from sandbox.app.commands import tip
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.files.level_entries import Entry, entry
 from sandbox.app.files.progress import Progress
+from sandbox.app.keymap import tip
 from sandbox.app.widgets.row import Row
 from sandbox.app.widgets.text_field import LONGEST, Field
 from sandbox.app.widgets.widget_helpers import press, scroll, scrolled

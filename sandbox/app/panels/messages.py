@@ -8,10 +8,10 @@ from pygame_gui import UIManager
 from pygame_gui.core import ObjectID
 from pygame_gui.elements import UIButton
 
-from sandbox.app.commands import BINDINGS
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
+from sandbox.app.keymap import BINDINGS
 from sandbox.app.keys import MOUSE
 from sandbox.app.words.language import say, say_in
 

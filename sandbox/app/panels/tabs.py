@@ -8,8 +8,8 @@ from pygame_gui import UIManager
 from pygame_gui.core import ObjectID
 from pygame_gui.elements import UIButton
 
-from sandbox.app.commands import tip
 from sandbox.app.drawing.text import Pen
+from sandbox.app.keymap import tip
 from sandbox.app.pages.page import Page
 from sandbox.app.widgets.widget_helpers import press, stretched
 from sandbox.app.words.language import say

@@ -75,16 +75,25 @@ def graphs(
         others = [*_faint(earlier, these, across), *_ahead(later, these, up, across)]
         closed = _closed(session, columns, these, up, across)
         series = [*others, *closed, *_own(columns, these, up, across)]
-        size = width, pen.px(HEIGHT)
-        rise = zoom.on(plot.upwards(pen, size[1], [each.y for each in series]), unit)
-        found.append(Graph(unit, pygame.Rect((0, card.y), size), span, rise))
-        card.put(plot.draw(pen, size, series, span, mark, rise, (units[across], unit)), 0)
-        card.y += size[1] + GAP
+        found.append(_put(card, series, span, mark, (units[across], unit), zoom))
     message = say(
         "against {quantity}", quantity=formatting.with_unit_in_brackets(across, units[across])
     )
     card.text(message, 12, theme.DIM)
     return Graphs(card.drawn(), found)
+
+
+def _put(
+    card: Card, series: Sequence[Series], span: Scale, mark: float | None, units: tuple[str, str],
+    zoom: Zoom,
+) -> Graph:  # fmt: skip
+    """Draw lines of one unit over a scale, as far as they are zoomed, and return where that is."""
+    pen, size = card.pen, (card.width, card.pen.px(HEIGHT))
+    rise = zoom.on(plot.upwards(pen, size[1], [each.y for each in series]), units[1])
+    graph = Graph(units[1], pygame.Rect((0, card.y), size), span, rise)
+    card.put(plot.draw(pen, size, series, span, mark, rise, units), 0)
+    card.y += size[1] + GAP
+    return graph
 
 
 def _other_runs(

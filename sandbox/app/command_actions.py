@@ -1,4 +1,7 @@
-"""The action of each command: the window's own, those of its pages, and those of its overlays."""
+"""What each command does: the window's own, those of its pages, and those of its overlays.
+
+Which key calls for it stands in `keymap`.
+"""
 
 from collections.abc import Callable, Mapping
 from functools import partial
@@ -21,7 +24,7 @@ from sandbox.model import catalog
 from sandbox.model.errors import SandboxError
 
 
-class CommandTable:
+class CommandActions:
     """Carries out commands by their names, as keys and buttons ask for them.
 
     Attributes
@@ -76,6 +79,8 @@ class CommandTable:
             "panel": partial(self._toggle_column, "side"),
             "checks": self._show_checks,
             "energy": self._show_energy_otherwise,
+            "next page": partial(self._turn_on, 1),
+            "previous page": partial(self._turn_on, -1),
             "page down": partial(panels.turn, 0.5),
             "page up": partial(panels.turn, -0.5),
         }
@@ -183,6 +188,11 @@ class CommandTable:
         if self._has_room("side"):
             self._space.panels.show(page)
             self._space.lay_out()
+
+    def _turn_on(self, by: int) -> None:
+        """Show the page whose tab is so many further on; the first comes after the last."""
+        pages = [page.command for page in PAGES]
+        self.turn_to(pages[(pages.index(self._space.panels.page) + by) % len(pages)])
 
     def _act_on(self, page: str, asked: PageCommand) -> None:
         """Do what a page is asked for, and show it."""

@@ -1,9 +1,12 @@
-"""All commands of the window with their keys: its own, and those of overlays and pages."""
+"""Which key calls for which command: the window's own keys, and those of overlays and pages.
+
+What a command does stands in `command_actions`.
+"""
 
 import pygame
 
 from sandbox.app.keys import CONTROL, PLAYING, SHOWING, WINDOW, Binding
-from sandbox.app.pages.register import PAGES
+from sandbox.app.pages.register import PAGES, page
 from sandbox.app.stage.overlays.register import OVERLAYS
 from sandbox.app.words.language import say, say_in
 
@@ -32,5 +35,7 @@ def command(event: pygame.event.Event) -> str | None:
 
 def tip(command: str) -> str:
     """Return what a button for a command says while the mouse rests on it."""
-    binding = next(binding for binding in BINDINGS if binding.command == command)
+    binding = next((binding for binding in BINDINGS if binding.command == command), None)
+    if binding is None:  # a page without a key
+        return say(page(command).text)
     return f"{say(binding.text)} ({say_in('key', binding.shown)})"
