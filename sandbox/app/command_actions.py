@@ -89,7 +89,7 @@ class CommandActions:
         return {
             "next field": self._next_field,
             "find": self._find,
-            "help": self._toggle_help,
+            "help": self._show_help,
             "leave": self._leave,
             "home": self._space.go_home,
             "challenges": self._show_challenges,
@@ -233,15 +233,16 @@ class CommandActions:
         recent = self._space.files.recent.paths
         self._space.panels.ask_for_file(recent[0].parent if recent else Path.home())
 
-    def _toggle_help(self) -> None:
-        self._space.help = not self._space.help
+    def _show_help(self) -> None:
+        """Show the first sheet of the help, then the next, and after the last none."""
+        self._space.help = (self._space.help + 1) % (self._space.sheets + 1)
 
     def _leave(self) -> None:
         """Close the help, let go of a widget, show all levels, put measures away; then quit."""
         space = self._space
         stopwatch = space.workers.of(Stopwatch)
         if space.help:
-            space.help = False
+            space.help = 0
         elif not space.panels.typing and space.panels.focus.leave():
             return
         elif space.panels.typing or space.panels.sought:

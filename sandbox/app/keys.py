@@ -91,7 +91,7 @@ MOUSE = (
     ("drag the stage", "move the view; the wheel zooms"),
     ("Shift and drag", "measure a distance; then Ctrl, Shift and drag: an angle at its end"),
     ("rest on a trail", "when it was there, where, and how fast"),
-    ("click on the time's bar", "go there, back or ahead; drag along it to look through the run"),
+    ("click on the time's bar", "go there, or drag to look through the run; dots are impacts"),
     ("drop a file", "open a level of your own"),
 )
 

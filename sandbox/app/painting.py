@@ -34,7 +34,8 @@ def paint(space: Workspace) -> None:
         surface.fill(theme.EDGE, (x, 0, 1, layout.stage.height))
     if space.help:
         rows = page(space.panels.page).keys if space.maker is not None else ()
-        messages.draw_help(surface, space.pen, layout.stage, rows or messages.everywhere())
+        told = rows or messages.everywhere()
+        space.sheets = messages.draw_help(surface, space.pen, layout.stage, told, space.help)
 
 
 def _paint_stage(space: Workspace, view: pygame.Surface, session: Session) -> None:

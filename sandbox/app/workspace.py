@@ -58,8 +58,8 @@ class Workspace:
         What stands around it.
     banner
         What is told at the top of the stage.
-    help
-        Whether the help is shown.
+    help, sheets
+        Which sheet of the help is shown, 0 for none, and how many there are.
     open
         Whether the window is still wanted.
     undoing
@@ -94,7 +94,7 @@ class Workspace:
         self.advising = Advising()
         self.panels = Panels(self.pen, size, self.workers, self.load, self.comfort)
         self.banner = Banner()
-        self.help, self.open = False, True
+        self.help, self.sheets, self.open = 0, 1, True
         self.files = LevelFiles()
         self.undoing = Undoing()
         self._settings: Mapping[str, float] = {}

@@ -1,6 +1,7 @@
 """The window, driven by the events that a person causes."""
 
 import gc
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -473,6 +474,34 @@ def test_the_help_stands_whole_in_a_window_of_any_size(pen: Pen, size: tuple[int
     x, y = (left + right) // 2, (top + bottom) // 2
     rim = [surface.get_at(place) for place in ((left, y), (right, y), (x, top), (x, bottom))]
     assert all(color.b > 2 * theme.PANEL[2] for color in rim)
+
+
+def test_in_a_small_window_with_large_text_the_help_stands_on_sheets_that_can_be_read(
+    player: Person, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    player.resize((900, 600))
+    player.window.comfort.choose(size=150)
+    player.wait()
+    shown: list[str] = []
+    table = messages._table
+
+    def noted(pen: Pen, rows: Sequence[tuple[str, str]], *rest: int) -> pygame.Surface:
+        shown.extend(text for _, text in rows)
+        return table(pen, rows, *rest)
+
+    monkeypatch.setattr(messages, "_table", noted)
+    sheets = 0
+    player.press(pygame.K_h, "h")
+    while player.window.help:
+        sheets += 1
+        assert player.window.help == sheets
+        player.press(pygame.K_h, "h")
+
+    assert sheets == player.window.sheets > 1
+    assert {text for _, text in messages.everywhere()} <= set(shown)
+    player.press(pygame.K_F1)
+    player.press(pygame.K_ESCAPE)
+    assert not player.window.help
 
 
 def test_a_level_with_mistakes_is_told_whole_and_the_app_stays_usable(

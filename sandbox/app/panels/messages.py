@@ -1,6 +1,6 @@
 """The messages over the stage: banners, the help, and offers."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from math import ceil
 
 import pygame
@@ -18,6 +18,8 @@ from sandbox.app.words.language import say, say_in
 PADDING = 12  # px
 OFFER = 220, 38  # px
 ROW = 17  # px, the height from which on the rows of the help do not touch
+LEGIBLE = 0.75
+"""The part of its size to which the help may be made smaller and still be read."""
 
 
 def draw_banner(
@@ -45,28 +47,74 @@ def everywhere() -> list[tuple[str, str]]:
 
 
 def draw_help(
-    surface: pygame.Surface, pen: Pen, area: pygame.Rect, rows: Sequence[tuple[str, str]]
-) -> None:
-    """Draw a table of keys in the middle of an area: in two columns, or smaller, if it must."""
+    surface: pygame.Surface, pen: Pen, area: pygame.Rect, rows: Sequence[tuple[str, str]],
+    number: int = 1,
+) -> int:  # fmt: skip
+    """Draw a table of keys in the middle of an area; return on how many sheets it stands.
+
+    It is a column, or two, and somewhat smaller if it must; what cannot be read then stands on
+    several sheets, of which the one of a number is drawn.
+    """
     px = pen.px
     columns = 1 if (area.height - px(110)) // len(rows) >= px(ROW) else 2
     each = ceil(len(rows) / columns)
     height = min(max((area.height - px(110)) // each, px(ROW)), px(22))
     size = 14 if columns == 1 and height >= px(20) else 12
-    tables = [_table(pen, rows[i : i + each], height, size) for i in range(0, len(rows), each)]
-    whole = sum(table.width + px(24) for table in tables) + px(24), each * height + px(70)
-    sheet = pygame.Surface(whole, pygame.SRCALPHA)
+    tables = [_table(pen, part, height, size) for part in _parts(rows, each)]
+    if _shrinking(surface, pen, area, tables) < LEGIBLE:
+        each = max((area.height - px(110)) // px(ROW), 1)
+        tables = [_table(pen, part, px(ROW), 12) for part in _parts(rows, each)]
+        sheets = [[table] for table in tables]
+    else:
+        sheets = [tables]
+    number = min(number, len(sheets))
+    told = say("Keys and mouse")
+    if len(sheets) > 1:
+        told = say(
+            "{title}, {number} of {count}: H goes on", title=told, number=number, count=len(sheets)
+        )
+    sheet, scale = (
+        _sheet(pen, told, sheets[number - 1]),
+        _shrinking(surface, pen, area, sheets[number - 1]),
+    )
+    if scale < 1:
+        sheet = pygame.transform.smoothscale_by(sheet, scale)
+    surface.blit(sheet, sheet.get_rect(center=area.center).clamp(surface.get_rect()))
+    return len(sheets)
+
+
+def _parts(rows: Sequence[tuple[str, str]], each: int) -> Iterator[Sequence[tuple[str, str]]]:
+    for first in range(0, len(rows), each):
+        yield rows[first : first + each]
+
+
+def _extent(pen: Pen, tables: Sequence[pygame.Surface]) -> tuple[int, int]:
+    """Return how large a sheet with tables beside each other is [px]."""
+    px = pen.px
+    wide = sum(table.width + px(24) for table in tables) + px(24)
+    return wide, max(table.height for table in tables) + px(70)
+
+
+def _shrinking(
+    surface: pygame.Surface, pen: Pen, area: pygame.Rect, tables: Sequence[pygame.Surface]
+) -> float:
+    """Return which part of its size is left to a sheet, so that it fits."""
+    wide, high = _extent(pen, tables)
+    return min(surface.width / wide, area.height / high, 1.0)
+
+
+def _sheet(pen: Pen, title: str, tables: Sequence[pygame.Surface]) -> pygame.Surface:
+    """Draw tables beside each other, and a title over them."""
+    px = pen.px
+    sheet = pygame.Surface(_extent(pen, tables), pygame.SRCALPHA)
     pygame.draw.rect(sheet, theme.PANEL, sheet.get_rect(), border_radius=8)
     pygame.draw.rect(sheet, theme.ACCENT, sheet.get_rect(), 1, border_radius=8)
-    sheet.blit(pen.write(say("Keys and mouse"), 18, bold=True), (px(24), px(16)))
+    sheet.blit(pen.write(title, 18, bold=True), (px(24), px(16)))
     x = px(24)
     for table in tables:
         sheet.blit(table, (x, px(52)))
         x += table.width + px(24)
-    scale = min(surface.width / sheet.width, area.height / sheet.height)
-    if scale < 1:
-        sheet = pygame.transform.smoothscale_by(sheet, scale)
-    surface.blit(sheet, sheet.get_rect(center=area.center).clamp(surface.get_rect()))
+    return sheet
 
 
 def _table(pen: Pen, rows: Sequence[tuple[str, str]], height: int, size: int) -> pygame.Surface:
