@@ -5,6 +5,7 @@ import pygame
 from sandbox.app import legend
 from sandbox.app.drawing import theme
 from sandbox.app.measuring import probe
+from sandbox.app.observing.earlier_runs import alike
 from sandbox.app.pages.register import page, runs_beside
 from sandbox.app.pages.table.stopwatch import Stopwatch
 from sandbox.app.panels import messages
@@ -59,7 +60,7 @@ def _paint_run(space: Workspace, view: pygame.Surface, session: Session) -> None
     stage.view.looking = None if recalled else session.looking
     stage.view.flashes = () if space.comfort.chosen.reduced else session.flashes
     stage.asked = page(space.panels.page).overlay if space.panels.side is not None else ""
-    earlier = [run.trail for run in session.earlier]
+    earlier = [run.trail for run in session.earlier if alike(run.world, session.shown)]
     trail = recalled.trail if recalled else session.trail
     stage.draw(view, trail, session.milestones(), session.companions, earlier)
     x, y = pygame.mouse.get_pos()

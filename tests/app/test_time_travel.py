@@ -1,13 +1,17 @@
 """Back and ahead in a run: whatever way leads to a step, the state there is the same to the bit."""
 
+import json
+
 import pygame
 import pytest
 
 from sandbox.app.drawing import theme
 from sandbox.app.observing.impacts import Blow
+from sandbox.app.pages.graph.choice import Choice
 from sandbox.app.panels.controls import Controls
 from sandbox.app.runs import playback
 from sandbox.app.runs.session import Session
+from sandbox.editing.run_as_level import as_it_stands
 from sandbox.model import catalog
 from sandbox.model.errors import SandboxError
 from sandbox.model.loading import load
@@ -420,3 +424,61 @@ def test_a_run_with_very_many_impacts_has_no_marks() -> None:
         session.run.marks.note([Blow(step, step / 60, (0.0, 0.0), 1.0, 0, ("a", "b"), 1.0)])
 
     assert session.run.marks.shown == ()
+
+
+def count(session: Session) -> int:
+    """Return how many earlier runs are laid over the present one."""
+    return len(session.earlier)
+
+
+def test_runs_with_other_bodies_are_not_laid_over_the_present_one(
+    person: Person, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    person.window.open_level("kinematics/projectile")
+    session = person.session
+    take(session, 60)
+    session.restart({"angle": 60})
+    take(session, 60)
+    text = json.loads(as_it_stands(session.world, anew=False))
+    text["bodies"]["extra"] = {
+        "shape": {"type": "disc", "radius": 0.3}, "mass": 1, "position": [3, 5],
+    }  # fmt: skip
+    assert count(session) == 1
+    person.press(pygame.K_d, "d")
+
+    session.alter(json.dumps(text))
+    person.wait()
+    assert count(session) == 0
+    person.window.workers.of(Choice).choose(session, ("extra.speed",))
+    take(session, 20)
+    person.wait()
+    go_to(session, 10)
+    person.wait()
+    assert count(session) == 1
+    slowly(monkeypatch)
+    session.go_to(75)  # with the other body, while the run itself has not got it yet
+    person.wait()
+    assert session.recalled
+    x, y = person.window.panels.layout.stage.center
+    person.move((float(x), float(y)))
+    arrive_in(session)
+    person.wait()
+    assert "extra" in session.level.bodies
+
+
+def test_a_body_may_be_moved_in_a_run_that_goes_on_with_other_parts() -> None:
+    session = opened("kinematics/projectile")
+    take(session, 20)
+    text = json.loads(as_it_stands(session.world, anew=False))
+    text["bodies"]["other"] = text["bodies"].pop("ball")
+    text["checks"] = [{"quantity": "other.speed", "formula": "1", "tolerance": 1}]
+    text.pop("ghosts", None)
+    session.alter(json.dumps(text))
+
+    session.grab("other", (3.0, 3.0))
+    session.drag((4.0, 4.0))
+    session.release()
+    take(session, 5)
+
+    assert session.readings()
+    assert session.world.steps == 25

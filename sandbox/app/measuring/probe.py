@@ -7,6 +7,7 @@ import numpy as np
 import pygame
 
 from sandbox.app.drawing import theme
+from sandbox.app.observing.earlier_runs import alike
 from sandbox.app.observing.history import History
 from sandbox.app.runs.session import Session
 from sandbox.app.stage.view import View
@@ -66,7 +67,7 @@ def find(view: View, session: Session, pixel: XY) -> Found | None:
     pixel
         The mouse, from the stage's corner [px].
     """
-    if not (view.few and view.shown["trail"]):
+    if not (view.few and view.shown["trail"] and alike(session.world, view.world)):
         return None
     histories = session.history, *(run.history for run in session.earlier)
     near = [found for history in histories for found in _near(view, history, pixel)]

@@ -64,6 +64,11 @@ class Earlier(NamedTuple):
         return say("{values}, left at {t:.2f} s", values=self.values, t=self.left)
 
 
+def alike(world: World, other: World) -> bool:
+    """Whether two worlds have the same bodies, so that one run can be laid over the other."""
+    return world is other or list(world.level.bodies) == list(other.level.bodies)
+
+
 def kept(
     earlier: tuple[Earlier, ...], run: Observed, values: Values, left: float | None = None
 ) -> tuple[Earlier, ...]:

@@ -25,7 +25,7 @@ from sandbox.app.words.language import say
 
 REFRESH = 0.1  # s
 LEAST = 160  # px, of a page that is left to it above the foot
-AMPLE = 300  # px, that are left to it above a foot that nobody has asked for
+AMPLE = 270  # px, that are left to it above a foot that nobody has asked for
 
 
 class SidePanel:

@@ -147,7 +147,7 @@ class LiveRun:
     def advance(self) -> None:
         """Take a step, its companions too, and note what is observed."""
         self.catch_up()
-        if self._moved:
+        if self._moved and self.world is self._recorded:  # one that branched is not recorded
             self._record()
         if self.world.steps % 2:  # whoever comes second finds the caches warm: take turns
             self._follow(self.t + self.world.dt)

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from sandbox.app.observing.earlier_runs import Earlier, Observed
+from sandbox.app.observing.earlier_runs import Earlier, Observed, alike
 from sandbox.app.observing.energy_books import Books
 from sandbox.app.observing.history import History
 from sandbox.app.observing.trail import Trail
@@ -49,14 +49,18 @@ class RunView:
 
     @property
     def earlier(self) -> tuple[Earlier, ...]:
-        """The last runs with other parameters, the newest last."""
-        return self.run.earlier
+        """The last runs with other parameters and the present bodies, the newest last."""
+        return tuple(run for run in self.run.earlier if alike(run.world, self.world))
 
     @property
     def later(self) -> Observed | None:
-        """The run as it was before a way back, if it had come farther; None if it had not."""
+        """The run as it was before a way back, if it had come farther; None if it had not.
+
+        None as well if it has other bodies by then.
+        """
         ahead = self.run.ahead
-        return ahead if ahead and ahead.steps() > self.world.steps else None
+        farther = ahead is not None and ahead.steps() > self.world.steps
+        return ahead if ahead and farther and alike(ahead.world, self.world) else None
 
     @property
     def trail(self) -> Trail:

@@ -75,7 +75,8 @@ class Session(Playback):
     def _run_with(self, values: Values) -> LiveRun:
         """Return a run with these parameters, and with the same runs beside it."""
         variants = [companion.variant for companion in self.companions]
-        return LiveRun(self.original, self._built(self.begun_as, variants, values), self.earlier)
+        begun = self._built(self.begun_as, variants, values)
+        return LiveRun(self.original, begun, self.run.earlier)
 
     def _run_anew(self) -> LiveRun:
         return self._run_with(self.begun_with)

@@ -18,7 +18,7 @@ FREE, CLOSE = (24, 26), (12, 14)  # px, left free beside and above arrows: for w
 SHORTEST = 6.0  # px; a shorter arrow is not told
 WIDTH = 3.0  # px
 APART = 7.0  # px, between arrows that would lie on each other
-FURTHER = 16, 28, 44  # px, how far off words may stand from their arrow
+FURTHER = range(16, 45, 14)  # px, how far off words may stand from their arrow
 SIMILAR = 0.12  # rad, between directions that look alike
 FLAT = 0.04
 """The least share of its length that a polygon is wide, if it is not to be drawn apart."""

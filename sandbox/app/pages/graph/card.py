@@ -10,6 +10,7 @@ from sandbox.app.cards.card import GAP, Card
 from sandbox.app.drawing import signs, theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
+from sandbox.app.observing.earlier_runs import alike
 from sandbox.app.observing.history import History
 from sandbox.app.pages.graph.zoom import WHOLE, Graph, Zoom
 from sandbox.app.runs.session import Session
@@ -116,7 +117,7 @@ def span_of(pen: Pen, width: int, session: Session, across: str) -> Scale:
 def so_far(session: Session, names: Sequence[str]) -> tuple[Mapping[str, Array], Mapping[str, str]]:
     """Return quantities up to what is shown, (k,) each, and their units."""
     run = session.recalled
-    if run is None:
+    if run is None or not alike(run.world, session.world):
         return measured(session.world, session.history, names)
     columns, units = measured(run.world, run.history, names)
     count = np.searchsorted(run.history.snapshots.t, float(run.world.snapshot.t), side="right")
