@@ -373,7 +373,7 @@ def test_what_a_hand_did_before_or_while_it_is_asked_belongs_to_the_run(
 
 
 def test_two_balls_that_were_lifted_are_still_when_the_last_ones_way_is_predicted(
-    person: Person,
+    person: Person, written: list[str]
 ) -> None:
     person.window.open_level("momentum/cradle")
     person.wait()
@@ -399,6 +399,8 @@ def test_two_balls_that_were_lifted_are_still_when_the_last_ones_way_is_predicte
     outcome = predicting(person).outcome
     assert outcome is not None
     assert outcome.formula is None
+    assert outcome.t is not None
+    assert f"at {outcome.t:.2f} s" in written
 
 
 def test_what_is_impossible_is_left_out_of_what_is_tried() -> None:

@@ -100,12 +100,18 @@ def _compared(card: Card, outcome: Outcome) -> None:
     rows = [
         (say("prediction"), outcome.predicted, _apart(outcome, outcome.predicted)),
         (say("formula"), outcome.formula, _apart(outcome, outcome.formula)),
-        (say("simulation"), outcome.simulated, ""),
+        (say("simulation"), outcome.simulated, _asked_at(outcome)),
     ]
     for name, value, apart in rows:
         if value is not None:
-            told = formatting.quantity(value, outcome.unit)
+            kept = formatting.without_rounding(value, outcome.scale or 0.0)
+            told = formatting.quantity(kept, outcome.unit)
             card.columns([(name, theme.DIM), (told, theme.TEXT), (apart, theme.DIM)], 14)
+
+
+def _asked_at(outcome: Outcome) -> str:
+    """Say when that was: in a run that a hand has changed, bodies may meet at another time."""
+    return "" if outcome.t is None else say("at {t}", t=formatting.seconds(outcome.t))
 
 
 def _apart(outcome: Outcome, value: float | None) -> str:

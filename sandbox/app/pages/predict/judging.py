@@ -27,6 +27,8 @@ class Outcome:
         Theirs.
     scale
         What differences are relative to; None if they are absolute, because all is zero.
+    t
+        When the run was asked [s].
     """
 
     predicted: float
@@ -34,6 +36,7 @@ class Outcome:
     simulated: float
     unit: str
     scale: float | None
+    t: float | None = None
 
     def apart(self, value: float) -> float:
         """Return how far a value lies from the simulated one, relative if it can be."""
@@ -62,7 +65,7 @@ def judged(
         return None
     formula = result.expected if formula_holds else None
     scale = _scale(result, formula, trace)
-    return Outcome(predicted, formula, result.measured, result.unit, scale)
+    return Outcome(predicted, formula, result.measured, result.unit, scale, result.t)
 
 
 def _scale(result: Result, formula: float | None, trace: Trace) -> float | None:
