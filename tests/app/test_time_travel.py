@@ -482,3 +482,23 @@ def test_a_body_may_be_moved_in_a_run_that_goes_on_with_other_parts() -> None:
 
     assert session.readings()
     assert session.world.steps == 25
+
+
+def test_arrows_keep_their_scale_on_the_way_back(
+    person: Person, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    person.window.open_level("momentum/cradle")
+    for _ in range(40):
+        take(person.session, 10)
+        person.wait()
+    scale = person.window.stage.view.fastest
+    slowly(monkeypatch)
+
+    for step in (380, 60):
+        person.session.go_to(step)
+        person.wait()
+        assert person.session.recalled
+        assert person.window.stage.view.fastest == scale
+        arrive(person)
+        person.wait()
+        assert person.window.stage.view.fastest == scale

@@ -42,6 +42,8 @@ class Stage:
         The world that is shown, as overlays draw it.
     """
 
+    view: View
+
     def __init__(self, pen: Pen, size: tuple[int, int]) -> None:
         self.camera = Camera(size)
         self.shown, self.asked = at_first(), ""
@@ -55,12 +57,15 @@ class Stage:
 
     def use(self, world: World) -> None:
         """Show another world; what a person has chosen to see of the plane stays."""
+        again = world.level is self._level and world.values == self.view.world.values
         if world.level is not self._level:
             self._level = world.level
             for overlay in OVERLAYS:
                 if overlay.on is not None:
                     self.shown[overlay.name] = overlay.on(world.level)
+        kept = self.view.fastest if again and float(world.snapshot.t) else 0.0  # of the same run
         self.view = View(world, self.camera, self._pen, self.shown)
+        self.view.keep_scale(kept)
         landscape = world.level.view.landscape
         self._relief = landscape and Relief(landscape, world)
         self._base_key = None

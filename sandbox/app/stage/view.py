@@ -97,6 +97,10 @@ class View:
         self.watch()
         return self._fastest
 
+    def keep_scale(self, speed: float) -> None:
+        """Let the longest arrow stand for a speed at least, as in another view of the run [m/s]."""
+        self._fastest = max(self._fastest, speed)
+
     def watch(self) -> None:
         """Note how fast the world is now."""
         velocity = self.world.snapshot.velocity
