@@ -111,7 +111,8 @@ class LiveRun:
         self.script: Sequence[Action] = ()
         self.ahead: Observed | None = None
         self._fork: World | None = None  # from which it branched off last
-        self._quantities = [*needed(original), *milestones.needed(world.level)]
+        graded = *needed(original), *needed(world.level), *milestones.needed(world.level)
+        self._quantities = tuple(dict.fromkeys(graded))
         self.limits, self._patience = Limits(), Patience()
         self._record()
         self._attempts: Ration[Attempt | None] = Ration(self._attempt, None)

@@ -6,6 +6,8 @@ import numpy as np
 import pytest
 
 from sandbox.app.pages.effects import whatif
+from sandbox.app.runs.beginning import begin
+from sandbox.app.runs.live_run import LiveRun
 from sandbox.app.runs.pace import SPEEDS, Pace
 from sandbox.app.runs.session import Session
 from sandbox.editing.run_as_level import as_it_stands
@@ -394,3 +396,14 @@ def test_another_pace_takes_a_run_that_was_changed_from_the_start_of_its_level()
 
     assert session.world.snapshot.position.tobytes() == begun
     assert session.values == session.original.defaults
+
+
+def test_a_run_records_what_the_checks_of_its_own_level_need() -> None:
+    level = scenes.level()
+    begun = begin(level, level.defaults, (), patient=True)
+    run = LiveRun(level.model_copy(update={"checks": ()}), begun)
+    for _ in range(10):
+        run.advance()
+
+    assert len(run.readings(hurried=False)) == len(level.checks)
+    assert level.checks
