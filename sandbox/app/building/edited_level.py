@@ -87,6 +87,10 @@ class Work:
         found: Found = known[look]
         return found
 
+    def show(self) -> None:
+        """Let the page be drawn anew."""
+        self.news = object()
+
     def tell(self, text: str) -> None:
         """Tell something in the banner."""
         self._message = text
@@ -233,7 +237,7 @@ class Work:
             "joints": self.sketch.joints,
         }
         self.selected = tuple((f, n) for f, n in parts if n in there[f])
-        self.news = object()
+        self.show()
 
     def select_all(self) -> None:
         """Select all bodies and joints."""

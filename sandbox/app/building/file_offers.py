@@ -31,7 +31,7 @@ def offers(editor: Editor, session: Session) -> list[Offer]:
         found.append(Offer(say("Unsaved drawings:"), ways))
     if editor.drafts.outside:
         tip = say("read the file; Ctrl+Z brings your version back")
-        reading = Act(say("Read it"), tip, editor.reload)
+        reading = Act(say("Read it"), tip, editor.saving.reload)
         tip = say("overwrite it at the next save")
         mine = Act(say("Keep mine"), tip, partial(_keep, editor))
         found.append(Offer(say("Another program has changed the file."), (reading, mine)))
@@ -73,9 +73,9 @@ def recover(left: Recoverable, editor: Editor, session: Session) -> None:
 
 def _forget(left: Recoverable, editor: Editor) -> None:
     editor.drafts.forget(left)
-    editor.show()
+    editor.bench.show()
 
 
 def _keep(editor: Editor) -> None:
     editor.drafts.keep_mine(editor.work.draft)
-    editor.show()
+    editor.bench.show()

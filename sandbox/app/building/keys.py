@@ -7,8 +7,10 @@ from typing import Protocol
 import pygame
 
 from sandbox.app.building.edited_level import Work
+from sandbox.app.building.saving import Saving
+from sandbox.app.building.toolbox import FIRST, Toolbox
 from sandbox.app.building.tools.register import TOOLS
-from sandbox.app.building.tools.tool import Tool
+from sandbox.app.building.trying_out import TryingOut
 from sandbox.app.keys import CONTROL
 from sandbox.app.runs.session import Session
 
@@ -49,52 +51,17 @@ HELP: tuple[tuple[str, str], ...] = (
 class Keyed(Protocol):
     """What keys act on: the editor."""
 
-    bench: Work
-    tool: str
+    tools: Toolbox
+    trying: TryingOut
+    saving: Saving
 
     @property
-    def hand(self) -> Tool:
-        """The tool in hand."""
+    def bench(self) -> Work:
+        """What tools change: the level, or its run."""
         ...
 
-    def trying(self, session: Session) -> bool:
-        """Whether the run is shown."""
-        ...
-
-    def back(self, session: Session) -> None:
-        """Go back to building."""
-        ...
-
-    def look(self, session: Session) -> None:
-        """Take in where the run stands, before it is changed."""
-        ...
-
-    def go_on(self, session: Session) -> None:
+    def go_on(self) -> None:
         """Let time run again, once nothing is being drawn into the run."""
-        ...
-
-    def undo(self, session: Session) -> None:
-        """Take back what was done last."""
-        ...
-
-    def redo(self, session: Session) -> None:
-        """Do again what was taken back last."""
-        ...
-
-    def choose(self, tool: str) -> None:
-        """Take a tool in hand."""
-        ...
-
-    def give_up(self) -> None:
-        """Give up what was begun, or else what is selected."""
-        ...
-
-    def save(self) -> None:
-        """Save the level to its file."""
-        ...
-
-    def save_as(self) -> None:
-        """Ask for the name under which to save."""
         ...
 
 
@@ -104,21 +71,21 @@ def press(editor: Keyed, event: pygame.event.Event, session: Session) -> bool:
         return _with_control(editor, event, session)
     kind = next((k for k in TOOLS if event.unicode and k.key == event.unicode), None)
     if kind is not None:
-        editor.choose(kind.name)
-        editor.go_on(session)
+        editor.tools.choose(kind.name)
+        editor.go_on()
         return True
-    if editor.trying(session):
+    if editor.trying.is_shown(session):
         return _while_trying(editor, event, session)
     return _while_building(editor, event)
 
 
 def _with_control(editor: Keyed, event: pygame.event.Event, session: Session) -> bool:
     shift, work = bool(event.mod & pygame.KMOD_SHIFT), editor.bench
-    undo, redo = partial(editor.undo, session), partial(editor.redo, session)
+    undo, redo = partial(editor.trying.undo, session), partial(editor.trying.redo, session)
     acts: Mapping[int, Callable[[], object]] = {
         pygame.K_z: redo if shift else undo,
         pygame.K_y: redo,
-        pygame.K_s: editor.save_as if shift else editor.save,
+        pygame.K_s: editor.saving.save_as if shift else editor.saving.save,
         pygame.K_a: work.select_all,
         pygame.K_g: work.ungroup if shift else work.group,
         pygame.K_c: work.copy,
@@ -129,32 +96,31 @@ def _with_control(editor: Keyed, event: pygame.event.Event, session: Session) ->
     if act is None:
         return False
     if event.key not in (pygame.K_z, pygame.K_y, pygame.K_s):
-        editor.look(session)
+        editor.trying.look(session)
     act()
     if event.key in (pygame.K_v, pygame.K_d):
-        editor.choose(TOOLS[0].name)  # to drag the copy
+        editor.tools.choose(FIRST)  # to drag the copy
     return True
 
 
 def _while_trying(editor: Keyed, event: pygame.event.Event, session: Session) -> bool:
     """Change the run, or go back to building."""
-    first = TOOLS[0].name
-    if event.key in (pygame.K_RETURN, pygame.K_KP_ENTER) and editor.hand.busy:
-        editor.hand.finish()
-    elif event.key == pygame.K_BACKSPACE and editor.hand.busy:
-        editor.hand.cancel()
+    if event.key in (pygame.K_RETURN, pygame.K_KP_ENTER) and editor.tools.hand.busy:
+        editor.tools.hand.finish()
+    elif event.key == pygame.K_BACKSPACE and editor.tools.hand.busy:
+        editor.tools.hand.cancel()
     elif event.key in (pygame.K_DELETE, pygame.K_BACKSPACE):
-        editor.look(session)
+        editor.trying.look(session)
         editor.bench.delete()
-    elif event.key == pygame.K_ESCAPE and editor.tool == first:
-        editor.back(session)
-    elif event.key == pygame.K_ESCAPE and editor.hand.busy:
-        editor.hand.cancel()
+    elif event.key == pygame.K_ESCAPE and editor.tools.tool == FIRST:
+        editor.trying.back(session)
+    elif event.key == pygame.K_ESCAPE and editor.tools.hand.busy:
+        editor.tools.hand.cancel()
     elif event.key == pygame.K_ESCAPE:
-        editor.choose(first)
+        editor.tools.choose(FIRST)
     else:
         return False
-    editor.go_on(session)
+    editor.go_on()
     return True
 
 
@@ -162,13 +128,13 @@ def _while_building(editor: Keyed, event: pygame.event.Event) -> bool:
     if event.key in ARROWS:
         editor.bench.nudge(*ARROWS[event.key], FINE if event.mod & pygame.KMOD_ALT else 1.0)
     elif event.key in (pygame.K_RETURN, pygame.K_KP_ENTER):
-        editor.hand.finish()
-    elif event.key == pygame.K_BACKSPACE and editor.hand.busy:
-        editor.hand.cancel()
+        editor.tools.hand.finish()
+    elif event.key == pygame.K_BACKSPACE and editor.tools.hand.busy:
+        editor.tools.hand.cancel()
     elif event.key in (pygame.K_DELETE, pygame.K_BACKSPACE):
         editor.bench.delete()
     elif event.key == pygame.K_ESCAPE:
-        editor.give_up()
+        editor.tools.give_up()
     else:
         return False
     return True

@@ -25,9 +25,12 @@ class Live(Work):
     ----------
     session
         Whose run it is.
+    stands
+        Whether time stands until what is being drawn into the run is done.
     """
 
     session: Session
+    stands = False
     fixed = (*MOVES, "motion", "type")
 
     def __init__(self) -> None:
@@ -58,6 +61,15 @@ class Live(Work):
             return
         self.take(Draft.of(text))
         self.select(chosen)
+
+    def stop_time(self) -> None:
+        """Let time stand while something is drawn into the run."""
+        self.stands, self.session.playing = self.stands or self.session.playing, False
+
+    def let_time_run(self) -> None:
+        """Let time run again, if it was stopped."""
+        if self.stands:
+            self.stands, self.session.playing = False, self.session.failure is None
 
     def put(self, text: str, said: str, merge: str | None = None) -> None:
         """Let the run go on with another text.

@@ -53,7 +53,7 @@ def test_every_joint_of_the_register_is_tied_with_the_mouse_and_runs(
     builder.key(pygame.K_SPACE, " ")
 
     assert [joint["type"] for joint in builder.document.get("joints", {}).values()] == [kind]
-    assert not builder.editor.refusal
+    assert not builder.editor.applying.refusal
 
 
 def test_a_polygon_a_surface_and_a_stroke_are_drawn(builder: Builder) -> None:
@@ -172,7 +172,7 @@ def test_escape_takes_back_what_was_begun_and_never_ends_the_app(builder: Builde
         builder.key(pygame.K_ESCAPE)
 
     assert builder.person.window.open
-    assert builder.editor.tool == "select"
+    assert builder.editor.tools.tool == "select"
     assert list(builder.document["bodies"]) == ["ground"]
 
 
@@ -190,7 +190,7 @@ def test_a_block_near_a_slope_is_laid_flat_on_it(builder: Builder) -> None:
     level = parse(builder.editor.work.draft.text)
     slope = 0.4636476090008061  # atan(4/8)
     assert level.bodies["box1"].angle({}) == pytest.approx(slope, abs=1e-9)
-    assert builder.editor.refusal == ""
+    assert builder.editor.applying.refusal == ""
 
 
 def test_what_is_too_small_for_the_grid_is_drawn_on_a_finer_one(builder: Builder) -> None:
@@ -226,7 +226,7 @@ def test_a_joint_is_cut_by_a_click_and_a_copy_is_dragged_at_once(builder: Builde
     builder.tool("disc")
     builder.drag((0, 4), (0.5, 4))
     builder.key(pygame.K_d, mod=pygame.KMOD_CTRL)
-    assert builder.editor.tool == "select"
+    assert builder.editor.tools.tool == "select"
     builder.tool("join")
     builder.tool("rope")
     builder.at(0, 4)

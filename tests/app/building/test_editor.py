@@ -75,14 +75,14 @@ def test_an_overlap_is_told_in_words_and_cannot_be_run(mine: Builder) -> None:
     mine.drag((-1, 2), (1, 4))
     mine.drag((0, 3), (2, 5))
     mine.person.wait(0.1)
-    assert {"box1", "box2"} & mine.editor.culprits
+    assert {"box1", "box2"} & mine.editor.applying.culprits
     mine.key(pygame.K_SPACE, " ")
     assert not mine.person.session.playing
-    assert "overlap" in mine.editor.refusal
+    assert "overlap" in mine.editor.applying.refusal
 
     mine.control("z")
     mine.person.wait(0.1)
-    assert mine.editor.refusal == ""
+    assert mine.editor.applying.refusal == ""
 
 
 def test_a_level_that_was_not_touched_is_saved_as_it_was(mine: Builder) -> None:
@@ -106,7 +106,7 @@ def test_every_level_opens_in_the_editor_and_is_saved_byte_for_byte(
         person.window.open_level(name)
         builder.key(pygame.K_b, "b")  # a challenge opens with a page of its own
         copy = tmp_path / f"{name.replace('/', '-')}.json"
-        builder.editor.save(copy)
+        builder.editor.saving.save(copy)
         if copy.read_bytes() != path.read_bytes():
             different.append(name)
 
@@ -179,12 +179,12 @@ def test_a_file_that_was_changed_outside_is_told_and_not_written_over(mine: Buil
 def test_the_help_tells_the_keys_of_the_page_while_it_is_open(mine: Builder) -> None:
     mine.key(pygame.K_F1)
     mine.key(pygame.K_2, "2")
-    assert mine.editor.tool == "select"  # the help is open: keys are for it
+    assert mine.editor.tools.tool == "select"  # the help is open: keys are for it
     mine.key(pygame.K_F1)
     mine.key(pygame.K_o, "o")
     mine.key(pygame.K_2, "2")
 
-    assert mine.editor.tool == "select"
+    assert mine.editor.tools.tool == "select"
 
 
 def test_while_another_page_is_open_the_hand_is_back(mine: Builder) -> None:
@@ -224,7 +224,7 @@ def test_what_repeats_is_written_out_by_the_first_edit_and_comes_back_with_undo(
 
 def test_a_file_that_was_broken_outside_is_not_taken_over(mine: Builder) -> None:
     file_of(mine).write_text("[1", encoding="utf-8")
-    mine.editor.reload()
+    mine.editor.saving.reload()
     mine.person.wait(0.1)
 
     assert mine.editor.work.draft.level is not None
@@ -239,6 +239,6 @@ def test_to_keep_ones_own_overwrites_no_other_file(mine: Builder, tmp_path: Path
     other.write_text("precious", encoding="utf-8")
     mine.editor.drafts.keep_mine(mine.editor.work.draft)
 
-    mine.editor.save(other)
+    mine.editor.saving.save(other)
 
     assert other.read_text(encoding="utf-8") == "precious"

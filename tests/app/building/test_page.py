@@ -47,7 +47,7 @@ def test_enter_leaves_a_field_so_that_the_keys_are_those_of_the_tools(builder: B
     builder.fill("3", "bodies", "left", "mass")
     builder.key(pygame.K_7, "7")
 
-    assert builder.editor.tool == "join"
+    assert builder.editor.tools.tool == "join"
     assert builder.document["bodies"]["left"]["mass"] == 3
 
 

@@ -45,7 +45,7 @@ class Block(NamedTuple):
 def above(editor: Editor, session: Session) -> list[Block]:
     """Return what comes first: what is wrong, and what there is to decide."""
     found = []
-    if editor.trying(session):
+    if editor.trying.is_shown(session):
         keep = Act(
             say("Keep as a level"),
             say("build on with the present state as a level of its own"),
@@ -56,17 +56,21 @@ def above(editor: Editor, session: Session) -> list[Block]:
         )
         if session.world.disturbed and session.original.checks:
             found.append(Block(say(NO_FORMULA), theme.NOTICE))
-    elif (left := editor.trial.left(editor.work.draft.text)) is not None and not editor.refusal:
+    elif (
+        left := editor.trial.left(editor.work.draft.text)
+    ) is not None and not editor.applying.refusal:
         back = Act(
             say("Back to the run at {t:.2f} s", t=left.t),
             say("return to the run that you left, where it was (Ctrl Y right after Esc)"),
-            partial(editor.come_back, session),
+            partial(editor.trying.come_back, session),
         )
         found.append(Block("", acts=(back,)))
-    if editor.refusal:
-        found.append(Block(say("It cannot run yet: {reason}", reason=editor.refusal), theme.FAILED))
+    if editor.applying.refusal:
+        found.append(
+            Block(say("It cannot run yet: {reason}", reason=editor.applying.refusal), theme.FAILED)
+        )
     found += [Block(offer.text, theme.NOTICE, offer.ways) for offer in offers(editor, session)]
-    if editor.naming:
+    if editor.saving.naming:
         found.append(Block(say("Save under this name:"), theme.TEXT))
     return found
 

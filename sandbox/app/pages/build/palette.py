@@ -32,7 +32,7 @@ class Palette:
         y = self._put_tools(self._put_acts(0))
         whole = pygame.Rect(0, y, sheet.width, sheet.px(HEIGHT) + 2)
         tip = say("run the level, and come back (Space, Esc)")
-        self._put(whole, TRY, say(TRY), tip, partial(editor.try_it, session), "@main")
+        self._put(whole, TRY, say(TRY), tip, partial(editor.trying.toggle, session), "@main")
         self._without = whole.bottom + sheet.px(GAP)
         self._height = self._put_joints(self._without)
         self.update()
@@ -46,10 +46,14 @@ class Palette:
                 say("an empty scene with only the ground (Ctrl N)"),
                 partial(editor.new, session),
             ),
-            (later("Undo"), "", partial(editor.undo, session)),
-            (later("Redo"), "", partial(editor.redo, session)),
-            (later("Save"), say("save it to its file (Ctrl S)"), editor.save),
-            (later("Save as"), say("save it under another name (Ctrl Shift S)"), editor.save_as),
+            (later("Undo"), "", partial(editor.trying.undo, session)),
+            (later("Redo"), "", partial(editor.trying.redo, session)),
+            (later("Save"), say("save it to its file (Ctrl S)"), editor.saving.save),
+            (
+                later("Save as"),
+                say("save it under another name (Ctrl Shift S)"),
+                editor.saving.save_as,
+            ),
         )
         places = self._places([name for name, _, _ in acts], y)
         for (name, tip, act), place in zip(acts, places, strict=True):
@@ -104,27 +108,27 @@ class Palette:
         return act is not None
 
     def _take(self, tool: str) -> None:
-        self._editor.choose(tool)
-        self._editor.go_on(self._session)
+        self._editor.tools.choose(tool)
+        self._editor.go_on()
 
     def _join(self, kind: str) -> None:
-        self._editor.joining.use(kind)
-        self._editor.show()
+        self._editor.tools.joining.use(kind)
+        self._editor.bench.show()
 
     def update(self) -> None:
         """Show what is in hand, and what can be undone and saved."""
         editor, draft = self._editor, self._editor.work.draft
         for kind in TOOLS:
-            press(self._buttons[kind.name], kind.name == editor.tool)
-        undoes, redoes = editor.undoes(self._session), editor.redoes(self._session)
+            press(self._buttons[kind.name], kind.name == editor.tools.tool)
+        undoes, redoes = editor.trying.undoes(self._session), editor.trying.redoes(self._session)
         for name, key, said in (("Undo", "Ctrl Z", undoes), ("Redo", "Ctrl Y", redoes)):
             allow(self._buttons[name], said is not None)
             self._buttons[name].set_tooltip(
                 f"{said} ({say_in('key', key)})" if said else None, delay=0.6
             )
         allow(self._buttons["Save"], draft.changed or draft.path is None)
-        self._buttons[TRY].set_text(say(STOP if editor.trying(self._session) else TRY))
-        self._show_joints(editor.tool == "join")
+        self._buttons[TRY].set_text(say(STOP if editor.trying.is_shown(self._session) else TRY))
+        self._show_joints(editor.tools.tool == "join")
 
     def _show_joints(self, shown: bool) -> None:
         """Make room for the joints, or leave that to the fields."""
@@ -132,7 +136,9 @@ class Palette:
             button = self._buttons[name]
             if shown and not button.visible:
                 button.show()  # type: ignore[no-untyped-call]
-            press(button, shown and name == self._editor.joining.kind)  # what is hidden has no look
+            press(
+                button, shown and name == self._editor.tools.joining.kind
+            )  # what is hidden has no look
             if not shown and button.visible:
                 button.hide()  # type: ignore[no-untyped-call]
         self._sheet.pin(self._height if shown else self._without)

@@ -94,7 +94,7 @@ class BuildPage:
             return True
         act = next((act for button, act in self._acts if button is element), None)
         if act is not None:
-            self._editor.look(self._session)
+            self._editor.trying.look(self._session)
             act.do()
             return True
         return self.palette.press(element) or self.inspector.turn(element)
@@ -125,7 +125,7 @@ class BuildPage:
         return self._assign(line, line.shown)
 
     def _assign(self, line: Line, typed: str) -> bool:
-        self._editor.look(self._session)
+        self._editor.trying.look(self._session)
         entry, work = line.entry, self._editor.bench
         self._offered.clear()
         why = inspection.assign(work, line.row, entry, typed)
@@ -133,14 +133,14 @@ class BuildPage:
         if why:
             self._refused[entry.path] = why
             work.tell(f"{entry.label}: {why}")
-            self._editor.show()
+            self._editor.bench.show()
         return not why
 
     def _save_here(self) -> None:
         assert self._name is not None
         typed = os.path.expanduser(self._name.get_text().strip())  # an unknown ~name stays
-        path = self._editor.proposed.parent / typed
-        self._editor.save(path if path.suffix else path.with_suffix(".json"))
+        path = self._editor.saving.proposed.parent / typed
+        self._editor.saving.save(path if path.suffix else path.with_suffix(".json"))
 
     # fields, as the window goes through them
 
@@ -157,8 +157,8 @@ class BuildPage:
         self._refused.clear()
         self.inspector.revert()
         if self._name is not None and self._name.is_focused:
-            self._editor.stop_naming()
-        self._editor.show()
+            self._editor.saving.stop_naming()
+        self._editor.bench.show()
 
     # what is shown
 
@@ -174,7 +174,8 @@ class BuildPage:
         rows, numbers = inspection.rows(self._editor.bench), inspection.numbers(self._editor.bench)
         blocks = self._blocks()
         shape = (
-            selected, self._editor.naming, [block.shape for part in blocks for block in part],
+            selected, self._editor.saving.naming,
+            [block.shape for part in blocks for block in part],
             self.inspector.shape(rows, numbers), dict(self._refused), dict(self._offered),
         )  # fmt: skip
         if shape != self._shape:
@@ -189,9 +190,9 @@ class BuildPage:
         """Return what stands above the name that is asked for, and below that."""
         editor = self._editor
         below = content.subject(editor)
-        if editor.naming:
+        if editor.saving.naming:
             here = Act(say("Save here"), say("write the file (Enter)"), self._save_here)
-            leave = Act(say("Do not save"), say("go on without (Esc)"), editor.stop_naming)
+            leave = Act(say("Do not save"), say("go on without (Esc)"), editor.saving.stop_naming)
             below.insert(0, Block("", acts=(here, leave)))
         return content.above(editor, self._session), [*below, *content.arranging(editor)]
 
@@ -221,8 +222,8 @@ class BuildPage:
     def _put_name(self) -> None:
         """Ask for a name to save under, if that is wanted."""
         before, self._name = self._name, None
-        if self._editor.naming:
-            typed = before.get_text() if before is not None else str(self._editor.proposed)
+        if self._editor.saving.naming:
+            typed = before.get_text() if before is not None else str(self._editor.saving.proposed)
             self._name = self._column.field(0, self._sheet.width, typed, tip=say("a file's name"))
             self._column.y += self._sheet.px(HEIGHT) + self._sheet.px(GAP)
             self._sheet.manager.set_focus_set(self._name.get_focus_set())

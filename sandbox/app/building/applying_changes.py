@@ -1,0 +1,115 @@
+"""What was changed is played: tried once nobody has changed anything for a moment, or refused."""
+
+import re
+from time import perf_counter
+
+from sandbox.app.building.drafts import Drafts
+from sandbox.app.building.edited_level import Work
+from sandbox.app.building.toolbox import Toolbox
+from sandbox.app.runs.session import Session
+from sandbox.app.words.language import say
+from sandbox.model.errors import SandboxError
+from sandbox.model.level import Level
+from sandbox.model.message import NOTHING, Message
+from sandbox.physics.state.errors import SimulationError
+
+PATIENCE = 1.5
+"""How long nothing is changed before the level is tried, as a multiple of what that takes."""
+
+
+class Applying:
+    """Lets the session play the level under edit.
+
+    Attributes
+    ----------
+    refusal
+        Why the level cannot run as it is; empty if it can.
+    culprits
+        The bodies and joints that are to blame for that.
+    """
+
+    def __init__(self, work: Work, drafts: Drafts, tools: Toolbox) -> None:
+        self._work, self._drafts, self._tools = work, drafts, tools
+        self.refusal: Message = NOTHING
+        self.culprits: frozenset[str] = frozenset()
+        self._played: Level | None = None  # what the session has of it
+        self._tried: object = self._state
+        self._waits = 0.0  # s, until what was changed is tried
+        self._cost = 0.0  # s, what that took last
+
+    @property
+    def _state(self) -> object:
+        """What is tried anew when it changes: its text, and where its file is."""
+        return self._work.version, self._work.draft.path
+
+    @property
+    def pending(self) -> bool:
+        """Whether something is still to be tried."""
+        return self._tried != self._state
+
+    def follow(self, session: Session, seconds: float, *, watched: bool) -> None:
+        """Keep to the level that is shown, and try what was changed when that is quiet."""
+        if watched:
+            self.take_up(session)
+        if self.pending:
+            self._waits -= seconds
+            if not watched or (self._waits <= 0 and not self._tools.hand.busy):
+                self.apply(session)
+
+    def take_up(self, session: Session) -> None:
+        """Edit the level that is shown; what was not saved of it is still there."""
+        if session.original is self._played:
+            return
+        draft = self._drafts.of(session.original)
+        self._work.take(draft)
+        self._played, self._tried = session.original, self._state
+        self.refusal, self.culprits = NOTHING, frozenset()
+        if draft.text != session.original.text:
+            self._work.tell(say("What you have changed is still here, and not saved"))
+            self.apply(session)
+
+    def apply_pending(self, session: Session) -> bool:
+        """Try now what is still to be tried, and return whether the level can be run."""
+        if self.pending:
+            self.apply(session)
+        return not self.refusal
+
+    def apply(self, session: Session) -> None:
+        """Let the session play what was changed; what makes no level is taken back."""
+        begun, work = perf_counter(), self._work
+        level = self._last_level()
+        self._tried = self._state
+        self._tools.bench.show()
+        self.refusal, self.culprits = NOTHING, frozenset()
+        if level is None:
+            self.refusal = work.mistake
+            return
+        try:
+            session.edit(level)
+            self._played = level
+        except SandboxError as error:
+            self._refuse(error)
+        self._cost = perf_counter() - begun
+        self._waits = PATIENCE * self._cost
+
+    def _last_level(self) -> Level | None:
+        """Return the level, after changes are taken back that made it none."""
+        work = self._work
+        level = work.draft.level
+        if level is None:
+            work.tell(say("That cannot be: {mistake}", mistake=work.mistake))
+            while level is None and work.draft.undo():
+                level = work.draft.level
+            work.refresh()
+        return level
+
+    def _refuse(self, error: SandboxError) -> None:
+        """Say why the level cannot run, and where."""
+        self.refusal = error.message
+        if isinstance(error, SimulationError):
+            self.refusal = error.reason
+            if error.hint:
+                self.refusal = Message("{told}; {advice}", told=error.reason, advice=error.hint)
+            sketch = self._work.sketch
+            named = {error.subject, *re.findall(r"'(\w+)'", error.reason)}
+            self.culprits = frozenset(n for n in named if n in sketch.bodies or n in sketch.joints)

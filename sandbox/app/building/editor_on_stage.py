@@ -1,0 +1,115 @@
+"""The editor on the stage: the mouse builds, or throws things into the run; what is drawn."""
+
+from functools import partial
+
+import pygame
+
+from sandbox.app.building import painting
+from sandbox.app.building.applying_changes import Applying
+from sandbox.app.building.edited_level import Work
+from sandbox.app.building.live_edits import Live
+from sandbox.app.building.pointer import Spot
+from sandbox.app.building.toolbox import FIRST, Toolbox
+from sandbox.app.drawing.text import Pen
+from sandbox.app.stage.stage import Stage
+from sandbox.app.words.language import say
+from sandbox.model.shapes import XY
+
+
+class EditorOnStage:
+    """Leads the mouse to the tool in hand, and draws the level with what the tool would do."""
+
+    def __init__(self, work: Work, live: Live, tools: Toolbox, applying: Applying) -> None:
+        self._work, self._live, self._tools, self._applying = work, live, tools, applying
+        self._spot: Spot | None = None
+        self._picture = painting.Picture()
+
+    # the mouse
+
+    def process(self, event: pygame.event.Event, area: pygame.Rect, stage: Stage) -> bool:
+        """Let the tool in hand do what the mouse asks for, and return whether that was for it."""
+        tools = self._tools
+        tools.bench.camera = stage.camera
+        if tools.bench is self._live:
+            return self._throw_in(event, area, stage)
+        spot = self._spot = self._spot_at((event.pos[0] - area.x, event.pos[1] - area.y))
+        if event.type == pygame.MOUSEMOTION:
+            tools.hand.move(spot)
+            return False  # with another button the view is moved
+        if event.button == 1 and event.type == pygame.MOUSEBUTTONUP:
+            tools.hand.release(spot)
+        elif event.button == 1 and area.collidepoint(event.pos):
+            tools.hand.press(spot)
+        return bool(event.button == 1)
+
+    def _throw_in(self, event: pygame.event.Event, area: pygame.Rect, stage: Stage) -> bool:
+        """Let a tool change the run; time stands until it is done. Without one the hand is back."""
+        pixel, hand = (event.pos[0] - area.x, event.pos[1] - area.y), self._tools.hand
+        pressed = event.type == pygame.MOUSEBUTTONDOWN and event.button == 1
+        pressed = pressed and area.collidepoint(event.pos)
+        if self._tools.tool == FIRST:
+            if pressed:
+                self._select_in_run(pixel, stage)
+            return False
+        if pressed:
+            self._live.stop_time()
+            self._live.look()
+        spot = self._spot = self._spot_at(pixel)
+        if event.type == pygame.MOUSEMOTION:
+            hand.move(spot)
+        elif pressed:
+            hand.press(spot)
+        elif event.button == 1:
+            hand.release(spot)
+        self.go_on()
+        return event.type != pygame.MOUSEMOTION and bool(event.button == 1)
+
+    def _select_in_run(self, pixel: XY, stage: Stage) -> None:
+        live = self._live
+        live.look()
+        body = stage.body_at(pixel)
+        part = ("bodies", body) if body else live.part_at(pixel)
+        live.select([part] if part else ())
+
+    def go_on(self) -> None:
+        """Let time run again, once nothing is being drawn into the run."""
+        if not self._tools.hand.busy:
+            self._live.let_time_run()
+
+    def _spot_at(self, pixel: XY) -> Spot:
+        """Return where the mouse is; while Alt is held nothing catches it."""
+        bench, held = self._tools.bench, pygame.key.get_mods()
+        free = bench.camera.to_world(pixel)
+        shift, loose = bool(held & pygame.KMOD_SHIFT), bool(held & pygame.KMOD_ALT)
+        catch = partial(bench.snapping.point, in_line=self._tools.tool == "join")
+        return Spot(pixel, free, shift, loose, catch)
+
+    # the picture
+
+    def draw(self, surface: pygame.Surface, stage: Stage, pen: Pen) -> None:
+        """Draw what is built."""
+        work, tools, camera = self._work, self._tools, stage.camera
+        surface.blit(self._picture.of(work, pen), (0, 0))
+        painting.draw_culprits(surface, work.sketch, self._applying.culprits, camera)
+        if self._spot is not None and tools.tool not in ("select", "delete"):
+            painting.caught(surface, camera, pen, self._spot.snapped)
+        tools.hand.draw(surface, pen)
+        painting.draw_hint(surface, pen, say(tools.hand.hint))
+
+    def draw_over(self, surface: pygame.Surface, stage: Stage, pen: Pen) -> None:
+        """Draw over the run what is selected in it, and what is being drawn into it."""
+        live, tools, view = self._live, self._tools, stage.view
+        if tools.bench is not live:
+            return
+        for family, name in live.selected:
+            if family == "bodies" and (outline := view.outlines.get(name)):
+                corners = outline.placed(*view.state(outline))
+                painting.draw_around(surface, stage.camera, corners, closed=outline.closed)
+        if tools.tool == FIRST:
+            return
+        if tools.hand.busy and self._spot is not None:
+            painting.caught(surface, stage.camera, pen, self._spot.snapped)
+        if live.fresh:
+            tools.hand.draw(surface, pen)
+        message = say("{hint}; time stands still until then", hint=say(tools.hand.hint))
+        painting.draw_hint(surface, pen, message)

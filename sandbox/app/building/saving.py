@@ -1,0 +1,66 @@
+"""The file of the level under edit: saved, saved under another name, and read again."""
+
+from pathlib import Path
+
+from sandbox.app.building.drafts import Drafts
+from sandbox.app.building.edited_level import Work
+from sandbox.app.building.toolbox import Toolbox
+from sandbox.app.words.language import say
+from sandbox.model.errors import SandboxError
+
+
+class Saving:
+    """Saves the level under edit.
+
+    Attributes
+    ----------
+    naming
+        Whether a person is asked under which name to save.
+    """
+
+    def __init__(self, work: Work, drafts: Drafts, tools: Toolbox) -> None:
+        self._work, self._drafts, self._tools = work, drafts, tools
+        self.naming = False
+
+    def save(self, path: Path | None = None, *, overwrite: bool = False) -> None:
+        """Save the level to its file, or to another.
+
+        Without a file of its own it asks for a name; a level of the project has none.
+        """
+        work, draft = self._work, self._work.draft
+        if path is None and not self._drafts.is_own(draft):
+            self.save_as()
+            return
+        try:
+            self._drafts.save(draft, path, overwrite=overwrite)
+        except SandboxError as error:
+            work.tell(say(error.message))
+            return
+        self.naming = False
+        work.tell(say("Saved {path}", path=draft.path))
+
+    def save_as(self) -> None:
+        """Ask for the name under which to save."""
+        self.naming = True
+        self._tools.bench.show()
+
+    def stop_naming(self) -> None:
+        """Go on without saving."""
+        self.naming = False
+        self._tools.bench.show()
+
+    def reload(self) -> None:
+        """Read the file again, as a step that can be undone."""
+        try:
+            self._work.draft.reload()
+        except SandboxError as error:
+            self._work.tell(say(error.message))
+            return
+        self._drafts.outside = False
+        self._work.refresh()
+        self._work.tell(say("Read again; Ctrl+Z brings your version back"))
+
+    @property
+    def proposed(self) -> Path:
+        """The name that is proposed for the file."""
+        return self._drafts.proposed(self._work.draft, str(self._work.document.get("title", "")))
