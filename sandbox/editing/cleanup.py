@@ -5,6 +5,7 @@ from collections.abc import Iterable, Iterator
 
 from sandbox.editing.json_spans import Spans
 from sandbox.editing.text_patches import put_all, remove
+from sandbox.model.acting_events import ACTIONS
 from sandbox.model.effects import EFFECTS
 from sandbox.model.errors import LevelError
 from sandbox.model.json_positions import Path
@@ -16,7 +17,7 @@ COEFFICIENTS = tuple(name for name, effect in EFFECTS.items() if effect.coeffici
 ROUNDS = 20
 """How often it is looked for what has lost its meaning; each time another part may."""
 
-_LISTS = ("pairs", "located", "bodies", "cut", "tie", "on", "off")
+_LISTS = ("pairs", "located", "bodies", *ACTIONS)
 """What effects and events name parts in, of which one may go and leave the others."""
 
 

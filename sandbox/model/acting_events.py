@@ -14,7 +14,7 @@ from sandbox.model.bounds import Load
 from sandbox.model.expressions import Expression, Fraction, Values
 from sandbox.model.joints import AngleStop, Joint, Stop
 from sandbox.model.measuring_instants import ApexEvent, CrossingEvent, LandingEvent, kind_of
-from sandbox.model.reference_fields import ForceNames, JointNames
+from sandbox.model.reference_fields import BodyNames, ForceNames, JointNames
 
 Direction = Literal["up", "down", "either", "beyond"]
 """Which way a value is crossed; `beyond` is where the size of a quantity is not less than it."""
@@ -27,6 +27,9 @@ Trigger = Annotated[
     Discriminator(kind_of),
 ]
 """A time [s], or what is seen at once: a quantity that crosses a value."""
+
+ACTIONS = ("cut", "tie", "on", "off", "reverse")
+"""The fields of an event that say what it does."""
 
 MOST_EVENTS = 200
 """How many events a level may have."""
@@ -45,6 +48,13 @@ class Event(Model):
     """the effects, or the named forces, that set in; they are off until then"""
     off: ForceNames = ()
     """the effects, or the named forces, that end"""
+    reverse: BodyNames = ()
+    """the one-way surfaces that let through the other way from then on; what is in one passes"""
+
+    @property
+    def acts(self) -> bool:
+        """Whether it does anything."""
+        return any(getattr(self, action) for action in ACTIONS)
 
 
 class Crossing(NamedTuple):
@@ -56,13 +66,14 @@ class Crossing(NamedTuple):
 
 
 class Happening(NamedTuple):
-    """What happens once: what it waits for, and what it cuts, ties and switches."""
+    """What happens once: what it waits for, and what it cuts, ties, switches and reverses."""
 
     waits: Crossing
     cut: tuple[str, ...] = ()
     tie: tuple[str, ...] = ()
     on: tuple[str, ...] = ()
     off: tuple[str, ...] = ()
+    reverse: tuple[str, ...] = ()
 
 
 def happenings(
@@ -70,7 +81,7 @@ def happenings(
 ) -> dict[str, Happening]:
     """Return what happens in a level by itself: its events, and the joints that break."""
     found = {
-        name: Happening(_crossing(event.at, values), event.cut, event.tie, event.on, event.off)
+        name: Happening(_crossing(event.at, values), *(getattr(event, a) for a in ACTIONS))
         for name, event in events.items()
     }
     for joint, load in loads(joints, values).items():

@@ -12,6 +12,7 @@ from pydantic import ValidationError
 from pydantic_core import ErrorDetails
 
 from sandbox.model import parse_messages
+from sandbox.model.acting_events import ACTIONS
 from sandbox.model.arithmetic import ExpressionError
 from sandbox.model.body import Body
 from sandbox.model.consistency import inconsistencies
@@ -107,7 +108,7 @@ def _silenced(level: Level, found: list[Fault]) -> Level:
             field: tuple(
                 part for i, part in enumerate(getattr(event, field)) if (name, field, i) not in gone
             )
-            for field in ("cut", "tie", "on", "off")
+            for field in ACTIONS
         }
         if any(left.values()):
             events[name] = event.model_copy(update=left)

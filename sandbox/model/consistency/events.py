@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 
-from sandbox.model.acting_events import breakable
+from sandbox.model.acting_events import Event, breakable
 from sandbox.model.consistency.mentions import mentions
 from sandbox.model.did_you_mean import suggestion
 from sandbox.model.errors import brief
@@ -60,9 +60,10 @@ def events_act(level: Level) -> Iterator[Fault]:
     """Events do something, and what they wait for can be seen at every instant."""
     for name, event in level.events.items():
         path = ("events", name)
-        if not (event.cut or event.tie or event.on or event.off):
+        if not event.acts:
             rule = Message(
-                "does nothing: say what it is to 'cut' or to 'tie', or to switch 'on' or 'off'"
+                "does nothing: say what it is to 'cut' or to 'tie', to switch 'on' or 'off', or to"
+                " 'reverse'"
             )
             yield Fault(path, rule)
         for joint in sorted({*event.cut} & {*event.tie}):
@@ -74,8 +75,19 @@ def events_act(level: Level) -> Iterator[Fault]:
                 (*path, "off"),
                 Message("'{force}' is switched on and off at once", force=brief(force)),
             )
+        yield from _one_way(event, path, level)
         if isinstance(event.at, CrossingEvent):
             yield from _seen(event.at.quantity, (*path, "at", "quantity"), level)
+
+
+def _one_way(event: Event, path: Path, level: Level) -> Iterator[Fault]:
+    for index, name in enumerate(event.reverse):
+        if name in level.bodies and level.bodies[name].one_way is None:
+            rule = Message(
+                "'{body}' is no one-way surface; give it a 'one_way', left or right",
+                body=brief(name),
+            )
+            yield Fault((*path, "reverse", index), rule)
 
 
 def _seen(name: str, path: Path, level: Level) -> Iterator[Fault]:

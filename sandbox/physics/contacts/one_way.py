@@ -12,7 +12,7 @@ that may happen, its impacts are to be located.
 """
 
 from cmath import nan, rect
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from itertools import pairwise
 from math import isfinite
 from operator import itemgetter
@@ -68,11 +68,14 @@ class Gates:
     ----------
     pairs
         The names of the pairs that such a surface may let through, each in order.
+    reversed
+        The surfaces that let through the other way than at the start.
     """
 
     def __init__(
         self, level: Level, values: Values, bodies: Mapping[str, pymunk.Body], skin: float
     ) -> None:
+        self.reversed: frozenset[str] = frozenset()
         self._bodies = list(bodies.values())
         names, never = list(bodies), apart(level)
         self._gates = {
@@ -86,6 +89,7 @@ class Gates:
         self.pairs = frozenset(
             (a, b) for a, b in every - never if a != b and (a in moving or b in moving)
         )
+        self._names = names
         self._rows = {address(s): row for row, b in enumerate(self._bodies) for s in b.shapes}
         self._row_of = {body: row for row, body in enumerate(self._bodies)}
         self._parts = [_parts(level.bodies[n], bodies[n], values, skin) for n in names]
@@ -102,6 +106,14 @@ class Gates:
         """Forget who was let through: bodies were put elsewhere."""
         self._held.clear()
         self._before = None
+
+    def reverse(self, names: Collection[str]) -> None:
+        """Let some surfaces let through the other way; what is in one then passes."""
+        self.reversed ^= frozenset(names)
+        for row in [row for row in self._gates if self._names[row] in names]:
+            self._gates[row] = self._gates[row]._replace(hand=-self._gates[row].hand)
+            for pair in [pair for pair in self._held if pair[0] == row]:
+                self._held[pair] = False, self._held[pair][1]
 
     def admit(self, arbiter: pymunk.Arbiter, *, accept: bool) -> bool:
         """Tell whether a contact that pymunk has found is one, and take it away if not.

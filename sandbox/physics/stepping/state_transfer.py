@@ -84,6 +84,8 @@ def _happen(setup: Setup, before: Scene, steps: int) -> None:
     _catch(scene, before, steps * setup.kicks.clock.dt)
     for name, t in before.joints.cut.items():
         let_go(scene.joints, name, t)
+    if scene.gates and before.gates:
+        scene.gates.reverse(before.gates.reversed)
     for name, switch in before.switches.items():
         scene.switches[name].thrown[:] = switch.thrown
 

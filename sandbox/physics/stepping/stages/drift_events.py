@@ -237,8 +237,8 @@ class Acting:
         return np.where((wild | self._fixed)[:, None], part.acceleration, found)
 
     def _throw(self, name: str, happening: Happening, t: float) -> None:
-        """Cut, tie and switch what is said, at a time [s]."""
-        scene, (_, cut, tie, on, off) = self._scene, happening
+        """Cut, tie, switch and reverse what is said, at a time [s]."""
+        scene, (_, cut, tie, on, off, reverse) = self._scene, happening
         scene.happened[name] = t
         for joint in cut:
             let_go(scene.joints, joint, t)
@@ -247,6 +247,8 @@ class Acting:
         for changed in (*cut, *off, *tie, *on):
             if switch := scene.switches.get(changed):
                 switch.turn(t, on=changed in tie or changed in on)
+        if reverse and scene.gates:
+            scene.gates.reverse(reverse)
         if sum(catch(scene.joints, joint, t) for joint in tie):
             impact = borne_jolt(scene, t, self._borne, self._dt, partial(jolt, scene, t))
             self._jolts.append(impact)
