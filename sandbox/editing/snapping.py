@@ -33,7 +33,7 @@ ROUNDS = 20
 STRAIGHT = 1e-9
 """How far a side may be from upright or level, as a share, or in m how deep rounding overlaps."""
 
-Kind = Literal["grid", "corner", "center", "end", "contact", "line"]
+Kind = Literal["grid", "corner", "center", "end", "contact", "line", "side"]
 
 Target = tuple[complex, Kind, str]
 """A place that points are drawn to, what it is, and of which body."""
@@ -72,7 +72,8 @@ def snap_point(
 ) -> Snapped:
     """Return where a point is drawn to.
 
-    The nearest corner, centre or end of a joint within reach; else the nearest point of the grid.
+    The nearest corner, centre or end of a joint within reach; else the nearest side of a body, so
+    that what is drawn from there touches it; else the nearest point of the grid.
 
     Parameters
     ----------
@@ -98,9 +99,28 @@ def snap_point(
         return Snapped(xy(target), kind, (body,) if body else ())
     if in_line and (found := _in_line(where, at, reach, step)):
         return found
+    if found := _on_side(where, at, reach, step, besides):
+        return found
     if step:
         return Snapped(xy(_on_grid(at, step)), "grid")
     return Snapped(point)
+
+
+def _on_side(
+    where: Mapping[str, Placed], at: complex, reach: float, step: float, besides: Collection[str]
+) -> Snapped | None:
+    """Return the nearest point of an outline, along the grid if it can be; None if none is near."""
+    point = [_Piece("", (at,), 0.0, at, 0.0)]
+    others = _pieces(where, where.keys() - set(besides))
+    for pair in _near(point, others, 0j, reach)[:1]:
+        by = _exact([pair], 0j)
+        if by is not None:
+            if step:
+                by = _along_grid(pair, by, at, step, point, others)
+            end = at + by
+            plain = float(f"{end.real:.12g}"), float(f"{end.imag:.12g}")
+            return Snapped(plain, "side", (pair.other.body,))
+    return None
 
 
 def _in_line(where: Mapping[str, Placed], at: complex, reach: float, step: float) -> Snapped | None:

@@ -162,3 +162,34 @@ def test_a_peg_is_drawn_straight_above_what_hangs_from_it() -> None:
     assert found.kind == "line"
     assert snap_point(level, (1.7, 6.04), 0.3, 0.5).point == (1.5, 6.0)
     assert snap_point(level, (4.1, 6.04), 0.3, 0.5, in_line=True).kind == "grid"
+
+
+PLANK = add_box(EMPTY, parse(EMPTY), (-3, 1), (3, 1.2)).text
+
+
+@pytest.mark.parametrize("pointed", [(2.43, 1.23), (2.43, 1.17), (2.58, 1.29)])
+def test_a_point_near_a_side_is_set_on_it_and_on_the_grid_along_it(
+    pointed: tuple[float, float],
+) -> None:
+    found = snap_point(parse(PLANK), pointed, 0.25, 0.5)
+    assert found == ((2.5, 1.2), "side", ("box1",))
+
+
+def test_a_box_drawn_from_the_side_of_a_plank_touches_it() -> None:
+    level = parse(PLANK)
+    corner = snap_point(level, (2.03, 1.21), 0.25, 0.5).point
+    text = add_box(PLANK, level, corner, (2.5, 1.7)).text
+    assert abs(distance(text, "box1", "box2")) < 1e-12
+    build(parse(text))
+
+
+def test_a_corner_comes_before_a_side_and_a_side_before_the_grid() -> None:
+    assert snap_point(parse(PLANK), (2.9, 1.25), 0.25, 0.5).kind == "corner"
+    assert snap_point(parse(PLANK), (2.0, 1.6), 0.25, 0.5).kind == "grid"
+
+
+@given(st.floats(0, 6.28), st.floats(-0.1, 0.1))
+def test_a_point_near_a_disc_is_set_on_its_rim(angle: float, off: float) -> None:
+    point = (0.5 + off) * cos(angle), 2 + (0.5 + off) * sin(angle)
+    x, y = snap_point(parse(scene()), point, 0.12, 0.5).point
+    assert np.hypot(x, y - 2) == pytest.approx(0.5, abs=1e-9)

@@ -18,6 +18,7 @@ TOLD: Mapping[Kind, str] = {
     "center": later("centre"),
     "end": later("end"),
     "line": later("in line"),
+    "side": later("side"),
 }
 """What catches a point, for a person to read."""
 

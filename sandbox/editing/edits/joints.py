@@ -91,7 +91,15 @@ def add_joint(text: str, level: Level, kind: str, chosen: Sequence[Pick]) -> Mad
     said = _MADE.get(kind, _line)(list(chosen), where)
     name = new_name(kind, level)
     added = put(_apart(text, level, chosen, where), ("joints", name), {"type": kind, **said})
-    return Made(accepted(added, put(added, ("effects", "rotation"), {})), (name,))
+    return Made(accepted(*_turning(added, level, kind)), (name,))
+
+
+def _turning(added: str, level: Level, kind: str) -> tuple[str, ...]:
+    """Return a level with a new joint, and with `rotation` first where that lets bodies turn."""
+    if level.effects.rotation is not None:
+        return (added,)
+    turning = put(added, ("effects", "rotation"), {})
+    return (turning, added) if kind == "pivot" else (added, turning)
 
 
 def _apart(text: str, level: Level, chosen: Sequence[Pick], where: Bodies) -> str:

@@ -97,3 +97,11 @@ def test_bodies_that_are_joined_at_a_distance_still_meet() -> None:
     level = parse(add_joint(scene(), parse(scene()), "rope", [DISC, BOX]).text)
     assert level.effects.contact is not None
     assert not level.effects.contact.apart
+
+
+def test_what_is_put_on_a_pin_can_turn() -> None:
+    """A plank on a pin through its middle is a seesaw, and does not stand there stiff."""
+    text = Draft.empty().text
+    text = add_box(text, parse(text), (-3, 1), (3, 1.2)).text
+    made = add_joint(text, parse(text), "pivot", [Pick((0, 1.1), "box1"), Pick((0, 1.1))])
+    assert parse(made.text).effects.rotation is not None
