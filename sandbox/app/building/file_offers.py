@@ -10,7 +10,9 @@ from sandbox.app.runs.session import Session
 from sandbox.app.words import level_words
 from sandbox.app.words.language import plural, say
 from sandbox.editing.draft import Draft
+from sandbox.editing.edits.titling import is_untitled
 from sandbox.editing.recovery import Recoverable
+from sandbox.model.level import Level
 
 MOST = 6
 """How many drafts are offered."""
@@ -43,13 +45,20 @@ def _going_on(draft: Draft, editor: Editor, session: Session) -> Act:
     level = draft.level
     title = say("a level with mistakes")
     if level is not None:
-        title = level_words.of(level)(level.title)
+        title = _called(level)
     caption = title if draft.path is None else draft.path.name
     tip = say("go on with it")
     if level is not None:
         count = len(level.bodies)
         tip = plural("{count} body; go on with it", "{count} bodies; go on with it", count)
     return Act(caption, tip, partial(editor.begin, session, draft))
+
+
+def _called(level: Level) -> str:
+    """Return what a level is called; one without a title after what was drawn last."""
+    if is_untitled({"title": level.title}):
+        return say("Untitled, with {body}", body=list(level.bodies)[-1])
+    return level_words.of(level)(level.title)
 
 
 def _recovering(left: Recoverable, editor: Editor, session: Session) -> Offer:

@@ -14,6 +14,7 @@ from sandbox.editing import suggest
 from sandbox.editing.edits import effects, events
 from sandbox.editing.edits.checks import add_checks, complete, drop_told, flight, set_ghost
 from sandbox.editing.edits.fields import make_parameter, parameter_name, set_field
+from sandbox.editing.edits.titling import entitled
 from sandbox.editing.renaming import rename
 from sandbox.editing.suggest.scene import Suggestion
 from sandbox.editing.text_patches import put
@@ -168,7 +169,13 @@ def suggestions(work: Work) -> list[Act]:
 
 
 def _take(work: Work, one: Suggestion) -> None:
-    if work.change(say(one.setup), lambda text, level: suggest.take(text, level, one)):
+    title = say(one.setup)
+    title = f"{title[:1].upper()}{title[1:]}"
+
+    def edit(text: str, level: Level) -> str:
+        return entitled(suggest.take(text, level, one), title)
+
+    if work.change(say(one.setup), edit):
         work.tell(say("Its checks are on the level's page (O), and are tested while it runs"))
 
 

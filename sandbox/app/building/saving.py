@@ -6,6 +6,7 @@ from sandbox.app.building.drafts import Drafts
 from sandbox.app.building.edited_level import Work
 from sandbox.app.building.toolbox import Toolbox
 from sandbox.app.words.language import say
+from sandbox.editing.edits.titling import entitled_by
 from sandbox.model.errors import SandboxError
 
 
@@ -31,6 +32,9 @@ class Saving:
         if path is None and not self._drafts.is_own(draft):
             self.save_as()
             return
+        if path is not None:
+            draft.change(entitled_by(draft.text, path), say("give it a title"), "title")
+            work.refresh()
         try:
             self._drafts.save(draft, path, overwrite=overwrite)
         except SandboxError as error:

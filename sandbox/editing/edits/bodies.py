@@ -11,6 +11,7 @@ import numpy as np
 
 from sandbox.editing.cleanup import COEFFICIENTS, first_that_loads, without_meaning
 from sandbox.editing.edits.edit_result import Made, new_name
+from sandbox.editing.edits.titling import without_empty_summary
 from sandbox.editing.layout import Json, plain
 from sandbox.editing.outlines import centroid, simplified
 from sandbox.editing.text_patches import put, put_all, remove
@@ -133,6 +134,7 @@ def drawn_mass(area: float) -> float:
 
 def _add(text: str, level: Level, kind: str, body: Mapping[str, Json]) -> Made:
     name = new_name(kind, level)
+    text = without_empty_summary(text)
     text = put(text, ("bodies", name), {**body, **_coefficients(level)})
     return Made(first_that_loads(_declaring(text, level), text), (name,))
 

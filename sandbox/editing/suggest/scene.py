@@ -1,8 +1,10 @@
 """A level as the recognisers of set-ups look at it."""
 
 from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from functools import cached_property
+from math import isfinite
 from typing import Any, Literal
 
 import numpy as np
@@ -197,9 +199,17 @@ def instant(time: float) -> float:
 def check(
     label: str, quantity: str, formula: str, tolerance: float, **more: object
 ) -> dict[str, Any]:
-    """Return a check as it stands in a level's file."""
+    """Return a check as it stands in a level's file; a number stands as one, not as a formula."""
     told = {"label": label, "quantity": quantity, "formula": formula, "tolerance": tolerance}
-    return told | {key: value for key, value in more.items() if value is not None}
+    return told | {key: _number(value) for key, value in more.items() if value is not None}
+
+
+def _number(value: object) -> object:
+    """Return a number for the text of one; anything else as it is."""
+    with suppress(ValueError):
+        if isinstance(value, str) and isfinite(number := float(value)):
+            return plain(number)
+    return value
 
 
 def rate_of(least: float) -> float:

@@ -127,7 +127,50 @@ def test_a_new_level_is_saved_under_the_name_that_is_typed(mine: Builder, tmp_pa
     assert "disc1" in json.loads((tmp_path / "mine.json").read_text(encoding="utf-8"))["bodies"]
     assert mine.person.window.path == tmp_path / "mine.json"
     mine.control("z")
+    assert mine.document["title"] == "New level"
+    mine.control("z")
     assert list(mine.document["bodies"]) == ["ground"]
+
+
+@pytest.mark.parametrize(
+    ("file", "title"), [("a-seesaw.json", "A seesaw"), ("Zwei Kinder", "Zwei Kinder")]
+)
+def test_the_name_of_its_file_becomes_the_title_of_a_level_that_has_none(
+    mine: Builder, tmp_path: Path, file: str, title: str
+) -> None:
+    mine.new()
+    mine.key(pygame.K_2, "2")
+    mine.drag((0, 3), (1, 3))
+    assert "summary" not in mine.document  # that there is nothing on the ground yet
+    mine.control("s")
+    mine.person.wait(0.1)
+    assert mine.page._name is not None
+    mine.page._name.set_text(str(tmp_path / file))
+    mine.act("Save here")
+    mine.person.wait(0.1)
+    assert mine.document["title"] == title
+
+    mine.key(pygame.K_ESCAPE)
+    mine.key(pygame.K_ESCAPE)
+    mine.fill("Another one", "title")
+    mine.control("s", pygame.KMOD_SHIFT)
+    mine.person.wait(0.1)
+    mine.page._name.set_text(str(tmp_path / "other.json"))
+    mine.act("Save here")
+    mine.person.wait(0.1)
+    assert json.loads((tmp_path / "other.json").read_text("utf-8"))["title"] == "Another one"
+
+
+def test_a_set_up_that_is_recognised_gives_the_level_its_title(builder: Builder) -> None:
+    builder.new()
+    builder.tool("disc")
+    builder.drag((0, 3), (1, 3))
+    builder.key(pygame.K_ESCAPE)
+    builder.key(pygame.K_ESCAPE)
+    builder.act("falling body")
+    assert builder.document["title"] == "Falling body"
+    builder.control("z")
+    assert builder.document["title"] == "New level"
 
 
 def test_another_level_and_back_loses_nothing(mine: Builder) -> None:

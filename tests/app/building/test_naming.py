@@ -109,14 +109,14 @@ def test_what_is_not_saved_is_offered_beside_the_next_new_scene(builder: Builder
         builder.drag((x, 3), (x + 1, 3))
     second = builder.editor.work.draft
     builder.key(pygame.K_ESCAPE)
-    builder.act("New level")
+    builder.act("Untitled, with disc1")
     builder.person.wait(0.1)
     assert builder.document["bodies"]["disc1"]["position"] == [0, 3]
-    builder.act("New level")
+    builder.act("Untitled, with disc1")
     builder.person.wait(0.1)
 
     assert builder.editor.work.draft is second
     builder.person.window.open_level("newton/incline")
     builder.key(pygame.K_b, "b")
     builder.person.wait(0.1)
-    assert len([act for _, act in builder.page._acts if act.caption == "New level"]) == 2
+    assert len([act for _, act in builder.page._acts if act.caption == "Untitled, with disc1"]) == 2

@@ -45,6 +45,15 @@ def incline(angle: float, friction: float | None = None, *, turns: bool = False)
     return declare(text, parse(text), "rotation") if turns else text
 
 
+def test_a_number_in_a_check_stands_as_a_number() -> None:
+    """The acceleration of gravity, say, and not the text of it."""
+    text = atwood(1, 2)
+    (one,) = suggestions(parse(text))
+    said = take(text, parse(text), one)
+    assert '"scale": 9.81' in said
+    assert all(not isinstance(check.get("scale"), str) for check in one.checks)
+
+
 def pendulum(kind: str, x: float, y: float) -> str:
     text = disc(EMPTY, x, y)
     return add_joint(text, parse(text), kind, [Pick((0, 7)), Pick((x, y), "disc1")]).text

@@ -12,6 +12,7 @@ from sandbox.app.drawing import theme
 from sandbox.app.drawing.theme import Color
 from sandbox.app.runs.session import Session
 from sandbox.app.words.language import later, say
+from sandbox.editing.edits.titling import is_untitled
 from sandbox.model.effects import EFFECTS, Effects
 
 FIRST = later("Draw something: take Disc or Box above, and drag on the stage.")
@@ -21,6 +22,8 @@ IN_RUN = later(
 NO_FORMULA = later("The run was changed on the way: the level's checks no longer apply.")
 NOTHING_SELECTED = later("Click on a body or joint on the stage to set its mass, length and so on.")
 SELECTED = later("Effects and suggested checks are shown while nothing is selected.")
+SAVE = later("Save under this name:")
+SAVE_TITLED = later("Save under this name, which becomes the level's title, too:")
 NO_CHECKS = later("No checks to suggest: they are for set-ups that have a closed form.")
 CHECKED = later("The level has checks; its own page (O) shows their results.")
 CHECKS = later("Recognised: a click adds the checks of its closed form.")
@@ -71,7 +74,8 @@ def above(editor: Editor, session: Session) -> list[Block]:
         )
     found += [Block(offer.text, theme.NOTICE, offer.ways) for offer in offers(editor, session)]
     if editor.saving.naming:
-        found.append(Block(say("Save under this name:"), theme.TEXT))
+        untitled = is_untitled(editor.work.document)
+        found.append(Block(say(SAVE_TITLED if untitled else SAVE), theme.TEXT))
     return found
 
 

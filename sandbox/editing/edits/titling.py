@@ -1,0 +1,40 @@
+"""The title and the summary of a level that began empty, until somebody writes others."""
+
+import json
+import re
+from collections.abc import Mapping
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+from sandbox.editing.text_patches import put, remove
+from sandbox.model import templates
+from sandbox.model.loading import read
+
+
+@cache
+def _empty() -> Mapping[str, Any]:
+    said: Mapping[str, Any] = json.loads(read(templates.path("empty")))
+    return said
+
+
+def is_untitled(document: Mapping[str, Any]) -> bool:
+    """Whether nobody has given a level a title."""
+    return document.get("title") == _empty()["title"]
+
+
+def entitled(text: str, title: str) -> str:
+    """Return a level with a title, if nobody has given it one."""
+    return put(text, ("title",), title) if title and is_untitled(json.loads(text)) else text
+
+
+def entitled_by(text: str, path: Path) -> str:
+    """Return a level whose title is the name of its file, if nobody has given it one."""
+    words = re.sub(r"[-_\s]+", " ", path.stem).strip()
+    return entitled(text, f"{words[:1].upper()}{words[1:]}")
+
+
+def without_empty_summary(text: str) -> str:
+    """Return a level that does not say any more that there is nothing in it."""
+    untrue = json.loads(text).get("summary") == _empty()["summary"]
+    return remove(text, ("summary",)) if untrue else text
