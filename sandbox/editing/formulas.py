@@ -43,14 +43,23 @@ def scaled(expression: Expression, by: float) -> float | str:
 
 
 def negative(expression: Expression) -> float | str:
-    """Return the opposite of a number, or of a formula: `-g` becomes `g`."""
+    """Return the opposite of a number, or of a formula: `-g` becomes `g`, `-a*deg` `a*deg`."""
     source = expression.source
     if not isinstance(source, str):
         return plain(-source)
     tree = _tree(source.strip())
     if isinstance(tree, ast.UnaryOp) and isinstance(tree.op, ast.USub):
         return _unbracketed(source.strip()[1:].strip())
+    if source.strip().startswith("-") and _is_negative(tree):
+        return source.strip()[1:].strip()
     return f"-{_bracketed(source.strip())}"
+
+
+def _is_negative(tree: ast.expr) -> bool:
+    """Whether the first factor of a product is the opposite of something: that of `-a*b` is."""
+    while isinstance(tree, ast.BinOp) and isinstance(tree.op, ast.Mult | ast.Div):
+        tree = tree.left
+    return isinstance(tree, ast.UnaryOp) and isinstance(tree.op, ast.USub)
 
 
 def towards(expression: Expression, value: float, values: Values) -> float | str:

@@ -60,7 +60,17 @@ def test_a_formula_that_is_shifted_can_still_be_read(
 
 
 @pytest.mark.parametrize(
-    ("source", "told"), [("-g", "g"), ("g", "-g"), ("-(a + b)", "a + b"), ("a + b", "-(a + b)")]
+    ("source", "told"),
+    [
+        ("-g", "g"),
+        ("g", "-g"),
+        ("-(a + b)", "a + b"),
+        ("a + b", "-(a + b)"),
+        ("-a*deg", "a*deg"),
+        ("a*deg", "-(a*deg)"),
+        ("-a*b + c", "-(-a*b + c)"),
+        ("(-a + b)*c", "-((-a + b)*c)"),
+    ],
 )
 def test_the_opposite_of_a_formula_can_still_be_read(source: str, told: str) -> None:
     assert negative(Expression(source)) == told

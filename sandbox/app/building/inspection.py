@@ -14,6 +14,7 @@ from sandbox.editing import suggest
 from sandbox.editing.edits import effects, events
 from sandbox.editing.edits.checks import add_checks, complete, drop_told, flight, set_ghost
 from sandbox.editing.edits.fields import make_parameter, parameter_name, set_field
+from sandbox.editing.edits.tilting import slope_of, tilt
 from sandbox.editing.edits.titling import entitled
 from sandbox.editing.renaming import rename
 from sandbox.editing.suggest.scene import Suggestion
@@ -124,9 +125,16 @@ def _numbers(level: Level) -> frozenset[Path]:
 
 
 def parametrise(work: Work, entry: Entry) -> None:
-    """Make a number a parameter, of which the level's page has a slider."""
+    """Make a number a parameter, of which the level's page has a slider.
+
+    The angle of a slope, or of what lies on it, is that of both.
+    """
 
     def edit(text: str, level: Level) -> str:
+        if entry.path[0] == "bodies" and entry.path[2:] == ("angle",):
+            name = str(entry.path[1])
+            if slope_of(level, name):
+                return tilt(text, level, name)
         return make_parameter(text, entry.path, parameter_name(level, entry.path))
 
     if work.change(say("make {field} a parameter", field=entry.label), edit):
@@ -219,6 +227,22 @@ def _check(work: Work, body: str) -> None:
 def _drop(work: Work, part: Literal["checks", "ghosts"], which: int | str) -> None:
     said = say("take out a check") if part == "checks" else say("take out a ghost")
     work.change(said, lambda text, _: drop_told(text, part, which))
+
+
+def tilting(work: Work) -> list[Act]:
+    """Return what makes the angle of the slope that is selected a parameter."""
+    level = work.draft.level
+    match work.selected:
+        case (("bodies", name),) if level is not None and (slope := slope_of(level, name)):
+            if not level.bodies[slope].angle.names:
+                tip = say("its angle becomes a parameter; what lies on it turns with it")
+                return [Act(say("Slider for the slope"), tip, partial(_tilt, work, name))]
+    return []
+
+
+def _tilt(work: Work, name: str) -> None:
+    angle = Entry(("bodies", name, "angle"), say("angle"), "", "rad", "number", "")
+    parametrise(work, angle)
 
 
 def cutting(work: Work) -> list[Act]:

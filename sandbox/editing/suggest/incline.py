@@ -6,6 +6,7 @@ from math import cos, sin
 
 import numpy as np
 
+from sandbox.editing.formulas import negative
 from sandbox.editing.layout import plain
 from sandbox.editing.placement import Core, Placed
 from sandbox.editing.suggest.scene import (
@@ -69,9 +70,15 @@ def _lies_on(scene: Scene, block: Placed, slope: str) -> Iterator[complex]:
 
 
 def _side(own: Core, core: Core, radius: float) -> Gap:
-    """Return the gap with both ends of the side, which are told only of what does not overlap."""
+    """Return the gap with both ends of the side, which are told only of what does not overlap.
+
+    Where a line is touched exactly, the normal may point to either side of it.
+    """
     found = gap(own, core, radius)
-    return found if found.distance > 0 else gap(moved(own, -HAIR * found.normal), core, radius)
+    if found.distance > 0:
+        return found
+    back, forth = (gap(moved(own, way * found.normal), core, radius) for way in (-HAIR, HAIR))
+    return back if back.distance > 0 or found.distance < 0 else forth
 
 
 def _of(scene: Scene, name: str, slope: str, up: complex) -> Iterator[Suggestion]:
@@ -81,7 +88,6 @@ def _of(scene: Scene, name: str, slope: str, up: complex) -> Iterator[Suggestion
         return
     rubs = Expression(mu)(scene.known)
     along = -fall(scene.values) * (sin(angle) - rubs * cos(angle))
-    down = up * (-1j if (up * 1j).imag > 0 else 1j)
     g, weight = opposite(fall), f"{scene.mass(name)}*{opposite(fall)}"
     normal = f"{weight}*cos({theta})"
     if along <= 0:
@@ -96,9 +102,10 @@ def _of(scene: Scene, name: str, slope: str, up: complex) -> Iterator[Suggestion
     pull = f"sin({theta})" if mu == "0" else f"(sin({theta}) - {mu}*cos({theta}))"
     slides = Expression(pull)
     until = min(
-        _until(each, name, slope, lambda t, a=a: down * a * t * t / 2)  # type: ignore[misc]
+        _until(each, name, slope, lambda t, a=a, down=down: down * a * t * t / 2)  # type: ignore[misc]
         for each in scene.everywhere
         if each.fall and (a := -each.fall(each.values) * slides(each.known)) > 0
+        for down in _down(each, name, slope)
     )
     at = None if until == scene.lasts else instant(SAFE * until)
     more = {"at": at, "valid_if": f"{pull} > 0" if slides.names else None}
@@ -110,11 +117,19 @@ def _of(scene: Scene, name: str, slope: str, up: complex) -> Iterator[Suggestion
     yield Suggestion("block on a slope", (name, slope), checks)
 
 
+def _down(scene: Scene, name: str, slope: str) -> Iterator[complex]:
+    """Yield the way down the slope, a unit vector, as it is with the values of a scene."""
+    for up in _lies_on(scene, scene.where[name], slope):
+        yield up * (-1j if (up * 1j).imag > 0 else 1j)
+
+
 def _theta(scene: Scene, name: str, slope: str, angle: float) -> str | None:
     """Return the slope's angle, as the block's own formula if that says it; None if none does."""
     own, under = scene.level.bodies[name].angle, scene.level.bodies[slope]
     if own.names and abs(own(scene.values) - angle) < FLAT:
         return str(own.source)
+    if own.names and abs(own(scene.values) + angle) < FLAT:  # it rises to the left
+        return str(negative(own))
     return None if names_in((under.shape, under.angle)) else repr(plain(angle))
 
 

@@ -234,3 +234,47 @@ def test_a_joint_is_cut_by_a_click_and_a_copy_is_dragged_at_once(builder: Builde
     builder.act("Cut it in the run")
 
     assert builder.document["events"] == {"event1": {"at": 1, "cut": ["rope1"]}}
+
+
+def test_slope_and_block_turn_together_by_one_slider(builder: Builder) -> None:
+    builder.new()
+    builder.clicks = 0
+    builder.tool("surface")
+    builder.at(-4, 4)
+    builder.at(4, 0)
+    builder.key(pygame.K_RETURN, "\r")
+    builder.tool("box")
+    builder.drag((-2, 4), (-1, 5))
+    builder.tool("select")
+    builder.at(-1.5, 4.5)
+    builder.act("Lay flat")
+    builder.act("Slider for the slope")
+    builder.key(pygame.K_ESCAPE)
+    builder.key(pygame.K_ESCAPE)
+    builder.act("block on a slope")
+
+    assert builder.clicks <= 10
+    assert builder.document["title"] == "Block on a slope"
+    assert not builder.editor.applying.refusal
+    level = parse(builder.editor.work.draft.text)
+    for angle in (10, 40):
+        run = simulate(level, {**level.defaults, "angle": angle})
+        assert {result.verdict for result in grade(run)} == {"passed"}
+
+
+def test_a_seesaw_is_drawn_and_turns(builder: Builder) -> None:
+    """Boxes that are drawn from the top of the plank stand on it; on its pin it can turn."""
+    builder.new()
+    builder.tool("box")
+    builder.drag((-3, 1), (3, 1.2))
+    builder.drag((-2.6, 1.25), (-1.6, 2))
+    builder.drag((1.5, 1.15), (2, 1.7))
+    builder.tool("join")
+    builder.tool("pivot")
+    builder.at(0, 1.1)
+    builder.click(builder.page.palette.button("Try it").rect)
+    builder.person.wait(0.5)
+
+    session = builder.person.session
+    assert session.playing
+    assert session.world.snapshot.angle[1] > 0.1

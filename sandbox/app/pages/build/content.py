@@ -109,7 +109,12 @@ def arranging(editor: Editor) -> list[Block]:
     if editor.bench is not editor.work:
         return []
     work = editor.work
-    acts = (*inspection.cutting(work), *inspection.ghost(work), *arrangements(work))
+    acts = (
+        *inspection.cutting(work),
+        *inspection.tilting(work),
+        *inspection.ghost(work),
+        *arrangements(work),
+    )
     return [Block("", acts=acts)] if acts else []
 
 

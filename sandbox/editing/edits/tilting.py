@@ -1,0 +1,213 @@
+"""The angle of a slope as one parameter: what lies on it turns with it, about its lower end.
+
+A position is then a sum such as `-4 + 2*cos(angle*deg) - 0.5*sin(angle*deg)`.
+"""
+
+from cmath import phase, rect
+from collections.abc import Collection, Mapping
+from math import degrees, pi
+from typing import NamedTuple
+
+from sandbox.editing.cleanup import accepted
+from sandbox.editing.edits.fields import parameter_name
+from sandbox.editing.layout import Json, plain
+from sandbox.editing.placement import Placed, distance, placed, xy
+from sandbox.editing.text_patches import Changes, put_all
+from sandbox.model.errors import SandboxError
+from sandbox.model.joints import bodies_of, body_of, ends_of
+from sandbox.model.level import Level
+from sandbox.model.level_parts import names_in
+from sandbox.model.message import Message
+from sandbox.model.shapes import Segment, evaluate
+
+TOUCHING = 1e-6
+"""m, within which two bodies touch."""
+
+LEVEL = 1e-6
+"""rad, up to which a surface is level, and no slope."""
+
+FLAT = 1e-7
+"""deg, up to which what lies on a slope lies flat."""
+
+DIGITS = 12
+"""Of what is computed: what lies behind them is rounding."""
+
+RANGES = ((5, 60), (0, 90))
+"""deg, of the slider, if the slope is within."""
+
+
+class _Tilt(NamedTuple):
+    """A slope that turns about its lower end."""
+
+    foot: complex  # m
+    angle: float  # rad, at which it is; negative where it rises to the left
+    formula: str
+    name: str  # of the parameter
+
+    def inside(self, point: complex) -> complex:
+        """Return where a point is along the slope and above it [m]."""
+        return (point - self.foot) / rect(1, self.angle)
+
+    def vector(self, local: complex, start: complex = 0j) -> list[Json]:
+        """Return what is so along the slope, and that from a start, as formulas."""
+        sign = -1 if self.formula.startswith("-") else 1
+        cos, sin = (f"{function}({self.name}*deg)" for function in ("cos", "sin"))
+        x = {"": start.real, cos: local.real, sin: -sign * local.imag}
+        y = {"": start.imag, cos: local.imag, sin: sign * local.real}
+        return [_sum(x), _sum(y)]
+
+    def turned(self, angle: float) -> str:
+        """Return the angle of what turns with the slope, and has an angle now [rad]."""
+        more = _rounded(degrees(angle - self.angle))
+        if abs(more) < FLAT:
+            return self.formula
+        return f"{self.formula} {'-' if more < 0 else '+'} {plain(abs(more))!r}*deg"
+
+
+def slope_of(level: Level, name: str) -> str | None:
+    """Return the slope that a body is, or that it lies on; None if there is no such slope.
+
+    A slope is a straight line that stands still. One that is level counts if it is asked about by
+    itself.
+    """
+    where = placed(level)
+    if _is_straight(where[name]):
+        return name
+    if where[name].body.type != "dynamic":
+        return None
+    under = (one for one in where.values() if _is_straight(one) and _rises(one))
+    return next((one.name for one in under if distance(where[name], one) < TOUCHING), None)
+
+
+def tilt(text: str, level: Level, name: str) -> str:
+    """Return a level in which the angle of a slope is a parameter; what lies on it turns along.
+
+    So do the points of the plane that only such bodies are tied to.
+
+    Parameters
+    ----------
+    text, level
+        Of the level.
+    name
+        Of the slope, or of a body that lies on it.
+
+    Raises
+    ------
+    SandboxError
+        If there is no slope, or formulas say already where something of it is.
+    """
+    slope = slope_of(level, name)
+    if slope is None:
+        raise SandboxError(Message("'{name}' is no slope, and lies on none", name=name))
+    where = placed(level)
+    moved = _lying_on(where, slope)
+    for one in (slope, *moved):
+        _refuse_formulas(level, one)
+    found = _tilt(where[slope], parameter_name(level, ("bodies", slope, "angle")))
+    changes = _line(where[slope], found)
+    for one in moved:
+        changes |= _turned(where[one], found)
+    changes |= _tied(level, where, {slope, *moved}, found)
+    value = plain(_rounded(abs(degrees(found.angle))))
+    parameters: list[dict[str, Json]] = [
+        {"value": value, "min": low, "max": high, "unit": "deg", "label": f"angle of {slope}"}
+        for low, high in (*RANGES, (value, value))
+        if low <= value <= high
+    ]
+    path = ("parameters", found.name)
+    return accepted(*(put_all(text, {**changes, path: one}) for one in parameters))
+
+
+def _is_straight(one: Placed) -> bool:
+    return isinstance(one.body.shape, Segment) and one.body.type == "static"
+
+
+def _rises(one: Placed) -> bool:
+    start, end = one.corners
+    return LEVEL < abs(phase(end - start)) < pi - LEVEL
+
+
+def _lying_on(where: Mapping[str, Placed], slope: str) -> list[str]:
+    """Return what forces move and touches a slope, or something else that lies on it."""
+    found, pending = list[str](), [slope]
+    while pending:
+        under = where[pending.pop()]
+        for one in where.values():
+            free = one.body.type == "dynamic" and one.name not in found
+            if free and distance(one, under) < TOUCHING:
+                found.append(one.name)
+                pending.append(one.name)
+    return found
+
+
+def _refuse_formulas(level: Level, name: str) -> None:
+    body = level.bodies[name]
+    placing = (body.position, body.angle, body.velocity)
+    if names_in(placing) or (isinstance(body.shape, Segment) and names_in((body.shape,))):
+        raise SandboxError(Message("a formula says already where '{name}' is", name=name))
+
+
+def _tilt(slope: Placed, name: str) -> _Tilt:
+    foot, top = sorted(slope.corners, key=lambda corner: (corner.imag, corner.real))
+    way = top - foot
+    if way.real < 0:
+        return _Tilt(foot, phase(-way), f"-{name}*deg", name)
+    return _Tilt(foot, phase(way), f"{name}*deg", name)
+
+
+def _line(slope: Placed, tilted: _Tilt) -> Changes:
+    """Return a slope as a line along its own x axis, from its lower end."""
+    path = ("bodies", slope.name)
+    along = (_rounded(tilted.inside(corner).real) for corner in slope.corners)
+    start, end = ([plain(x), 0] for x in along)
+    return {
+        (*path, "shape", "start"): start,
+        (*path, "shape", "end"): end,
+        (*path, "position"): [plain(_rounded(x)) for x in xy(tilted.foot)],
+        (*path, "angle"): tilted.formula,
+    }
+
+
+def _turned(one: Placed, tilted: _Tilt) -> Changes:
+    """Return a body that turns with the slope that it lies on."""
+    path, body = ("bodies", one.name), one.body
+    changes: Changes = {
+        (*path, "position"): tilted.vector(tilted.inside(one.center), tilted.foot),
+        (*path, "angle"): tilted.turned(body.angle(one.values)),
+    }
+    if velocity := complex(*evaluate(body.velocity, one.values)):
+        changes[*path, "velocity"] = tilted.vector(velocity / rect(1, tilted.angle))
+    return changes
+
+
+def _tied(
+    level: Level, where: Mapping[str, Placed], moved: Collection[str], tilted: _Tilt
+) -> Changes:
+    """Return how the points of the plane turn along that only such bodies are tied to."""
+    values, changes = next(iter(where.values())).values, Changes()
+    for name, joint in level.joints.items():
+        held = set(bodies_of(joint))
+        if not held or not held <= set(moved):
+            continue
+        for step, end in ends_of(joint):
+            if body_of(end) is None and isinstance(end, tuple) and not names_in(end):
+                point = complex(*evaluate(end, values))
+                place = tilted.vector(tilted.inside(point), tilted.foot)
+                changes["joints", name, *step] = place
+    return changes
+
+
+def _rounded(value: float) -> float:
+    """Return a length or an angle without what is rounding."""
+    return float(f"{value:.{DIGITS}g}") if abs(value) > 10.0**-DIGITS else 0.0
+
+
+def _sum(parts: Mapping[str, float]) -> Json:
+    """Return a sum of functions, each times a number, as a formula; `""` stands for 1."""
+    terms = ""
+    for function, factor in parts.items():
+        if size := plain(abs(_rounded(factor))):
+            sign = ("-" if factor < 0 else "") if not terms else (" - " if factor < 0 else " + ")
+            number = repr(size) if not function or size != 1 else ""
+            terms += sign + "*".join(filter(None, (number, function)))
+    return terms or 0
