@@ -235,17 +235,23 @@ def bare(kind: Any) -> Any:  # noqa: ANN401 (a type is any object)
 
 
 def model_of(kind: Any, said: Mapping[str, Json]) -> type[Model] | None:  # noqa: ANN401
-    """Return the model of a part of a type: of several that one which its own type names."""
+    """Return the model of a part of a type: of several that one which its type, or event, names."""
     kind = bare(kind)
     if isinstance(kind, type) and issubclass(kind, Model):
         return kind
     if get_origin(kind) in (Union, UnionType):
-        for each in map(bare, get_args(kind)):
-            if isinstance(each, type) and issubclass(each, Model):
-                field = each.model_fields.get("type")
-                if field is not None and said.get("type") in get_args(field.annotation):
-                    return each
+        parts = (each for each in map(bare, get_args(kind)) if isinstance(each, type))
+        return next(
+            (each for each in parts if issubclass(each, Model) and _is_named(each, said)), None
+        )
     return None
+
+
+def _is_named(model: type[Model], said: Mapping[str, Json]) -> bool:
+    """Whether a part says by its type, or by its event, that it is of a model."""
+    fields = model.model_fields
+    keys = (key for key in ("type", "event") if key in said and key in fields)
+    return any(said[key] in get_args(fields[key].annotation) for key in keys)
 
 
 def _members(kind: Any) -> Any:  # noqa: ANN401

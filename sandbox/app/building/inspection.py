@@ -12,7 +12,7 @@ from sandbox.app.building.fields import Entry, Row
 from sandbox.app.words.language import later, plural, say
 from sandbox.editing import suggest
 from sandbox.editing.edits import effects, events
-from sandbox.editing.edits.checks import add_checks, complete, drop_told, flight, set_ghost
+from sandbox.editing.edits.checks import add_checks, complete, drop_told
 from sandbox.editing.edits.fields import make_parameter, parameter_name, set_field
 from sandbox.editing.edits.tilting import slope_of, tilt
 from sandbox.editing.edits.titling import entitled
@@ -22,6 +22,7 @@ from sandbox.editing.text_patches import put
 from sandbox.model.body import Body
 from sandbox.model.effect_variants import DEFAULTS
 from sandbox.model.errors import LevelError, SandboxError
+from sandbox.model.expressions import Expression
 from sandbox.model.joints import Joint
 from sandbox.model.json_positions import Path
 from sandbox.model.level import Level
@@ -215,7 +216,22 @@ def stated(work: Work) -> list[Act]:
         )
         for name in level.ghosts
     ]
-    return [*adding, *checks[:MOST_TOLD], *ghosts[:MOST_TOLD]]
+    return [*adding, *_waiting(work, level), *checks[:MOST_TOLD], *ghosts[:MOST_TOLD]]
+
+
+def _waiting(work: Work, level: Level) -> list[Act]:
+    """Return what lets events wait for a quantity, in place of a time."""
+    tip = say("it waits until a quantity crosses a value; its fields are below, under events")
+    return [
+        Act(say("{event}: when ...", event=name), tip, partial(_wait, work, name))
+        for name, event in level.events.items()
+        if isinstance(event.at, Expression)
+    ][:MOST_TOLD]
+
+
+def _wait(work: Work, event: str) -> None:
+    said = say("let {event} wait for a quantity", event=event)
+    work.change(said, lambda text, level: events.wait_for_quantity(text, level, event))
 
 
 def _check(work: Work, body: str) -> None:
@@ -227,57 +243,3 @@ def _check(work: Work, body: str) -> None:
 def _drop(work: Work, part: Literal["checks", "ghosts"], which: int | str) -> None:
     said = say("take out a check") if part == "checks" else say("take out a ghost")
     work.change(said, lambda text, _: drop_told(text, part, which))
-
-
-def tilting(work: Work) -> list[Act]:
-    """Return what makes the angle of the slope that is selected a parameter."""
-    level = work.draft.level
-    match work.selected:
-        case (("bodies", name),) if level is not None and (slope := slope_of(level, name)):
-            if not level.bodies[slope].angle.names:
-                tip = say("its angle becomes a parameter; what lies on it turns with it")
-                return [Act(say("Slider for the slope"), tip, partial(_tilt, work, name))]
-    return []
-
-
-def _tilt(work: Work, name: str) -> None:
-    angle = Entry(("bodies", name, "angle"), say("angle"), "", "rad", "number", "")
-    parametrise(work, angle)
-
-
-def cutting(work: Work) -> list[Act]:
-    """Return what lets the joint that is selected go on the way."""
-    level = work.draft.level
-    match work.selected:
-        case (("joints", name),) if level is not None and not events.is_cut(level, name):
-            tip = say("an event lets it go at a time, or when a quantity crosses a value")
-            return [Act(say("Cut it in the run"), tip, partial(_cut, work, name))]
-    return []
-
-
-def _cut(work: Work, name: str) -> None:
-    said = say("cut {name} in the run", name=name)
-    if work.change(said, lambda text, level: events.cut(text, level, name)):
-        work.tell(say("When it is cut is in the level's own fields, under events (Esc)"))
-
-
-def ghost(work: Work) -> list[Act]:
-    """Return what gives the body that is selected a ghost, which flies as if nothing met it."""
-    level = work.draft.level
-    match work.selected:
-        case (("bodies", name),) if level is not None and name not in level.ghosts:
-            if level.bodies[name].type == "dynamic":
-                tip = say(
-                    "draws where a formula says that the body is;"
-                    " it flies freely until you type another"
-                )
-                return [Act(say("Add a ghost"), tip, partial(_haunt, work, name))]
-    return []
-
-
-def _haunt(work: Work, name: str) -> None:
-    def edit(text: str, level: Level) -> str:
-        return set_ghost(text, name, flight(level, name))
-
-    if work.change(say("add a ghost of {name}", name=name), edit):
-        work.tell(say("Its formulas are in the level's own fields, under ghosts (Esc)"))

@@ -2,7 +2,7 @@
 
 from sandbox.editing.cleanup import accepted
 from sandbox.editing.edits.edit_result import new_name
-from sandbox.editing.layout import plain
+from sandbox.editing.layout import Json, plain
 from sandbox.editing.text_patches import put
 from sandbox.model.level import Level
 
@@ -18,11 +18,42 @@ def cut(text: str, level: Level, joint: str) -> str:
     LevelError
         If the loader refuses it.
     """
-    at = plain(min(SOON, level.duration(level.defaults) / 2))
-    name = new_name("event", level, level.events)
-    return accepted(put(text, ("events", name), {"at": at, "cut": [joint]}))
+    return _with_event(text, level, "cut", joint)
+
+
+def reverse(text: str, level: Level, surface: str) -> str:
+    """Return a level in which a one-way surface lets through the other way from then on.
+
+    Raises
+    ------
+    LevelError
+        If the loader refuses it.
+    """
+    return _with_event(text, level, "reverse", surface)
+
+
+def wait_for_quantity(text: str, level: Level, event: str) -> str:
+    """Return a level in which an event waits until a quantity crosses a value, to be filled in.
+
+    Raises
+    ------
+    LevelError
+        If the loader refuses it.
+    """
+    moving = [name for name, body in level.bodies.items() if body.type == "dynamic"]
+    body = next(iter([*moving, *level.bodies]))
+    at: dict[str, Json] = {
+        "event": "crossing", "quantity": f"{body}.position.x", "value": 0, "direction": "either"
+    }  # fmt: skip
+    return accepted(put(text, ("events", event, "at"), at))
 
 
 def is_cut(level: Level, joint: str) -> bool:
     """Whether an event lets a joint go."""
     return any(joint in event.cut for event in level.events.values())
+
+
+def _with_event(text: str, level: Level, action: str, name: str) -> str:
+    at = plain(min(SOON, level.duration(level.defaults) / 2))
+    event = new_name("event", level, level.events)
+    return accepted(put(text, ("events", event), {"at": at, action: [name]}))

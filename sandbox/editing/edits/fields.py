@@ -28,6 +28,7 @@ _MEANT_BY: Mapping[str, str] = {
     "static_friction": "friction",
     "moment": "rotation",
     "angular_velocity": "rotation",
+    "one_way": "contact",
 }
 """The effects without which fields of bodies mean nothing."""
 

@@ -96,7 +96,8 @@ def sensors_fit(level: Level) -> Iterator[Fault]:
 
 
 def one_way_fits(level: Level) -> Iterator[Fault]:
-    """One-way surfaces are lines, and hold what can touch them."""
+    """One-way surfaces are lines, and hold what can touch them, if anything moves."""
+    moves = any(body.type == "dynamic" for body in level.bodies.values())
     for name, body in level.bodies.items():
         if body.one_way is None:
             continue
@@ -108,7 +109,7 @@ def one_way_fits(level: Level) -> Iterator[Fault]:
                 type=word(body.shape.type),
             )
             yield Fault(path, rule)
-        if level.effects.contact is None:
+        if moves and level.effects.contact is None:
             yield Fault(path, Message("holds nothing without the effect 'contact'"))
         sticking = level.effects.sticking
         for index, pair in enumerate(sticking.pairs if sticking else ()):

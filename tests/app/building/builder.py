@@ -85,6 +85,24 @@ class Builder:
         self.key(pygame.K_RETURN, "\r")
         self.person.wait(0.1)
 
+    def pick(self, choice: str, *path: str | int) -> None:
+        """Press the button of a choice, at a place in the level."""
+        choices = self.page.inspector._lines[path].choices
+        button = next(button for button, means in choices.items() if means == choice)
+        self.reach(button)
+        self.click(button.rect)
+        self.person.wait(0.1)
+
+    def open(self, *path: str | int) -> None:
+        """Open a section of the fields, if it is not open."""
+        inspector = self.page.inspector
+        if inspector._opened(path):
+            return
+        heading = next(button for button, its in inspector._headings.items() if its == path)
+        self.reach(heading)
+        self.click(heading.rect)
+        self.person.wait(0.1)
+
     def key(self, key: int, text: str = "", mod: int = 0) -> None:
         """Press a key."""
         self.person.press(key, text, mod)

@@ -6,7 +6,7 @@ import pytest
 from sandbox.app.building.tools.joining import CLICKS, PLAIN, kinds
 from sandbox.model.loading import parse
 from sandbox.physics.measuring.grading import grade
-from sandbox.physics.run import simulate
+from sandbox.physics.run import build, simulate
 from tests.app.building.builder import Builder
 from tests.sample import thinned
 
@@ -278,3 +278,43 @@ def test_a_seesaw_is_drawn_and_turns(builder: Builder) -> None:
     session = builder.person.session
     assert session.playing
     assert session.world.snapshot.angle[1] > 0.1
+
+
+def draw_half(builder: Builder, name: str, start: str, end: str) -> None:
+    """Draw a half of a loop that lets in, and holds what is within."""
+    builder.tool("disc")
+    builder.drag((0, 2), (2, 2))
+    builder.act("As an arc")
+    builder.fill(start, "bodies", name, "shape", "start")
+    builder.fill(end, "bodies", name, "shape", "end")
+    builder.pick("left", "bodies", name, "one_way")
+
+
+def test_a_marble_goes_round_a_loop_that_was_drawn_and_leaves_it(builder: Builder) -> None:
+    builder.new()
+    builder.clicks = 0
+    draw_half(builder, "disc1", "90*deg", "270*deg")
+    draw_half(builder, "disc2", "270*deg", "450*deg")
+    builder.act("Reverse it in the run")
+    builder.tool("disc")
+    builder.drag((-6, 0.5), (-5.5, 0.5))
+    builder.fill("0.2", "bodies", "disc3", "shape", "radius")
+    builder.fill("0.2", "bodies", "disc3", "position", 1)
+    builder.fill("12", "bodies", "disc3", "velocity", 0)
+    builder.key(pygame.K_ESCAPE)
+    builder.key(pygame.K_ESCAPE)
+    builder.act("event1: when ...")
+    builder.open("events")
+    builder.open("events", "event1")
+    builder.open("events", "event1", "at")
+    builder.pick("down", "events", "event1", "at", "direction")
+
+    assert builder.clicks < 30
+    assert not builder.editor.applying.refusal
+    world = build(parse(builder.editor.work.draft.text))
+    heights = []
+    for _ in range(125):
+        world.advance()
+        heights.append(world.snapshot.position[-1, 1])
+    assert max(heights) > 3.5
+    assert world.snapshot.position[-1, 0] > 4

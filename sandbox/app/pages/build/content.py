@@ -8,6 +8,7 @@ from sandbox.app.building.arranging import arrangements
 from sandbox.app.building.button_action import Act
 from sandbox.app.building.editor import Editor
 from sandbox.app.building.file_offers import offers
+from sandbox.app.building.part_actions import part_actions
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.theme import Color
 from sandbox.app.runs.session import Session
@@ -109,12 +110,7 @@ def arranging(editor: Editor) -> list[Block]:
     if editor.bench is not editor.work:
         return []
     work = editor.work
-    acts = (
-        *inspection.cutting(work),
-        *inspection.tilting(work),
-        *inspection.ghost(work),
-        *arrangements(work),
-    )
+    acts = (*part_actions(work), *arrangements(work))
     return [Block("", acts=acts)] if acts else []
 
 

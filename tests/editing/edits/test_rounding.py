@@ -1,0 +1,55 @@
+"""Round bodies as one another."""
+
+import pytest
+
+from sandbox.editing.draft import Draft
+from sandbox.editing.edits.bodies import add_disc
+from sandbox.editing.edits.events import reverse, wait_for_quantity
+from sandbox.editing.edits.fields import set_field
+from sandbox.editing.edits.rounding import ROUND, rounded
+from sandbox.editing.text_patches import value_at
+from sandbox.model.loading import parse
+from sandbox.physics.run import build
+
+
+def disc() -> str:
+    text = Draft.empty().text
+    return add_disc(text, parse(text), (0, 2), (1, 2)).text
+
+
+@pytest.mark.parametrize("first", ROUND)
+@pytest.mark.parametrize("second", ROUND)
+def test_what_is_round_may_be_something_else_of_the_same_radius(first: str, second: str) -> None:
+    text = disc()
+    for kind in (first, second):
+        text = rounded(text, parse(text), "disc1", kind)
+    body = parse(text).bodies["disc1"]
+
+    assert value_at(text, ("bodies", "disc1", "shape", "radius")) == 1
+    assert (body.shape.type, body.type == "static") == (second, second == "arc")
+    assert (body.mass is None) == (second == "arc")
+    build(parse(text))
+
+
+def test_a_disc_as_an_arc_and_back_moves_under_gravity_again() -> None:
+    text = rounded(disc(), parse(disc()), "disc1", "arc")
+    assert not parse(text).effects.declared  # nothing moves that it could act on
+    text = rounded(text, parse(text), "disc1", "disc")
+    assert value_at(text, ("bodies", "disc1", "mass")) == pytest.approx(31.4, rel=1e-2)
+
+
+def test_a_valve_can_be_made_before_anything_moves() -> None:
+    text = rounded(disc(), parse(disc()), "disc1", "arc")
+    text = set_field(text, ("bodies", "disc1", "one_way"), "left")
+    text = add_disc(text, parse(text), (4, 2), (4.5, 2)).text
+    assert parse(text).effects.contact is not None
+
+
+def test_an_event_reverses_it_at_a_time_or_at_a_crossing() -> None:
+    text = rounded(disc(), parse(disc()), "disc1", "arc")
+    text = set_field(text, ("bodies", "disc1", "one_way"), "left")
+    text = add_disc(text, parse(text), (4, 2), (4.5, 2)).text
+    text = reverse(text, parse(text), "disc1")
+    assert value_at(text, ("events", "event1")) == {"at": 1, "reverse": ["disc1"]}
+    text = wait_for_quantity(text, parse(text), "event1")
+    assert value_at(text, ("events", "event1", "at", "quantity")) == "disc2.position.x"
