@@ -17,6 +17,8 @@ from sandbox.editing.edits import (
     handles,
     joints,
     mirroring,
+    rounding,
+    tilting,
     transforms,
 )
 from sandbox.editing.renaming import rename
@@ -155,6 +157,18 @@ def checked(text: str, hand: Hand) -> str:
     return checks.set_ghost(text, hand.body(), (hand.number(), "t"))
 
 
+def tilted(text: str, hand: Hand) -> str:
+    return tilting.tilt(text, hand.level, hand.body())
+
+
+def made_round(text: str, hand: Hand) -> str:
+    name = hand.body()
+    if hand.level.bodies[name].shape.type not in rounding.ROUND:
+        return text
+    kind = hand.word(rounding.ROUND)
+    return rounding.rounded(text, hand.level, name, kind)
+
+
 FAMILIES: tuple[Callable[[str, Hand], str], ...] = (
     drawn,
     outlined,
@@ -172,6 +186,8 @@ FAMILIES: tuple[Callable[[str, Hand], str], ...] = (
     made_a_parameter,
     renamed,
     checked,
+    tilted,
+    made_round,
 )
 
 

@@ -227,7 +227,8 @@ def test_welded_bodies_that_are_cut_apart_can_meet() -> None:
     [
         (
             {"at": 1},
-            "does nothing: say what it is to 'cut' or to 'tie', or to switch 'on' or 'off'",
+            "does nothing: say what it is to 'cut' or to 'tie', to switch 'on' or 'off', or to"
+            " 'reverse'",
         ),
         ({"at": 1, "cut": ["rood"]}, "unknown joint 'rood'; did you mean 'rod'?"),
         ({"at": 1, "on": ["pull"]}, "'pull' is no force that can be switched"),
