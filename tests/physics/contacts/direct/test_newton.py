@@ -16,6 +16,7 @@ def capstan(knot: str, place: tuple[str, int | str], value: float) -> Level:
     level = json.loads(find("machines/capstan").read_text("utf-8"))
     part, key = place
     level["bodies"][knot][part][key] = value
+    level["effects"]["contact"]["overlaps"] = True
     return parse(json.dumps(level))
 
 
