@@ -121,7 +121,7 @@ def fit(asked: Asked, names: Sequence[str], data: Path | None, output: Path) -> 
 def _plan(asked: Asked) -> "Plan":
     from sandbox.experiments import catalog
     from sandbox.experiments.document import made
-    from sandbox.experiments.plan import make
+    from sandbox.experiments.planning import make
 
     if not (asked.vary or asked.measure):
         if asked.set or asked.others:

@@ -3,7 +3,8 @@
 from pathlib import Path
 
 from sandbox.experiments.document import Experiment, read
-from sandbox.experiments.plan import Plan, make
+from sandbox.experiments.plan import Plan
+from sandbox.experiments.planning import make
 from sandbox.model import catalog
 from sandbox.model.did_you_mean import suggestion
 from sandbox.model.document import refuse

@@ -4,36 +4,28 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from math import prod
-from typing import NamedTuple, get_args
+from typing import NamedTuple
 
 import numpy as np
-from pydantic import ValidationError
 
 from sandbox.experiments import axes, measures
-from sandbox.experiments.axes import Axis, AxisError, Drawn, Grid, Listed
+from sandbox.experiments.axes import Axis, Drawn, Grid, Listed
 from sandbox.experiments.document import Experiment
-from sandbox.experiments.measures import Measure, MeasureError
+from sandbox.experiments.measures import Measure
 from sandbox.experiments.observables import Observable
-from sandbox.experiments.random_points import MOST_IN_A_HYPERCUBE, points
-from sandbox.model import effect_variants, parse_messages
+from sandbox.experiments.random_points import points
+from sandbox.model import effect_variants
 from sandbox.model.conditions.condition import Condition
-from sandbox.model.conditions.numbers import MAX_STEPS
-from sandbox.model.did_you_mean import suggestion
-from sandbox.model.errors import SandboxError, brief
 from sandbox.model.expressions import Values
-from sandbox.model.level import Level, Scheme, Stepping
-from sandbox.model.level_parts import Fault
+from sandbox.model.level import Level, Stepping
 from sandbox.model.loading import choose
-from sandbox.model.message import Message, joined
 from sandbox.model.rules import depending
-
-MOST_RUNS = 10**9
-"""How many runs an experiment may have; at 10,000 runs a second those take a day."""
 
 NONE = "none"
 """What `without` is called where nothing is switched off."""
 
-_NAMED = ("without", "scheme")
+NAMED = ("without", "scheme")
+"""What is varied by names, and not by numbers."""
 
 
 class Row(NamedTuple):
@@ -73,7 +65,7 @@ class Plan:
     @cached_property
     def axes(self) -> dict[str, Axis]:
         """What is varied, by name."""
-        return {n: _axis(n, text, self.level) for n, text in self.experiment.vary.items()}
+        return {n: axis_of(n, text, self.level) for n, text in self.experiment.vary.items()}
 
     @cached_property
     def grids(self) -> dict[str, Grid | Listed]:
@@ -165,9 +157,16 @@ class Plan:
         others = {n: v for n, v in varied.items() if n not in self.level.parameters}
         level, conditions = self.variant(str(others.get("without", NONE)))
         values = choose(level, {**self.experiment.set, **chosen}, conditions)
-        return level, values, self._stepping(others)
+        return level, values, self.stepping(others)
 
-    def _stepping(self, varied: Mapping[str, float | str]) -> Stepping:
+    def stepping(self, varied: Mapping[str, float | str]) -> Stepping:
+        """Return the stepping with some of its settings varied, by name.
+
+        Raises
+        ------
+        ValidationError
+            If one of them is none.
+        """
         own = self.level.stepping
         asked = {"rate": self.experiment.rate, "scheme": self.experiment.scheme, **varied}
         given = {n: v for n, v in asked.items() if n in ("rate", "scheme") and v is not None}
@@ -195,175 +194,13 @@ class Plan:
         return {}
 
 
-def _axis(name: str, text: str, level: Level) -> Axis:
-    named = name in _NAMED and name not in level.parameters
-    return axes.parse_names(text) if named else axes.parse(text)
+def axis_of(name: str, text: str, level: Level) -> Axis:
+    """Return what varies by a name, as it was written.
 
-
-def make(experiment: Experiment, source: str, level: Level) -> tuple[Plan, list[Fault]]:
-    """Return the plan of an experiment, and everything that is wrong with it.
-
-    A plan in which something is wrong is not to be run.
+    Raises
+    ------
+    AxisError
+        If it cannot be read.
     """
-    plan = Plan(experiment, source, level)
-    faults = [*_faulty_axes(plan), *_faulty_settings(plan), *_faulty_measures(plan)]
-    return plan, faults or list(_faulty_runs(plan))
-
-
-def _faulty_axes(plan: Plan) -> Iterator[Fault]:
-    level = plan.level
-    known = [*level.parameters, *_NAMED, "rate"]
-    if not plan.experiment.vary:
-        yield Fault(
-            ("vary",), Message("is empty; what can be varied: {known}", known=", ".join(known))
-        )
-    for name, text in plan.experiment.vary.items():
-        path = ("vary", name)
-        if name not in known:
-            hint = suggestion(name, known, most=len(known))
-            yield Fault(
-                path,
-                Message("'{name}' is no parameter of the level{hint}", name=brief(name), hint=hint),
-            )
-            continue
-        if name in plan.experiment.set:
-            yield Fault(path, Message("'{name}' is set and varied, both", name=name))
-        try:
-            axis = _axis(name, text, level)
-        except AxisError as error:
-            yield Fault(path, error.message)
-            continue
-        yield from (Fault(path, rule) for rule in _outside(name, axis, plan))
-
-
-def _outside(name: str, axis: Axis, plan: Plan) -> Iterator[Message]:
-    """Yield what is wrong with an axis that can be read."""
-    level = plan.level
-    if name in level.parameters:
-        parameter = level.parameters[name]
-        ends = axis.values if isinstance(axis, Listed) else axis.ends
-        outside = (v for v in map(float, ends) if not parameter.min <= v <= parameter.max)
-        if (beyond := next(outside, None)) is not None:
-            yield Message(
-                "goes to {beyond:g}{unit}, but the level has '{name}' from {least:g} to"
-                " {most:g}{unit}",
-                beyond=beyond,
-                unit=f" {parameter.unit}" if parameter.unit else "",
-                name=name,
-                least=parameter.min,
-                most=parameter.max,
-            )
-    elif isinstance(axis, Listed):
-        yield from _unknown_names(name, [str(v) for v in axis.values], plan)
-
-
-def _unknown_names(name: str, values: list[str], plan: Plan) -> Iterator[Message]:
-    for value in values:
-        try:
-            if name == "without":
-                plan.variant(value)
-            elif name == "scheme" and value not in get_args(Scheme):
-                hint = suggestion(value, get_args(Scheme))
-                yield Message("'{name}' is no scheme{hint}", name=brief(value), hint=hint)
-            elif name == "rate":
-                plan._stepping({"rate": float(value)})  # noqa: SLF001 (its own module)
-        except (SandboxError, ValidationError) as error:
-            yield _said(error)
-
-
-def _said(error: SandboxError | ValidationError) -> Message:
-    if isinstance(error, ValidationError):
-        detail = error.errors(include_url=False)[0]
-        return parse_messages.rule(detail)
-    return error.message
-
-
-def _faulty_settings(plan: Plan) -> Iterator[Fault]:
-    experiment, level = plan.experiment, plan.level
-    try:
-        choose(level, experiment.set)
-    except SandboxError as error:
-        yield Fault(("set",), error.message)
-    try:
-        stepping = plan._stepping({})  # noqa: SLF001 (its own module)
-    except ValidationError as error:
-        yield Fault(("scheme",), _said(error))
-    else:
-        duration = experiment.duration or 0.0
-        if duration * stepping.rate > MAX_STEPS:
-            message = Message(
-                "that takes {steps:.1g} steps; {most:,} are allowed",
-                steps=duration * stepping.rate,
-                most=MAX_STEPS,
-            )
-            yield Fault(("duration",), message)
-        if level.stepping.accuracy is not None and stepping.accuracy is not None:
-            message = Message(
-                "the level asks for an accuracy; say at which 'rate' the experiment runs it"
-            )
-            yield Fault(("rate",), message)
-
-
-def _faulty_measures(plan: Plan) -> Iterator[Fault]:
-    try:
-        _ = plan.until
-    except SandboxError as error:
-        yield Fault(("until",), error.message)
-    seen = set[str]()
-    for i, text in enumerate(plan.experiment.measure):
-        path = ("measure", i)
-        try:
-            found = measures.parse(text, plan.level, until=plan.experiment.until is not None)
-        except MeasureError as error:
-            yield Fault(path, error.message)
-            continue
-        if found.text in seen:
-            yield Fault(path, Message("'{text}' is measured twice", text=brief(found.text)))
-        seen.add(found.text)
-
-
-def _faulty_runs(plan: Plan) -> Iterator[Fault]:
-    """Yield what is wrong with the number of runs, once everything can be read."""
-    if plan.drawn and plan.experiment.draws is None:
-        name = next(iter(plan.drawn))
-        yield Fault(
-            ("draws",), Message("is missing: '{name}' is drawn, but how many times?", name=name)
-        )
-    if not plan.drawn and plan.experiment.draws is not None:
-        yield Fault(("draws",), Message("nothing is drawn: no axis is LOW..HIGH or MEAN±SD"))
-    if plan.runs > MOST_RUNS:
-        parts = [Message("{count:,}", count=axis.count) for axis in plan.grids.values()]
-        if plan.drawn:
-            parts.append(Message("{count:,} draws", count=plan.draws))
-        yield Fault(
-            ("vary",),
-            Message(
-                "makes {product} = {runs:,} runs; {most:,} are the most",
-                product=joined(parts, " × "),
-                runs=plan.runs,
-                most=MOST_RUNS,
-            ),
-        )
-    yield from _faulty_draws(plan)
-
-
-def _faulty_draws(plan: Plan) -> Iterator[Fault]:
-    """Yield what the way of drawing does not allow."""
-    method, base = plan.experiment.method, plan.experiment.draws or 1
-    if method == "latin-hypercube" and base > MOST_IN_A_HYPERCUBE:
-        message = Message(
-            "{count:,} draws; a Latin hypercube has at most {most:,}; 'sobol' has no such bound",
-            count=base,
-            most=MOST_IN_A_HYPERCUBE,
-        )
-        yield Fault(("draws",), message)
-    if method == "sobol-indices":
-        if plan.grids:
-            yield Fault(
-                ("method",), Message("Sobol's indices need everything that is varied to be drawn")
-            )
-        if base < 2 or base & (base - 1):
-            yield Fault(
-                ("draws",),
-                Message("{base:,}: of Sobol's indices it must be a power of two", base=base),
-            )
+    named = name in NAMED and name not in level.parameters
+    return axes.parse_names(text) if named else axes.parse(text)

@@ -10,7 +10,8 @@ import pyarrow.parquet as pq
 from sandbox.experiments.batch_scheduling import conduct
 from sandbox.experiments.document import made
 from sandbox.experiments.executors import Executor, Here
-from sandbox.experiments.plan import Plan, make
+from sandbox.experiments.plan import Plan
+from sandbox.experiments.planning import make
 from sandbox.experiments.storage import Store
 from sandbox.model.catalog import find
 from sandbox.model.loading import load

@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 
 from sandbox.experiments import catalog, report, schema
-from sandbox.experiments.plan import Plan, make
+from sandbox.experiments.plan import Plan
+from sandbox.experiments.planning import make
 from sandbox.experiments.storage import RESULTS
 from tests.experiments.making import table
 
