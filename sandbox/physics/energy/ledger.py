@@ -330,7 +330,7 @@ class Ledger:
             + self._mechanics.stored_with(self._end, t)
             - self._mechanics.stored_with(self._middle(0.5, after), t)
         )
-        for name, bodies in _carriers(flows).items():
+        for name, bodies in flows.carriers().items():
             share = np.zeros_like(brought)
             share[bodies] = brought[bodies]
             self._entries.give(name, share, self._step.snapshot.position)
@@ -340,13 +340,3 @@ class Ledger:
         """Return the contacts of the kick, without the impacts that cut the drift before it."""
         collided = self._step.impacts
         return self._step.contacts.after(len(collided.impacts) if collided else 0)
-
-
-def _carriers(flows: MassFlows) -> dict[str, list[int]]:
-    """Return the bodies that lose or gain matter, by the effect that lets them."""
-    found: dict[str, list[int]] = {}
-    for flow in flows.flows:
-        bodies = found.setdefault(flow.effect, [])
-        if flow.body not in bodies:
-            bodies.append(flow.body)
-    return found

@@ -58,3 +58,12 @@ class MassFlows:
         for flow in self.flows:
             share[..., flow.body] += flow.gained(t) / self.mass[flow.body]
         return share
+
+    def carriers(self) -> dict[str, list[int]]:
+        """Return the bodies that lose or gain matter, by the effect that lets them."""
+        found: dict[str, list[int]] = {}
+        for flow in self.flows:
+            bodies = found.setdefault(flow.effect, [])
+            if flow.body not in bodies:
+                bodies.append(flow.body)
+        return found

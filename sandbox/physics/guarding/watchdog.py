@@ -12,15 +12,11 @@ from typing import NoReturn
 import numpy as np
 
 from sandbox.model import ledger_accounts
-from sandbox.model.body import Body
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level, Stepping
 from sandbox.model.message import NOTHING, Message
-from sandbox.model.shapes import Arc, Box, Curve, Disc, Hoop, Polygon, Polyline, Segment
 from sandbox.physics.contacts.pair_count import crowded, most_pairs
 from sandbox.physics.engine.batch import Contacts, Integers
-from sandbox.physics.engine.bodies import local_points
-from sandbox.physics.geometry.convex_decomposition import twice_area
 from sandbox.physics.guarding.energy_audit import Audit
 from sandbox.physics.guarding.energy_drift import Gains
 from sandbox.physics.guarding.lost_bodies import (
@@ -31,6 +27,7 @@ from sandbox.physics.guarding.lost_bodies import (
     stop,
 )
 from sandbox.physics.guarding.rate_limits import Need, called, slowing, steepness
+from sandbox.physics.guarding.thickness import thickness
 from sandbox.physics.scene.scene import Scene
 from sandbox.physics.scene.stability_limits import MARGIN, limit
 from sandbox.physics.state.errors import SimulationError
@@ -112,14 +109,14 @@ class Watchdog:
         self._turns = joined and scene.direct is None
         self._most_pairs = most_pairs(stepping.iterations, direct=scene.direct is not None)
         self._thick = np.where(
-            scene.mass > 0, [_thickness(body, values) for body in level.bodies.values()], inf
+            scene.mass > 0, [thickness(body, values) for body in level.bodies.values()], inf
         )
         self._allowed: tuple[Integers | None, Array] = None, self._thick  # of pairs, half as thick
         self._apart = float(self._depth(contacts).max(initial=0.0)) < LITTLE
         self._deepest = max(1.0, self._depth(contacts).max(initial=0.0) * (1 + UNNOTICED))
         swing = self._swings(start) if self._strict else DIVERGED
-        thickness = np.where(np.isfinite(self._thick), self._thick, 0.0)
-        self._gains = Gains(scene, start, thickness, swing, stepping.rate)
+        thick = np.where(np.isfinite(self._thick), self._thick, 0.0)
+        self._gains = Gains(scene, start, thick, swing, stepping.rate)
         self._closed = not ledger_accounts.works(level)
         self._audit = None
         if stepping.scheme != "fourth-order" and not self._closed:
@@ -340,21 +337,3 @@ class Watchdog:
         motion = Instant.of(well)._replace(t=t)
         found += slowing(self._scene, row, motion)
         return [need for need in found if MARGIN * need.rate > self._rate]
-
-
-def _thickness(body: Body, values: Values) -> float:
-    """Return how thick a body is [m]; a line has no thickness to speak of."""
-    match body.shape:
-        case Disc(radius=radius) | Hoop(radius=radius):
-            return 2 * radius(values)
-        case Box(width=width, height=height):
-            return min(width(values), height(values))
-        case Polygon():
-            corners = np.array(local_points(body, values))
-            return float(abs(twice_area(corners)) / _around(corners)) * 2
-        case Segment() | Polyline() | Arc() | Curve():
-            return inf
-
-
-def _around(corners: Array) -> float:
-    return float(np.hypot(*(np.roll(corners, -1, axis=0) - corners).T).sum())

@@ -1,0 +1,29 @@
+"""How thick a body is: how deep in it another may be, and by how much it is nudged."""
+
+from math import inf
+
+import numpy as np
+
+from sandbox.model.body import Body
+from sandbox.model.expressions import Array, Values
+from sandbox.model.shapes import Arc, Box, Curve, Disc, Hoop, Polygon, Polyline, Segment
+from sandbox.physics.engine.bodies import local_points
+from sandbox.physics.geometry.convex_decomposition import twice_area
+
+
+def thickness(body: Body, values: Values) -> float:
+    """Return how thick a body is [m]; a line has no thickness to speak of."""
+    match body.shape:
+        case Disc(radius=radius) | Hoop(radius=radius):
+            return 2 * radius(values)
+        case Box(width=width, height=height):
+            return min(width(values), height(values))
+        case Polygon():
+            corners = np.array(local_points(body, values))
+            return float(abs(twice_area(corners)) / _around(corners)) * 2
+        case Segment() | Polyline() | Arc() | Curve():
+            return inf
+
+
+def _around(corners: Array) -> float:
+    return float(np.hypot(*(np.roll(corners, -1, axis=0) - corners).T).sum())
