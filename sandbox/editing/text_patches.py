@@ -214,24 +214,31 @@ def _in_line(text: str, parent: Span, key: str, value: Json) -> str:
     """Return a text in which an object or list that is on one line has one member more."""
     margin = _margin(text, parent.start)
     inside = text[parent.begin + 1 : parent.members[-1].end] if parent.members else ""
-    short = f"{inside}, " * bool(inside) + key + line(value)
+    pieces = [inside] * bool(inside)
+    before = 0 if pieces and not _place(parent, key) else len(pieces)
+    short = ", ".join([*pieces[:before], key + line(value), *pieces[before:]])
     start = text.rfind("\n", 0, parent.start) + 1
     named = parent.path in _LINES and not inside
     if parent.begin - start + len(f"{{{short}}},") <= WIDTH and not named:
         new = short
     else:
         inner = margin + INDENT
-        lines = [inside] * bool(inside) + [key + laid_out(value, inner, len(inner) + len(key))]
+        new = key + laid_out(value, inner, len(inner) + len(key))
+        lines = [*pieces[:before], new, *pieces[before:]]
         new = f"\n{inner}" + f",\n{inner}".join(lines) + f"\n{margin}"
     return spliced(text, [(parent.begin + 1, parent.end - 1, _with_breaks(text, new))])
 
 
 def _place(parent: Span, key: str) -> int:
-    """Return how many members come before a new one: in a level the parts have their order."""
+    """Return how many members come before a new one.
+
+    In a level the parts have their order, and a part begins with its type.
+    """
+    name = json.loads(key.removesuffix(": ") or "null")
     if parent.path:
-        return len(parent.members)
+        return 0 if name == "type" else len(parent.members)
     order = [*ORDER, *(str(member.path[-1]) for member in parent.members)]
-    own = order.index(json.loads(key.removesuffix(": ")))
+    own = order.index(name)
     ahead = takewhile(lambda m: order.index(str(m.path[-1])) < own, parent.members)
     return len(list(ahead))
 

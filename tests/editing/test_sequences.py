@@ -166,7 +166,7 @@ def made_round(text: str, hand: Hand) -> str:
     if hand.level.bodies[name].shape.type not in rounding.ROUND:
         return text
     kind = hand.word(rounding.ROUND)
-    return rounding.rounded(text, hand.level, name, kind)
+    return rounding.rounded(text, hand.level, name, kind).text
 
 
 FAMILIES: tuple[Callable[[str, Hand], str], ...] = (

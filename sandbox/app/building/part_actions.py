@@ -72,7 +72,7 @@ def _tilt(work: Work, name: str) -> None:
 
 def _round(work: Work, name: str, kind: str) -> None:
     said = say("make {name} another shape", name=name)
-    work.change(said, lambda text, level: rounded(text, level, name, kind))
+    work.make(said, lambda text, level: rounded(text, level, name, kind))
 
 
 def _haunt(work: Work, name: str) -> None:

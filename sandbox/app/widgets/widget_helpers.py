@@ -33,8 +33,8 @@ def scroll(container: UIScrollingContainer, top: float) -> None:
     """Show what stands at a height of a container's content at its upper edge [px], or nearly."""
     bar = container.vert_scroll_bar
     seen, height = container.rect.height, container.scrollable_container.rect.height
-    if bar is not None and height > seen:
-        bar.set_scroll_from_start_percentage(min(max(top, 0.0), height - seen) / height)
+    if bar is not None:
+        bar.set_scroll_from_start_percentage(max(min(top, height - seen), 0.0) / height)
 
 
 def scrolled(container: UIScrollingContainer) -> float:

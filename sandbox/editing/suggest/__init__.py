@@ -11,7 +11,16 @@ from contextlib import suppress
 
 from sandbox.editing.cleanup import without_meaning
 from sandbox.editing.edits.checks import add_checks
-from sandbox.editing.suggest import atwood, collision, incline, oscillator, pendulum, projectile
+from sandbox.editing.suggest import (
+    atwood,
+    collision,
+    incline,
+    lever,
+    oscillator,
+    pendulum,
+    projectile,
+    spring_pendulum,
+)
 from sandbox.editing.suggest.scene import Scene, Suggestion
 from sandbox.editing.text_patches import Changes, put, remove
 from sandbox.model.errors import LevelError
@@ -21,10 +30,12 @@ from sandbox.model.loading import parse
 _KNOWN: tuple[Callable[[Scene], Iterator[Suggestion]], ...] = (
     atwood.suggestions,
     incline.suggestions,
+    lever.suggestions,
     pendulum.suggestions,
     collision.suggestions,
     projectile.suggestions,
     oscillator.suggestions,
+    spring_pendulum.suggestions,
 )
 
 

@@ -64,12 +64,12 @@ def _lies_on(scene: Scene, block: Placed, slope: str) -> Iterator[complex]:
         return
     for core in under.cores:
         for own in block.cores:
-            found = _side(own, core, under.radius)
+            found = side(own, core, under.radius)
             if abs(found.distance) < TOUCHING and len(found.points) == 2:
                 yield -found.normal
 
 
-def _side(own: Core, core: Core, radius: float) -> Gap:
+def side(own: Core, core: Core, radius: float) -> Gap:
     """Return the gap with both ends of the side, which are told only of what does not overlap.
 
     Where a line is touched exactly, the normal may point to either side of it.
@@ -83,7 +83,7 @@ def _side(own: Core, core: Core, radius: float) -> Gap:
 
 def _of(scene: Scene, name: str, slope: str, up: complex) -> Iterator[Suggestion]:
     fall, angle = scene.fall, abs(phase(up / 1j))
-    mu, theta = _friction(scene, name, slope), _theta(scene, name, slope, angle)
+    mu, theta = friction(scene, name, slope), _theta(scene, name, slope, angle)
     if fall is None or not LEAST < angle < MOST or mu is None or theta is None:
         return
     rubs = Expression(mu)(scene.known)
@@ -133,7 +133,7 @@ def _theta(scene: Scene, name: str, slope: str, angle: float) -> str | None:
     return None if names_in((under.shape, under.angle)) else repr(plain(angle))
 
 
-def _friction(scene: Scene, name: str, slope: str) -> str | None:
+def friction(scene: Scene, name: str, slope: str) -> str | None:
     """Return the coefficient of the pair as a formula; None if it sticks more than it rubs."""
     effect = scene.level.effects.friction
     if effect is None:
@@ -161,7 +161,7 @@ def _length(scene: Scene, name: str, slope: str, way: complex) -> float:
     """Return how long the side is with which a block that was moved lies on its slope [m]."""
     block, under = scene.where[name], scene.where[slope]
     found = [
-        _side(moved(own, way), core, under.radius) for own in block.cores for core in under.cores
+        side(moved(own, way), core, under.radius) for own in block.cores for core in under.cores
     ]
     nearest = min(found, key=lambda one: one.distance)
     return abs(nearest.points[-1] - nearest.points[0])

@@ -25,11 +25,11 @@ def suggestions(scene: Scene) -> Iterator[Suggestion]:
     if not scene.only("gravity", "contact", "friction", "restitution", "rotation"):
         return
     for joint in scene.level.joints.values():
-        if isinstance(joint, Spring) and (bob := _bob(scene, joint)):
+        if isinstance(joint, Spring) and (bob := held_by(scene, joint)):
             yield from _along(scene, joint, bob)
 
 
-def _bob(scene: Scene, joint: Spring) -> str | None:
+def held_by(scene: Scene, joint: Spring) -> str | None:
     """Return the body that a spring without a damper holds by its centre at the plane."""
     held = [end for end in joint.ends if body_of(end)]
     if len(held) != 1 or not isinstance(bob := held[0], str):

@@ -36,8 +36,8 @@ MOST_CORNERS = 8
 
 
 Setup = Literal[
-    "Atwood machine", "collision", "block that a slope holds", "block on a slope", "oscillator",
-    "pendulum", "thrown body", "falling body",
+    "Atwood machine", "collision", "block that a slope holds", "block on a slope", "lever",
+    "oscillator", "pendulum", "spring pendulum", "thrown body", "falling body",
 ]  # fmt: skip
 
 

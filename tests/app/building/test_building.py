@@ -272,6 +272,14 @@ def test_a_seesaw_is_drawn_and_turns(builder: Builder) -> None:
     builder.tool("join")
     builder.tool("pivot")
     builder.at(0, 1.1)
+    builder.person.wait(0.1)
+    assert builder.person.window.banner._note == "Tied: box1 to the plane"
+
+    builder.key(pygame.K_ESCAPE)
+    builder.key(pygame.K_ESCAPE)
+    builder.act("lever")
+    level = parse(builder.editor.work.draft.text)
+    assert [result.verdict for result in grade(simulate(level))] == ["passed"]
     builder.click(builder.page.palette.button("Try it").rect)
     builder.person.wait(0.5)
 
@@ -293,14 +301,14 @@ def draw_half(builder: Builder, name: str, start: str, end: str) -> None:
 def test_a_marble_goes_round_a_loop_that_was_drawn_and_leaves_it(builder: Builder) -> None:
     builder.new()
     builder.clicks = 0
-    draw_half(builder, "disc1", "90*deg", "270*deg")
-    draw_half(builder, "disc2", "270*deg", "450*deg")
+    draw_half(builder, "arc1", "90*deg", "270*deg")
+    draw_half(builder, "arc2", "270*deg", "450*deg")
     builder.act("Reverse it in the run")
     builder.tool("disc")
     builder.drag((-6, 0.5), (-5.5, 0.5))
-    builder.fill("0.2", "bodies", "disc3", "shape", "radius")
-    builder.fill("0.2", "bodies", "disc3", "position", 1)
-    builder.fill("12", "bodies", "disc3", "velocity", 0)
+    builder.fill("0.2", "bodies", "disc1", "shape", "radius")
+    builder.fill("0.2", "bodies", "disc1", "position", 1)
+    builder.fill("12", "bodies", "disc1", "velocity", 0)
     builder.key(pygame.K_ESCAPE)
     builder.key(pygame.K_ESCAPE)
     builder.act("event1: when ...")

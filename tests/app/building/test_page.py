@@ -120,3 +120,14 @@ def test_the_run_begins_at_the_top_of_the_page(builder: Builder) -> None:
     builder.click(builder.page.palette.button("Try it").rect)
     builder.person.wait(0.2)
     assert scrolled(container) == 0
+
+
+def test_the_run_begins_at_the_top_of_the_page_where_no_body_is_selected(builder: Builder) -> None:
+    """What the page says of a run is short, and needs no bar to scroll with."""
+    container = builder.page._sheet.container
+    builder.reach(builder.page.inspector.field("duration"))
+    assert scrolled(container) > 0
+
+    builder.click(builder.page.palette.button("Try it").rect)
+    builder.person.wait(0.2)
+    assert scrolled(container) == 0

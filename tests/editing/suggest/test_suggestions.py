@@ -81,6 +81,33 @@ def thrown(x: float, y: float, u: float, v: float) -> str:
     return put_all(disc(EMPTY, x, y), {("bodies", "disc1", "velocity"): [u, v]})
 
 
+def seesaw(
+    boxes: dict[float, float],
+    *,
+    pin: tuple[float, float] = (0, 1.1),
+    friction: float | None = None,
+    discs: dict[float, float] | None = None,
+) -> str:
+    """Return a plank on a pin, with squares and discs of a size on it where they are placed."""
+    text = add_box(EMPTY, parse(EMPTY), (-3, 1), (3, 1.2)).text
+    for x, size in boxes.items():
+        text = add_box(text, parse(text), (x - size / 2, 1.2), (x + size / 2, 1.2 + size)).text
+    for x, radius in (discs or {}).items():
+        text = disc(text, x, 1.2 + radius, radius)
+    text = add_joint(text, parse(text), "pivot", [Pick(pin, "box1"), Pick(pin)]).text
+    if friction is None:
+        return text
+    text = declare(text, parse(text), "friction")
+    names = (name for name in parse(text).bodies if name.startswith("box"))
+    return put_all(text, {("bodies", name, "friction"): friction for name in names})
+
+
+def spring(x: float, y: float, stiffness: float) -> str:
+    text = disc(EMPTY, x, y)
+    text = add_joint(text, parse(text), "spring", [Pick((0, 7)), Pick((x, y), "disc1")]).text
+    return put_all(text, {("joints", "spring1", "stiffness"): stiffness})
+
+
 MADE = {
     "Atwood machine": [atwood(2, 3.7), atwood(5, 0.3), atwood(1, 1), atwood(1e3, 1)],
     "block on a slope": [
@@ -103,6 +130,14 @@ MADE = {
         oscillator(0, 5, 2, falls=True),
         oscillator(0, 4.5, 2, falls=True),
     ],
+    "lever": [
+        seesaw({-2: 0.8, 1.75: 0.5}),
+        seesaw({-2: 0.6}),
+        seesaw({-2: 0.8, 2: 0.8}),
+        seesaw({-2: 0.8, 1.75: 0.5}, pin=(0.5, 1.15), friction=0.8),
+        seesaw({}, discs={-2: 0.5, 1: 0.4}),
+    ],
+    "spring pendulum": [spring(2, 6, 77), spring(-1, 5.5, 300), spring(2, 9, 100)],
     "collision": [
         collision(1, 3, 2, 0, None),
         collision(3, 2, 0.4, -1, 1),
@@ -146,6 +181,31 @@ def test_a_suggestion_follows_the_parameters() -> None:
     checked = parse(take(text, level, suggestions(level)[0]))
     results = grade(simulate(checked, {**checked.defaults, "m1": 2.2, "g": 9.0}))
     assert {result.verdict for result in results} == {"passed"}
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        seesaw({-2: 0.8, 1.75: 0.5}, friction=0.1),  # they slip
+        seesaw({-2: 0.8, -2.01: 0.2}),  # one lies in the other
+        seesaw({}, discs={-2: 0.5}, friction=0.5),  # it rolls
+        seesaw({-3.4: 0.9}),  # it tips over the end
+    ],
+)
+def test_no_lever_is_seen_where_a_weight_does_not_turn_along(text: str) -> None:
+    assert "lever" not in [one.setup for one in suggestions(parse(text))]
+
+
+@pytest.mark.sweep
+def test_a_lever_holds_with_any_weight() -> None:
+    text = make_parameter(seesaw({-2: 0.8, 1.75: 0.5}), ("bodies", "box2", "mass"), "m")
+    (one,) = suggestions(parse(text))
+    text = take(text, parse(text), one)
+    assert all(holds(text, {"m": m}) for m in (1.3, 2.5, 12.0))
+
+
+def test_no_spring_pendulum_is_seen_that_would_meet_the_ground() -> None:
+    assert suggestions(parse(spring(2, 6, 10))) == []
 
 
 def test_what_is_checked_already_is_not_suggested_again() -> None:

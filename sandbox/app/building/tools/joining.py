@@ -142,6 +142,8 @@ class JoinTool:
         def edit(text: str, level: Level) -> Made:
             return joints.add_joint(text, level, kind, picks)
 
+        first, second = (pick.body or say("the plane") for pick in (picks[0], picks[-1]))
+        self._bench.tell(say("Tied: {first} to {second}", first=first, second=second))
         self._bench.make(say("tie a {joint}", joint=say(kind)), edit, "joints")
 
     def cancel(self) -> None:

@@ -45,6 +45,10 @@ class Bench(Protocol):
         """Change the level, and return whether that was possible."""
         ...
 
+    def tell(self, text: str) -> None:
+        """Tell something in the banner."""
+        ...
+
     def select(self, parts: Sequence[Part]) -> None:
         """Select parts, in place of those that are."""
         ...

@@ -1,0 +1,56 @@
+"""A body on a spring that swings aside: no closed form, but its energy stays what it was."""
+
+from collections.abc import Iterator
+from math import pi, sqrt
+
+from sandbox.editing.suggest.oscillator import held_by
+from sandbox.editing.suggest.scene import Scene, Suggestion, check, opposite, rate_of, said
+from sandbox.model.joint_ends import place
+from sandbox.model.joints import Spring, body_of
+
+NEAR = 1e-4
+"""Of the energy at the rate below: the leapfrog is second order."""
+
+STEPS = 200
+"""Of an oscillation."""
+
+
+def suggestions(scene: Scene) -> Iterator[Suggestion]:
+    """Yield the energies of the bodies that are let go, alone, on a spring as long as it is."""
+    effects = ("gravity", "contact", "friction", "restitution", "rotation")
+    if scene.fall is None or not scene.only(*effects) or len(scene.dynamic) != 1:
+        return
+    for joint in scene.level.joints.values():
+        bob = held_by(scene, joint) if isinstance(joint, Spring) else None
+        if bob is None or not isinstance(joint, Spring) or joint.length is not None:
+            continue
+        if all(_swings(each, joint, bob) for each in scene.everywhere):
+            weight = f"{scene.mass(bob)}*{opposite(scene.fall)}"
+            energy = f"{weight}*{said(scene.level.bodies[bob].position[1])}"
+            beat = max(_beat(each, joint, bob) for each in scene.everywhere)
+            told = check("energy", "system.energy", energy, NEAR, scale=weight)
+            yield Suggestion("spring pendulum", (bob,), (told,), rate_of(STEPS * beat))
+
+
+def _swings(scene: Scene, joint: Spring, bob: str) -> bool:
+    """Whether it is let go beside its peg, and nothing is in the reach of its energy.
+
+    At a distance r from the peg, k (r - L)²/2 ≤ m g (r + h), where it begins h above the peg.
+    """
+    assert scene.fall is not None
+    peg = place(joint.ends[1] if body_of(joint.ends[0]) else joint.ends[0], {}, scene.values)
+    way = scene.where[bob].center - peg
+    if not way.real or not scene.rests(bob):
+        return False
+    sag = -scene.fall(scene.values) / (2 * pi * _beat(scene, joint, bob)) ** 2
+    far = abs(way) + sag + sqrt(sag**2 + 2 * sag * (abs(way) + way.imag))
+    contact = scene.level.effects.contact is not None
+    others = [name for name in scene.where if name != bob and contact]
+    return all(scene.distance(bob, -way, other) > far for other in others)
+
+
+def _beat(scene: Scene, joint: Spring, bob: str) -> float:
+    """Return how often it swings along the spring [Hz]."""
+    mass = scene.level.bodies[bob].mass
+    assert mass is not None
+    return sqrt(joint.stiffness(scene.values) / mass(scene.values)) / (2 * pi)
