@@ -10,6 +10,7 @@ from sandbox.app.words.language import later, say
 from sandbox.editing.edits import transforms
 from sandbox.editing.edits.mirroring import mirror
 from sandbox.editing.edits.transforms import Side
+from sandbox.editing.edits.wrapping import drum_of, wrap
 from sandbox.editing.snapping import flat_turn, snap_body
 from sandbox.model.errors import SandboxError
 from sandbox.model.level import Level
@@ -54,6 +55,7 @@ def arrangements(work: Work) -> list[Act]:
     ]
     flat = [] if len(names) > 1 else [_flat(work, names[0])]
     return [
+        *_rope(work, names),
         *_grouping(work, names),
         *(several if len(names) > 1 else flat),
         _arranging(
@@ -63,6 +65,17 @@ def arrangements(work: Work) -> list[Act]:
             work, say("Mirror upright"), say("top becomes bottom"), partial(_mirror, names, "y")
         ),
     ]
+
+
+def _rope(work: Work, names: Sequence[str]) -> list[Act]:
+    """Return what lays a rope over a disc, where that is selected with what hangs on the rope."""
+    level = work.draft.level
+    if level is None or drum_of(level, names) is None:
+        return []
+    tip = say("knots on rods, from one of the other bodies over the disc to the other one")
+    said = say("lay a rope over the disc")
+    lay = partial(work.make, said, lambda text, level: wrap(text, level, names))
+    return [Act(say("Rope over the disc"), tip, lay)]
 
 
 def _grouping(work: Work, names: Sequence[str]) -> list[Act]:

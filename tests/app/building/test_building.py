@@ -288,6 +288,27 @@ def test_a_seesaw_is_drawn_and_turns(builder: Builder) -> None:
     assert session.world.snapshot.angle[1] > 0.1
 
 
+def test_a_rope_is_laid_over_a_drum_with_few_clicks(builder: Builder) -> None:
+    builder.new()
+    builder.clicks = 0
+    builder.tool("disc")
+    builder.drag((0, 5), (1, 5))
+    builder.tool("box")
+    builder.drag((-1.5, 2), (-0.5, 2.8))
+    builder.drag((0.5, 2), (1.5, 3))
+    builder.tool("select")
+    builder.drag((-3, 6.5), (3, 1.5))
+    builder.person.wait(0.1)
+    builder.act("Rope over the disc")
+    assert builder.clicks <= 8
+    builder.click(builder.page.palette.button("Try it").rect)
+    builder.person.wait(0.4)
+
+    assert not builder.editor.applying.refusal
+    assert builder.person.session.playing
+    assert len(builder.document["joints"]) > 20
+
+
 def draw_half(builder: Builder, name: str, start: str, end: str) -> None:
     """Draw a half of a loop that lets in, and holds what is within."""
     builder.tool("disc")
