@@ -28,6 +28,9 @@ LIGHT = 1e-3
 RATE = 480
 """Hz, at which weights that run across the drum do not press knots into it."""
 
+HEMP = "#e9c46a"
+"""The colour of a rope, one for all of its knots."""
+
 STEP = 7.5 * pi / 180
 """rad, between two knots at the most."""
 
@@ -103,6 +106,7 @@ def _knot(level: Level, drum: Placed, ends: Sequence[Placed]) -> dict[str, Json]
     return {
         "shape": {"type": "disc", "radius": plain(THICK * drum.radius)},
         "mass": plain(LIGHT * min(masses)),
+        "color": HEMP,
         **{name: 1 for name in COEFFICIENTS if name in level.effects.declared},
     }
 
