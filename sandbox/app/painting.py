@@ -50,7 +50,8 @@ def _paint_stage(space: Workspace, view: pygame.Surface, session: Session) -> No
         space.hand.tape.draw(view, space.stage.camera, space.pen)
     space.workers.of(Stopwatch).draw(view, space.pen, session)
     below = space.banner.draw(space.surface, space.pen, space.panels.layout.stage, session)
-    runs = runs_beside(session)[1] or legend.earlier([run.label for run in session.earlier])
+    labels = [run.label(session.values) for run in session.earlier]
+    runs = runs_beside(session)[1] or legend.earlier(labels)
     legend.draw(view, space.pen, runs, below)
 
 

@@ -112,6 +112,7 @@ class Window(Workspace):
             self._play(self.session, seconds, allowed)
             for text in self.workers.follow(self.session, seconds, self.panels.page):
                 self.banner.tell(text)
+                self.panels.mark_stars()  # it may be that some were earned
             self.follow(self.session)
         if self.panels.home.open:
             self.panels.follow_home()

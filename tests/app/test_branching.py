@@ -83,7 +83,7 @@ def test_the_old_run_stays_as_far_as_it_had_come_before_the_way_back() -> None:
 
     session.branch({"g": 3.0})
 
-    assert [run.label for run in session.earlier] == ["g = 9.81, left at 0.33 s"]
+    assert [run.label(session.values) for run in session.earlier] == ["g = 9.81, left at 0.33 s"]
     assert len(session.earlier[0].trail) == 61
 
 

@@ -6,8 +6,10 @@ from pygame_gui import UIManager
 from pygame_gui.elements import UIScrollingContainer
 
 from sandbox.app.cards.card import COLUMNS, INDENT, Card
+from sandbox.app.cards.energy import energy
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
+from sandbox.app.observing.energy_books import Energies
 from sandbox.app.panels import controls
 from sandbox.app.panels.layout import divide
 from sandbox.app.runs.session import Session
@@ -70,3 +72,20 @@ def test_a_speed_that_is_as_good_as_reached_is_not_told() -> None:
 
     assert noted(0.97) == "of 100.00 s"
     assert noted(0.5).startswith("running at 0.5×, not 1×")
+
+
+def test_an_energy_that_is_rounding_beside_the_rest_is_told_as_none(
+    pen: Pen, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    written: list[str] = []
+    write = pen.write
+
+    def noted(text: str, size: int = 14, *more: object) -> pygame.Surface:
+        written.append(text)
+        return write(text, size, *more)
+
+    monkeypatch.setattr(pen, "write", noted)
+    start, now = Energies(50.0, 11.77, 61.77), Energies(1.2e-63, 1.962, 1.962)
+    energy(pen, WIDTH, start, now, pygame.Surface((WIDTH, 60)))
+
+    assert {"0 J", "1.962 J"} <= set(written)

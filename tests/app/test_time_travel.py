@@ -302,10 +302,33 @@ def test_an_earlier_run_with_other_parameters_stays_as_a_trail() -> None:
     take(session, 20)
     session.restart({"angle": 30, "speed": 20})
 
-    assert [run.label for run in session.earlier] == ["angle = 45", "speed = 25, angle = 60"]
+    labels = [run.label(session.values) for run in session.earlier]
+    assert labels == ["angle = 45", "speed = 25, angle = 60"]
     assert all(len(run.trail) == 21 for run in session.earlier)
     session.restart()
     assert len(session.earlier) == 2
+
+
+def test_an_earlier_run_is_told_by_all_in_which_it_differs() -> None:
+    session = opened("kinematics/projectile")
+    take(session, 20)
+    session.restart({"speed": 20})
+    session.restart({"angle": 60, "speed": 20})
+
+    labels = [run.label(session.values) for run in session.earlier]
+    assert labels == ["speed = 25, angle = 45"]
+
+
+def test_of_two_earlier_runs_with_one_value_alike_both_stay() -> None:
+    session = opened("kinematics/projectile")
+    take(session, 20)
+    session.restart({"speed": 20, "angle": 45})
+    session.restart({"speed": 25, "angle": 60})
+    take(session, 20)
+    session.restart({"speed": 20, "angle": 60})
+
+    labels = [run.label(session.values) for run in session.earlier]
+    assert labels == ["speed = 25, angle = 45", "speed = 25"]
 
 
 def track_of(person: Person) -> pygame.Rect:

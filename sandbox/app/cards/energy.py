@@ -100,11 +100,13 @@ def _change(start: Energies, now: Energies) -> str:
 def _legend(card: Card, rows: Sequence[tuple[str, float, Color]]) -> None:
     """Add the energies beside each other, in the colours of their lines."""
     pen, column = card.pen, card.width // len(rows)
+    scale = max(abs(value) for _, value, _ in rows)
     for i, (name, value, color) in enumerate(rows):
         word = pen.write(name, 12, color)
         card.put(word, i * column)
         card.put(
             energy_graph.sample(i, (pen.px(18), word.height)), i * column + word.width + pen.px(5)
         )
-        card.put(pen.write(formatting.quantity(value, "J", 4), 13), i * column, pen.height(12) - 2)
+        text = formatting.quantity(formatting.without_rounding(value, scale), "J", 4)
+        card.put(pen.write(text, 13), i * column, pen.height(12) - 2)
     card.y += pen.height(12) + pen.height(13)

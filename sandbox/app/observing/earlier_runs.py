@@ -39,29 +39,33 @@ class Earlier(NamedTuple):
 
     Attributes
     ----------
-    values
-        The parameters that were changed after it, with the values that they had, in words; empty
-        where a hand changed it.
+    changed
+        The parameters that were changed after it; none where a hand changed it.
     left
         When a branch left it [s]; None if the next run started anew.
     trail, history, world
         As of what was observed.
     """
 
-    values: str
+    changed: frozenset[str]
     left: float | None
     trail: Trail
     history: History
     world: World
 
-    @property
-    def label(self) -> str:
-        """What it is, in words."""
+    def label(self, now: Values) -> str:
+        """Say what it is, beside a run with some parameters: all in which they differ."""
+        told = self.changed | _differing(self.world.values, now)
+        values = ", ".join(f"{n} = {v:.6g}" for n, v in self.world.values.items() if n in told)
         if self.left is None:
-            return self.values
-        if not self.values:
+            return values
+        if not values:
             return say("left at {t:.2f} s", t=self.left)
-        return say("{values}, left at {t:.2f} s", values=self.values, t=self.left)
+        return say("{values}, left at {t:.2f} s", values=values, t=self.left)
+
+    def repeats(self, other: "Earlier") -> bool:
+        """Whether it had the parameters of another one, and was left at the same time."""
+        return self.left == other.left and self.world.values == other.world.values
 
 
 def alike(world: World, other: World) -> bool:
@@ -85,13 +89,15 @@ def kept(
     left
         When a branch left it [s]; None if the next run starts anew.
     """
-    before = run.world.values
-    changed = ", ".join(f"{n} = {v:.6g}" for n, v in before.items() if v != values.get(n, v))
-    made = Earlier(changed, left, *run)
-    others = tuple(one for one in earlier if one.label != made.label)
-    if (changed and len(others) < len(earlier)) or _is_brief(run):
+    made = Earlier(_differing(run.world.values, values), left, *run)
+    others = tuple(one for one in earlier if not one.repeats(made))
+    if (made.changed and len(others) < len(earlier)) or _is_brief(run):
         return earlier
     return (*others, made)[-len(theme.LANES) :]
+
+
+def _differing(values: Values, others: Values) -> frozenset[str]:
+    return frozenset(name for name, value in values.items() if value != others.get(name, value))
 
 
 def _is_brief(run: Observed) -> bool:

@@ -176,19 +176,30 @@ class LevelList:
 
     def _row(self, level: Entry) -> Row:
         """Return a new button, in its place."""
+        caption, told = self._caption(level)
+        place = self._px(MARGIN), self._tops[level], self._width, self._px(ROW)
+        row = Row(
+            pygame.Rect(place), caption, self._container.ui_manager, tool_tip_text=told,
+            container=self._container, object_id=ObjectID(class_id="@level"),
+        )  # fmt: skip
+        press(row, level.path == self._chosen)
+        return row
+
+    def _caption(self, level: Entry) -> tuple[str, str | None]:
+        """Return what stands on a level's button, and what it says while the mouse rests on it."""
         stars = self._progress.stars(level.original.title)
         mark = f"   {stars * STAR}" if stars else ""
         room = self._width - self._px(18) - self._pen.write(mark, 13).width
         shown = self._pen.shorten(level.title, room, 13)
         earned = plural("{count} star earned", "{count} stars earned", stars) if stars else None
-        place = self._px(MARGIN), self._tops[level], self._width, self._px(ROW)
-        row = Row(
-            pygame.Rect(place), shown + mark, self._container.ui_manager,
-            container=self._container, object_id=ObjectID(class_id="@level"),
-            tool_tip_text=earned if shown == level.title else level.title,
-        )  # fmt: skip
-        press(row, level.path == self._chosen)
-        return row
+        return shown + mark, earned if shown == level.title else level.title
+
+    def mark_stars(self) -> None:
+        """Let the rows show the stars that have been earned by now."""
+        self._progress = Progress()
+        for level, row in self.rows.items():
+            caption, row.tool_tip_text = self._caption(level)
+            row.set_text(caption)
 
     def _show(self) -> None:
         """Put what is sought for in rows, and hide the rest; the chapters head all of them only."""

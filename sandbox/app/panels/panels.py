@@ -165,6 +165,11 @@ class Panels:
         if self.list is not None:
             self.list.update()
 
+    def mark_stars(self) -> None:
+        """Let the list show the stars that have been earned by now."""
+        if self.list is not None:
+            self.list.mark_stars()
+
     def turn(self, pages: float) -> None:
         """Scroll what can be scrolled by a part of what is seen of it at once."""
         turned = self.side or self.refusal

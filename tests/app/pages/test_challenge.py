@@ -1,5 +1,7 @@
 """The page of a challenge, as somebody who plays meets it."""
 
+from pathlib import Path
+
 import pygame
 import pytest
 
@@ -62,6 +64,24 @@ def test_a_solved_challenge_earns_its_stars_and_its_title_a_mark(person: Person)
     listed = person.window.panels.list
     assert isinstance(listed, LevelList)
     assert listed.button(catalog.find(LEVEL).resolve()).text.endswith("•••")
+
+
+def test_a_title_that_is_seen_has_its_mark_as_soon_as_the_stars_are_earned(
+    person: Person, tmp_path: Path
+) -> None:
+    own = tmp_path / "own.json"
+    own.write_bytes(catalog.find(LEVEL).read_bytes())
+    person.window.open_level(str(own))
+    person.wait()
+    listed = person.window.panels.list
+    assert isinstance(listed, LevelList)
+    row = listed.button(own.resolve())
+    assert (row.text, row.tool_tip_text) == ("Stop dead", None)
+
+    person.session.restart({"m2": 2, "v1": 3})
+    play_to_the_end(person)
+
+    assert (row.text, row.tool_tip_text) == ("Stop dead   •••", "3 stars earned")
 
 
 def test_fewer_stars_than_before_change_nothing(person: Person) -> None:

@@ -9,6 +9,7 @@ import pygame
 import pytest
 
 from sandbox.app import film
+from sandbox.app.background import Background
 from sandbox.app.files import own_files
 from sandbox.app.pages.share.panel import KINDS, SharePage
 from sandbox.app.runs import runfile
@@ -148,3 +149,31 @@ def test_without_the_encoders_a_film_says_what_to_install(
 
     assert list(film.film(run, tmp_path / "x.gif", "gif")) == [film.LACKING]
     assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize("second", ["GIF", "MP4"])
+def test_a_film_that_is_being_made_is_not_given_up_for_another(
+    person: Person, second: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    begun: list[object] = []
+    monkeypatch.setattr(Background, "running", property(lambda _: bool(begun)))
+    monkeypatch.setattr(Background, "start", lambda _, *work: begun.append(work))
+    shown = played(person)
+
+    person.click(shown.button("GIF").rect)
+    person.click(shown.button(second).rect)
+
+    assert len(begun) == 1
+    assert person.window.banner.tells("one film at a time: the next when this one is saved")
+
+
+def test_how_far_a_film_is_has_its_place_on_the_page(
+    person: Person, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    shown = played(person)
+    free = shown._state.relative_rect.copy()
+
+    monkeypatch.setattr(Background, "running", True)
+    shown.update()
+
+    assert shown._state.relative_rect == free

@@ -81,9 +81,10 @@ def _earlier(
     names = list(dict.fromkeys([across, *these]))
     for run in session.earlier:
         columns, _ = measured(run.world, run.history, names)
+        label = run.label(session.values)
         for name in these:
             color = list(up).index(name)
-            yield Curve(f"{name}, {run.label}", "earlier", color, columns[across], columns[name])
+            yield Curve(f"{name}, {label}", "earlier", color, columns[across], columns[name])
 
 
 def _of_the_formula(name: str) -> str:

@@ -32,11 +32,15 @@ class Filming:
     def begin(self, session: Session, kind: Kind) -> str:
         """Begin a film of the run so far, and return the message for it.
 
+        One that is being made is not given up: then it is told that the next must wait.
+
         Raises
         ------
         SandboxError
             If there is no folder for it.
         """
+        if self.running:
+            return say("one film at a time: the next when this one is saved")
         path = path_for(session, f".{kind}")
         self.done, self.news = 0.0, object()
         self._work.start(film, run_of(session), path, kind)

@@ -94,6 +94,7 @@ class SharePage:
         if self._filming.running:
             message = say("Filming: {share:.0%}", share=self._filming.done)
             card.text(message, 14, theme.NOTICE)
+        card.y = max(card.y, self._sheet.pen.height(14))  # a line is kept for it
         return card.drawn()
 
 
