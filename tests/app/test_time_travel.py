@@ -111,7 +111,7 @@ def test_something_new_at_an_earlier_step_starts_another_future_and_the_old_one_
     assert kinds(session) == ["grab", "drag", "drag", "release", "place"]
     assert [action.step for action in session.all_actions] == [10, 10, 15, 17, 17]
     (left,) = session.earlier
-    assert left.label.startswith("left at ")
+    assert left.label(session.values).startswith("left at ")
     assert left.world.steps == 40
     assert session.later is None
     state = take(session, 20)
@@ -303,7 +303,7 @@ def test_an_earlier_run_with_other_parameters_stays_as_a_trail() -> None:
     session.restart({"angle": 30, "speed": 20})
 
     labels = [run.label(session.values) for run in session.earlier]
-    assert labels == ["angle = 45", "speed = 25, angle = 60"]
+    assert labels == ["speed = 25, angle = 45", "speed = 25, angle = 60"]
     assert all(len(run.trail) == 21 for run in session.earlier)
     session.restart()
     assert len(session.earlier) == 2
