@@ -17,6 +17,7 @@ from sandbox.app.pages.register import PAGES, opening
 from sandbox.app.pages.workers import Workers
 from sandbox.app.panels import messages
 from sandbox.app.panels.panels import Panels
+from sandbox.app.runs import runfile
 from sandbox.app.runs.remedy_search import Advising
 from sandbox.app.runs.session import Session
 from sandbox.app.runs.undoing import Undoing
@@ -164,20 +165,17 @@ class Workspace:
         accuracy: float | None = None,
         rate: float | None = None,
     ) -> None:
-        """Open the level of a file, at a rate if one is given [Hz]; if it cannot be, say why."""
+        """Open the level of a file, at a rate if one is given [Hz]; if it cannot be, say why.
+
+        Of a run's file its level is opened, with all that was done to it.
+        """
         self.files.read_again(path)
         self.panels.home.leave()
         another = path != self.path
         self.path, self._settings, self._accuracy = path, settings or {}, accuracy
+        ran = path.name.endswith(runfile.SUFFIX)
         try:
-            if path.is_file() and path.stat().st_size > LONG:
-                self._say_first(say("Reading {file} …", file=path.name))
-            level = self._read(path)
-            parts = len(level.bodies) + len(level.joints)
-            if parts > MANY:
-                message = later("Building {title}: {count:,} bodies and joints …")
-                self._say_first(say(message, title=_title(level), count=parts))
-            session = Session(level, choose(level, self._settings), rate, patient=False)
+            session = runfile.session_of(runfile.read(path)) if ran else self._begun(path, rate)
         except SandboxError as error:
             self._refuse(path, error)
             self._refused_rate = error.rate if isinstance(error, SimulationError) else None
@@ -185,18 +183,37 @@ class Workspace:
         if self.session is not None:
             session.speed = self.session.speed
         self.session, self._refused = session, None
-        self.banner.tell("")
-        self._remember(path)
-        if leans(session.world):
-            message = later("The solver's sweeps do not settle this pile: it may lean or fall")
-            self.banner.tell(say(message))
+        self._tell_of(session, path, ran=ran)
         self._world = session.world
         self.stage.use(session.world)
         self.stage.fit()
         if another:
-            self.panels.show(opening(level, self.panels.page))
-        self._entitle(level)
+            self.panels.show(opening(session.original, self.panels.page))
+        self._entitle(session.original)
         self.lay_out()
+
+    def _begun(self, path: Path, rate: float | None) -> Session:
+        """Return a session of the level of a file; what takes long is said before."""
+        if path.is_file() and path.stat().st_size > LONG:
+            self._say_first(say("Reading {file} …", file=path.name))
+        level = self._read(path)
+        parts = len(level.bodies) + len(level.joints)
+        if parts > MANY:
+            message = later("Building {title}: {count:,} bodies and joints …")
+            self._say_first(say(message, title=_title(level), count=parts))
+        return Session(level, choose(level, self._settings), rate, patient=False)
+
+    def _tell_of(self, session: Session, path: Path, *, ran: bool) -> None:
+        """Say what there is to know of what was opened; keep a person's own file in mind."""
+        self.banner.tell("")
+        if ran:  # it is no level's file, to be watched or written to
+            self.path = None
+            self.banner.tell(say("{file} plays as it did, with all that was done", file=path.name))
+        else:
+            self._remember(path)
+        if leans(session.world):
+            message = later("The solver's sweeps do not settle this pile: it may lean or fall")
+            self.banner.tell(say(message))
 
     def _say_first(self, text: str) -> None:
         """Show a sentence at once, over what is shown: what comes now holds up the next frame."""

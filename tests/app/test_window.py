@@ -16,6 +16,7 @@ from sandbox.app.panels import messages
 from sandbox.app.panels.controls import Controls
 from sandbox.app.panels.footer import counted
 from sandbox.app.panels.layout import divide
+from sandbox.app.runs import runfile
 from sandbox.model import catalog
 from sandbox.physics.measuring.recording import count_steps
 from sandbox.physics.run import build
@@ -560,6 +561,47 @@ def test_a_level_is_opened_by_dropping_its_file(person: Person, tmp_path: Path) 
     person.wait()
 
     assert person.session.level.title == "A falling ball"
+
+
+def test_a_run_is_played_again_by_dropping_its_file(person: Person, tmp_path: Path) -> None:
+    person.open(tmp_path, scenes.falling())
+    session, body = person.session, "ball"
+    x, y = map(float, session.world.snapshot.position[list(session.world.scene.bodies).index(body)])
+    for step in range(20):
+        if step == 2:
+            session.grab(body, (x, y))
+            session.drag((x + 0.5, y))
+        if step == 12:
+            session.release()
+        session.step()
+    saved = runfile.run_of(person.session)
+    path = tmp_path / f"mine{runfile.SUFFIX}"
+    runfile.save(saved, path)
+    person.window.open_level("kinematics/free-fall")
+
+    pygame.event.post(pygame.Event(pygame.DROPFILE, file=str(path)))
+    person.wait()
+    assert person.window.session is not None, person.window.panels.refusal
+    assert person.session.world.steps == 0
+    while person.session.world.steps < saved.steps:
+        person.session.step()
+
+    assert runfile.is_same(saved, person.session)
+    assert person.window.path is None
+    assert person.window.banner.tells(f"{path.name} plays as it did, with all that was done")
+    assert person.session.actions
+
+
+def test_a_file_of_a_run_that_is_none_says_so(person: Person, tmp_path: Path) -> None:
+    path = tmp_path / f"mine{runfile.SUFFIX}"
+    path.write_text("{}", encoding="utf-8")
+
+    pygame.event.post(pygame.Event(pygame.DROPFILE, file=str(path)))
+    person.wait()
+
+    assert person.window.session is None
+    assert person.window.panels.refusal is not None
+    assert "is not the file of a run" in person.window.panels.refusal.text
 
 
 def test_a_run_that_had_to_stop_says_why_and_restarts(person: Person, tmp_path: Path) -> None:

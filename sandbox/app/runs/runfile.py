@@ -19,6 +19,9 @@ from sandbox.model.loading import choose, parse
 from sandbox.model.message import Message
 from sandbox.physics.state.snapshot import Snapshot
 
+SUFFIX = ".run.json"
+"""How the name of a run file ends."""
+
 LARGEST = 100_000_000
 """Bytes of a run file: what is larger is not read."""
 

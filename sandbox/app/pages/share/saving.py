@@ -53,7 +53,7 @@ def screenshot(session: Session) -> Path:
 
 def run(session: Session) -> Path:
     """Save the run so far, to be replayed."""
-    path = path_for(session, ".run.json")
+    path = path_for(session, runfile.SUFFIX)
     runfile.save(runfile.run_of(session), path)
     return path
 
