@@ -28,9 +28,10 @@ ROUNDING = 1e-11
 KNOWN = 1e-13
 """and the share of what could be stored in the scene by which that is known."""
 
-MUCH = 0.25
+MUCH = 1 / 15
 """The share of what was turned over beyond which no books close, whatever the scheme may leave: as
-much as of a spring that swings by a radian a step."""
+much as of a spring at the lowest rate that is advised for it. Where a jerk or an impact sets the
+bound, that alone would let pass what was in motion."""
 
 NOTHING = 1e-9
 """What is turned over is nothing if it is less than this share of that."""

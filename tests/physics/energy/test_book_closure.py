@@ -62,11 +62,20 @@ def test_what_overlaps_gave_is_told() -> None:
     assert "J of it by taking back overlaps" in found.text
 
 
-def test_books_of_far_too_coarse_steps_do_not_close_whatever_these_may_leave() -> None:
-    found = Closing(turned=7000, unexplained=3500, overlaps=0, bound=9500, scale=7000)
+@pytest.mark.parametrize(
+    ("unexplained", "text"),
+    [
+        (3500, "3.5e+03 J of 7e+03 J unexplained (50 %)"),
+        (500, "5e+02 J of 7e+03 J unexplained (7.1 %)"),
+    ],
+)
+def test_books_of_far_too_coarse_steps_do_not_close_whatever_these_may_leave(
+    unexplained: float, text: str
+) -> None:
+    found = Closing(turned=7000, unexplained=unexplained, overlaps=0, bound=9500, scale=7000)
 
     assert not found.closes
-    assert found.text == "3.5e+03 J of 7e+03 J unexplained (50 %)"
+    assert found.text == text
 
 
 def test_what_rests_turns_nothing_over() -> None:
