@@ -10,9 +10,12 @@ from typing import TYPE_CHECKING
 
 import pymunk
 
+from sandbox.model.effects.contact import Contact
+from sandbox.model.expressions import Values
 from sandbox.model.message import Message
 from sandbox.physics.contacts.contact_queries import touched
 from sandbox.physics.contacts.hollow_contacts import Hollows
+from sandbox.physics.contacts.shapes import slop_of
 from sandbox.physics.state.errors import SimulationError
 
 if TYPE_CHECKING:
@@ -28,11 +31,12 @@ ENOUGH = 1000
 def refuse_overlaps(
     space: pymunk.Space,
     bodies: Mapping[str, pymunk.Body],
-    slop: float,
+    contact: Contact,
+    values: Values,
     hollows: Hollows | None,
     gates: "Gates | None",
 ) -> None:
-    """Refuse bodies that overlap by more than what is left alone [m]; the worst is told.
+    """Refuse bodies that overlap by more than what is left alone; the worst is told.
 
     Those that never collide, for they are welded or neither moves, do not overlap.
 
@@ -41,9 +45,8 @@ def refuse_overlaps(
     SimulationError
         If two do.
     """
-    found = max(
-        islice(_pairs(space, bodies, max(TOUCHING, slop), hollows, gates), ENOUGH), default=None
-    )
+    least = max(TOUCHING, slop_of(space, contact, values))
+    found = max(islice(_pairs(space, bodies, least, hollows, gates), ENOUGH), default=None)
     if found:
         depth, one, other = found
         rule = Message(

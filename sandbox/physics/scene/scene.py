@@ -218,10 +218,8 @@ def _make_joints(
     joints = assemble(level, values, bodies, batch, inverse_mass, touches, direct=direct)
     if contact and not contact.overlaps:
         from sandbox.physics.contacts.overlaps import refuse_overlaps
-        from sandbox.physics.contacts.shapes import slop_of
 
-        slop = slop_of(space, contact, values)
-        refuse_overlaps(space, bodies, slop, pairs.hollows, pairs.gates)
+        refuse_overlaps(space, bodies, contact, values, pairs.hollows, pairs.gates)
     return joints
 
 
