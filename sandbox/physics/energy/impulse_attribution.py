@@ -54,7 +54,7 @@ class Attribution:
         self._hung = {list(scene.bodies).index(name) for joint in own for name in bodies_of(joint)}
 
     def begin(self) -> None:
-        """Begin with a kick. All that is booked until the next one is part of it."""
+        """Begin with a kick, or an impact. All that is booked until the next is part of it."""
         self._entries.begin()
 
     def book(
@@ -95,6 +95,7 @@ class Attribution:
 
     def jolt(self, jolt: "Jolt") -> None:
         """Book an impact of joints at one instant: what these take is lost."""
+        self.begin()
         kick = Kick(
             jolt.t,
             0.0,

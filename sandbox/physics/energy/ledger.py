@@ -260,6 +260,7 @@ class Ledger:
         self._entries.rub(sum(impact.rubbed for impact in impacts))
         if not self._causes.elastic:
             for impact in impacts:
+                self._causes.begin()
                 self._entries.lose("impacts", impact.pressed)
         self._entries.support(sum((impact.given for impact in impacts), collided.pulled))
         return collided.begun

@@ -28,10 +28,10 @@ class Entries:
         self.works = dict.fromkeys((*ledger_accounts.works(level), "hand"), 0.0)
         self.losses = dict.fromkeys(ledger_accounts.losses(level), 0.0)
         self.impulses = {name: np.zeros(3) for name in ledger_accounts.outside(level)}
-        self._lost: dict[str, float] = {}  # in the kick so far [J]
+        self._lost: dict[str, float] = {}  # in the kick or impact so far [J]
 
     def begin(self) -> None:
-        """Begin with a kick: until the next one it may take back what it has lost, and no more."""
+        """Begin with a kick, or an impact: it may take back what it has lost, and no more."""
         self._lost = {}
 
     def give(self, name: str, impulse: Array, place: Array) -> None:

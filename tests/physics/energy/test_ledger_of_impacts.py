@@ -1,8 +1,16 @@
 """What impacts, jerks and overlaps leave in the books."""
 
+import numpy as np
 import pytest
 
+from sandbox.physics.energy.ledger import Ledger
+from sandbox.physics.engine.batch import NO_CONTACTS
+from sandbox.physics.events.drift_events import Acted
+from sandbox.physics.events.impact_response import Collided, Impact
+from sandbox.physics.events.joint_impacts import Jolt
+from sandbox.physics.joints.joint_forces import Pulls
 from sandbox.physics.run import build
+from sandbox.physics.stepping.world import World
 from tests.physics.energy.test_ledger import rest, watched
 from tests.physics.scenes import GRAVITY, G, box, disc, floor, level
 
@@ -74,3 +82,46 @@ def test_taking_an_overlap_back_is_unexplained() -> None:
     books = watched(build(scene), 120)
 
     assert books[-1].unexplained == pytest.approx(G * 0.1, rel=1e-3)
+
+
+def struck() -> tuple[World, Ledger]:
+    """Return a world after a kick in which two balls have lost 2.25 J, and its books."""
+    world = build(level({"a": disc((-1, 0), velocity=[3, 0]), "b": disc((1, 0))}, {"contact": {}}))
+    ledger = Ledger(world)
+    while not ledger.balance.loss["impacts"]:
+        world.advance()
+        ledger.note()
+    world.advance()
+    return world, ledger
+
+
+@pytest.mark.parametrize(("works", "lost"), [((1.0,), 2.25), ((-2.0, 1.0), 4.25)])
+def test_no_impact_in_a_drift_takes_back_what_another_or_a_kick_lost(
+    monkeypatch: pytest.MonkeyPatch, works: tuple[float, ...], lost: float
+) -> None:
+    world, ledger = struck()
+    impacts = [
+        Impact((0, 1), 0.0, 1 + 0j, (0j,), 0j, 0.0, 0.0, 0.0, work, np.zeros(3)) for work in works
+    ]
+    cut = Collided(impacts, world.scene.batch.velocity(), 0.0, np.zeros(3))
+    monkeypatch.setattr(World, "last", world.last._replace(impacts=cut))
+    ledger.note()
+
+    assert ledger.balance.loss["impacts"] == pytest.approx(lost)
+
+
+def test_no_jolt_takes_back_what_the_kick_before_it_lost(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A joint gives 1 N s along the way of a ball of 1 kg that goes on at 1.5 m/s: 2 J."""
+    world, ledger = struck()
+    begun = world.scene.batch.velocity()
+    along = np.zeros((1, *begun.shape))
+    along[0, 1, 0] = 1.0
+    no = np.array([False])
+    pulls = Pulls(along, np.array([-1.0]), no, no, np.array(["rod"]))
+    place = world.scene.batch.state()[:, :3]
+    jolt = Jolt(world.last.t, place, begun, begun + along[0], pulls, NO_CONTACTS, elastic=False)
+    acted = Acted(begun, 0.0, (), (), np.zeros(3), 0.0, (jolt,))
+    monkeypatch.setattr(World, "last", world.last._replace(acted=acted))
+    ledger.note()
+
+    assert ledger.balance.loss["impacts"] == pytest.approx(2.25)
