@@ -61,8 +61,10 @@ def touched(
             yield Touched(hit.shape.body, normal, [(points[0], points[1])], verdict.depth)
         elif verdict:
             both = [(complex(*p.point_a), complex(*p.point_b)) for p in found.points]
-            depth = -min(point.distance for point in found.points)
-            yield Touched(hit.shape.body, complex(*found.normal), both, depth)
+            normal = complex(*found.normal)
+            # pymunk's own distance has the wrong sign where it looks at the other shape first
+            depth = max(dot(here - there, normal) for here, there in both)
+            yield Touched(hit.shape.body, normal, both, depth)
 
 
 class Query:

@@ -1,6 +1,6 @@
 """Bodies that overlap at the start are a mistake, unless the level says that it wants them to."""
 
-from math import sqrt
+from math import cos, sin, sqrt
 
 import pytest
 
@@ -9,6 +9,11 @@ from sandbox.physics.run import build
 from sandbox.physics.state.errors import SimulationError
 from tests.physics.scenes import Spec, box, disc, fixed, floor, level
 
+LINE: Spec = {
+    "shape": {"type": "segment", "start": [-1, 0], "end": [1, 0]},
+    "mass": 1,
+    "position": [0, 0.4],
+}
 HOOP: Spec = {"type": "hoop", "radius": 1}
 HALF: Spec = {"type": "arc", "radius": 1, "start": "180*deg", "end": "360*deg"}
 
@@ -25,6 +30,10 @@ def refused(bodies: dict[str, Spec], **contact: object) -> str:
         ({"a": disc((0, 0.4)), "b": floor()}, 0.1),
         ({"a": disc(), "b": disc((0.9, 0))}, 0.1),
         ({"a": box(), "b": box((0.3, 0.1))}, 0.2),
+        ({"a": box((0, 0.2)), "b": floor()}, 0.05),
+        ({"a": box((0, 0.2), angle=0.1), "b": floor()}, 0.25 * (cos(0.1) + sin(0.1)) - 0.2),
+        ({"a": box((0, 0.7)), "b": fixed({"type": "disc", "radius": 0.5})}, 0.05),
+        ({"a": LINE, "b": fixed({"type": "disc", "radius": 0.5})}, 0.1),
         ({"a": disc((0.6, 0)), "b": fixed(HOOP)}, 0.1),
         ({"a": disc((1.4, 0)), "b": fixed(HOOP)}, 0.1),
         ({"a": disc((0, -0.6)), "b": fixed(HALF)}, 0.1),
