@@ -25,6 +25,19 @@ LONGEST = 12
 WIDTH = divide((1280, 800), levels=True, side=True).side.width - MARGIN - BAR
 
 
+def noted(pen: Pen, monkeypatch: pytest.MonkeyPatch) -> list[str]:
+    """Return a list of what the pen writes from now on."""
+    written: list[str] = []
+    write = pen.write
+
+    def note(text: str, size: int = 14, *more: object) -> pygame.Surface:
+        written.append(text)
+        return write(text, size, *more)
+
+    monkeypatch.setattr(pen, "write", note)
+    return written
+
+
 @pytest.mark.sweep
 def test_every_label_of_a_parameter_is_written_whole(
     pen: Pen, monkeypatch: pytest.MonkeyPatch
@@ -32,14 +45,7 @@ def test_every_label_of_a_parameter_is_written_whole(
     pygame.display.set_mode((1280, 800))
     manager = UIManager((1280, 800), theme.widgets(1.0))
     container = UIScrollingContainer(pygame.Rect(0, 0, WIDTH, 740), manager)
-    written: list[str] = []
-    write = pen.write
-
-    def noted(text: str, size: int = 14, *more: object) -> pygame.Surface:
-        written.append(text)
-        return write(text, size, *more)
-
-    monkeypatch.setattr(pen, "write", noted)
+    written = noted(pen, monkeypatch)
     levels = [load(catalog.find(name)) for name in catalog.names()]
     labelled = [(level, n, p) for level in levels for n, p in level.parameters.items()]
     for level, name, parameter in sorted(labelled, key=lambda each: len(each[2].label))[-LONGEST:]:
@@ -77,14 +83,7 @@ def test_a_speed_that_is_as_good_as_reached_is_not_told() -> None:
 def test_an_energy_that_is_rounding_beside_the_rest_is_told_as_none(
     pen: Pen, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    written: list[str] = []
-    write = pen.write
-
-    def noted(text: str, size: int = 14, *more: object) -> pygame.Surface:
-        written.append(text)
-        return write(text, size, *more)
-
-    monkeypatch.setattr(pen, "write", noted)
+    written = noted(pen, monkeypatch)
     start, now = Energies(50.0, 11.77, 61.77), Energies(1.2e-63, 1.962, 1.962)
     energy(pen, WIDTH, start, now, pygame.Surface((WIDTH, 60)))
 

@@ -44,6 +44,13 @@ def arrive_in(session: Session) -> None:
         session.update(1 / 60)
 
 
+def lift(session: Session) -> None:
+    """Put the left body of an Atwood machine a metre higher."""
+    session.grab("left", (-0.6, 0.0))
+    session.drag((-0.6, 1.0))
+    session.release()
+
+
 @pytest.mark.parametrize("name", LEVELS)
 def test_a_run_that_goes_back_comes_to_the_same_states_again(name: str) -> None:
     session = opened(name)
@@ -104,9 +111,7 @@ def test_something_new_at_an_earlier_step_starts_another_future_and_the_old_one_
     session, _ = pulled()
     go_to(session, 17)  # while the body is held
 
-    session.grab("left", (-0.6, 0.0))
-    session.drag((-0.6, 1.0))
-    session.release()
+    lift(session)
 
     assert kinds(session) == ["grab", "drag", "drag", "release", "place"]
     assert [action.step for action in session.all_actions] == [10, 10, 15, 17, 17]
@@ -154,9 +159,7 @@ def test_what_was_recorded_on_both_sides_of_a_move_is_shown_at_once(
     session = opened("newton/atwood")
     early = take(session, 20)
     take(session, 10)
-    session.grab("left", (-0.6, 0.0))
-    session.drag((-0.6, 1.0))
-    session.release()
+    lift(session)
     late = take(session, 20)
     take(session, 10)
     go_to(session, 25)
@@ -213,9 +216,7 @@ def test_nothing_recorded_is_shown_of_another_run(monkeypatch: pytest.MonkeyPatc
     session = opened("newton/atwood")
     take(session, 30)
     go_to(session, 10)
-    session.grab("left", (-0.6, 0.0))
-    session.drag((-0.6, 1.0))
-    session.release()
+    lift(session)
     slowly(monkeypatch)
 
     session.go_to(25)
@@ -250,9 +251,7 @@ def test_a_run_on_its_way_does_not_branch(monkeypatch: pytest.MonkeyPatch) -> No
 def test_a_body_that_was_put_elsewhere_is_put_there_again() -> None:
     session = opened("newton/atwood")
     take(session, 5)
-    session.grab("left", (-0.6, 0.0))
-    session.drag((-0.6, 1.0))
-    session.release()
+    lift(session)
     moved = take(session, 10)
     take(session, 10)
 

@@ -112,7 +112,7 @@ def bounce(kick: Kick, came: Array, strikes: Booleans) -> tuple[Array, Array]:
     impulse = takes(1.0, EXACT)
     if impulse is None:
         low, high = 0.0, 1.0
-        for _ in range(HALVINGS * leaves.any()):
+        for _ in range(HALVINGS if leaves.any() else 0):
             share = (low + high) / 2
             low, high = (low, share) if takes(share, 0.0) is None else (share, high)
         impulse = rebound(low)[0]

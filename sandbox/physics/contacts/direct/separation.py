@@ -117,7 +117,7 @@ def _stay_apart(here: Both, there: Both, falls: tuple[float, float, float]) -> b
     for own in (0, 1):
         if here[own].normals:
             high, side = here[own].shows(here[1 - own])
-            if high > falls[own] < there[own].lowest(there[1 - own], side):
+            if high > falls[own] and there[own].lowest(there[1 - own], side) > falls[own]:
                 return True
     way = min([q - p for p in here[0].corners for q in here[1].corners], key=abs)
     return bool(way) and all(_apart(both, way / abs(way)) > resting for both in (here, there))
