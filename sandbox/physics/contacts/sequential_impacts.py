@@ -48,6 +48,13 @@ class Impacts(NamedTuple):
     velocity: Array
     impulse: Array
 
+    @classmethod
+    def none(cls, count: int) -> "Impacts":
+        """Return that so many bodies had no impact."""
+        none: Array = np.zeros((count, 3))
+        none.setflags(write=False)
+        return cls(np.zeros(count, dtype=bool), none, none, none[:, 0])
+
 
 class Sequence:
     """Finds the impacts of a step, and lets one come after the other; n bodies.
@@ -83,8 +90,7 @@ class Sequence:
         self._place = self._begun = self._smooth = np.zeros_like(inverse_mass)
         self._lasted = dt
         self._before: partial[Array] | None = None  # what held in the kick before that
-        none = np.zeros(len(inverse_mass), dtype=bool)
-        self.last = Impacts(none, self._begun, self._begun, self._begun[:, 0])
+        self.last = Impacts.none(len(inverse_mass))
         self._asked, self._pushes = b"", np.zeros(0)  # the last pile-up, and what came of it
         self._places = _Places.of(NO_CONTACTS, self._turning)
 

@@ -16,13 +16,13 @@ Rows may repeat each other, as the two feet of a welded table do: the forces are
 only what they add up to. The least that contacts can give are taken.
 """
 
-from functools import cached_property
 from math import inf, sqrt
 
 import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.constraint_rows import Active, Problem
+from sandbox.physics.contacts.direct.friction_bounds import FrictionBounds
 from sandbox.physics.contacts.direct.linear_complementarity import FAINT, by_lemke
 from sandbox.physics.contacts.direct.linear_systems import (
     REPEATS,
@@ -143,25 +143,11 @@ class _Scaled:
         self._problem, self._rate, self._size, self._blur = problem, rate, size, blur
         self._lets = lets
         self._delassus = delassus + give * np.eye(len(rate)) if give else delassus
-        self._row, self._contact = problem.friction.row, problem.friction.contact
+        self._friction = FrictionBounds(problem.friction, size)
+        self._row = problem.friction.row
         self._settled = not (len(self._row) or np.count_nonzero(problem.pushes))  # joints alone
         self._largest = 0.0 if self._settled else most(rate)
         self._circles: set[bytes] = set()  # what leads nowhere
-
-    @cached_property
-    def _share(self) -> Array:
-        """How friction is scaled by the impulse of each contact: (2, f)."""
-        return np.asarray(self._size.take(self._row) / self._size.take(self._contact))
-
-    @cached_property
-    def _sticks(self) -> Array:
-        """How large friction that sticks may be by the impulse of each contact: (2, f)."""
-        return self._problem.friction.shares[0] * self._share
-
-    @cached_property
-    def _slips(self) -> Array:
-        """How large friction that slips is by the impulse of each contact: (2, f)."""
-        return self._problem.friction.shares[1] * self._share
 
     @property
     def _asked(self) -> float:
@@ -202,7 +188,8 @@ class _Scaled:
     def _by_corners(self) -> tuple[Array, Active]:
         """Return the same by Lemke's method."""
         least = MISSED * self._asked + most(self._blur)
-        missed, bounds = self._missed(np.zeros_like(self._rate)), self._shares(self._slips)
+        missed = self._missed(np.zeros_like(self._rate))
+        bounds = self._friction.slipping_by_each()
         for soft in SOFT:
             rough = by_lemke(self._problem, self._delassus, self._rate, bounds, soft)
             if rough is None:
@@ -252,7 +239,7 @@ class _Scaled:
             matrix = self._delassus.take(rows, axis=0).take(rows, axis=1)
             impulse[rows], repeats = solved(matrix, -self._rate[rows])
             return impulse, repeats
-        gives = self._gives(active.slip)[:, rows]
+        gives = self._friction.follow(active.slip)[:, rows]
         found, repeats = solved(self._delassus.take(rows, axis=0) @ gives, -self._rate.take(rows))
         return gives @ found, repeats
 
@@ -262,35 +249,16 @@ class _Scaled:
         The same, if there are none: a least distance problem (Lawson and Hanson 1974, chapter 23).
         """
         rows = np.flatnonzero(active.on)
-        gives = self._gives(active.slip)[:, rows]
+        gives = self._friction.follow(active.slip)[:, rows]
         free = null(self._delassus[rows] @ gives)
         ways = gives @ free
         pushes = np.flatnonzero(self._problem.pushes & active.on)
         held = np.flatnonzero(active.on[self._row])
-        unit, bounds = np.eye(len(impulse)), self._shares(self._sticks)[held]
+        unit, bounds = np.eye(len(impulse)), self._friction.sticking_by_each()[held]
         along = unit[self._row[held]]
         limits = np.concatenate((unit[pushes], bounds - along, bounds + along))
         way = least_distance(limits @ ways, -(limits @ impulse))
         return impulse if way is None else impulse + ways @ way
-
-    def _gives(self, slip: Integers) -> Array:
-        """Return what impulses follow from those of rows that hold: (m, m)."""
-        gives = np.eye(len(self._rate))
-        for contact, share in zip(self._contact, self._slips * slip, strict=True):
-            gives[self._row, contact] += share
-        return gives
-
-    def _shares(self, coefficients: Array) -> Array:
-        """Return how large friction may be by each impulse: (f, m); of no contact it is 0."""
-        shares, slip = np.zeros((len(self._row), len(self._rate))), np.arange(len(self._row))
-        for contact, share in zip(self._contact, coefficients, strict=True):
-            shares[slip, contact] += share
-        return shares
-
-    def _bounds(self, impulse: Array, coefficients: Array) -> Array:
-        """Return how large the impulses of friction may be: (f,)."""
-        bounds = coefficients * np.maximum(impulse.take(self._contact), 0.0)
-        return np.asarray(bounds[0] + bounds[1])
 
     def _holds(self, rate: Array, active: Active) -> bool:
         """Return whether rows that are to hold do, and do not contradict each other."""
@@ -312,10 +280,10 @@ class _Scaled:
         if not len(self._row):
             return Active(on, active.slip) if np.count_nonzero(wrong) else None
         friction, row, slip = self._problem.friction, self._row, active.slip
-        pressing = on.take(self._contact) & friction.there
+        pressing = on.take(self._friction.contact) & friction.there
         on[row] = presses = pressing[0] | pressing[1]
         own = impulse.take(row)
-        beyond = active.on.take(row) & (np.abs(own) > self._bounds(impulse, self._sticks) + close)
+        beyond = active.on.take(row) & (np.abs(own) > self._friction.sticking(impulse) + close)
         if np.count_nonzero(slip) or np.count_nonzero(beyond):
             slip = np.where(slip * rate.take(row) > still.take(row), 0, slip)
             slip[beyond] = np.sign(own[beyond])
@@ -330,7 +298,7 @@ class _Scaled:
         on = self._problem.free | (self._problem.pushes & (impulse > close))
         slip = np.zeros(len(self._row), dtype=np.intp)
         if len(self._row):
-            bound, own = self._bounds(impulse, self._slips), impulse[self._row]
+            bound, own = self._friction.slipping(impulse), impulse[self._row]
             at_bound = (np.abs(own) >= bound * (1 - 1e-9)) & (bound > close)
             slip[at_bound] = np.sign(own[at_bound])
             on[self._row] = (bound > close) & ~at_bound
@@ -346,7 +314,7 @@ class _Scaled:
         missed = np.abs(np.where(self._problem.free, rate, np.minimum(impulse, rate)))
         missed[~(self._problem.free | self._problem.pushes)] = 0.0
         own, slip = impulse[self._row], rate[self._row]
-        bounds = (self._bounds(impulse, share) for share in (self._sticks, self._slips))
+        bounds = self._friction.sticking(impulse), self._friction.slipping(impulse)
         off = [np.abs(own - np.clip(own - slip, -bound, bound)) for bound in bounds]
         missed[self._row] = np.minimum(*off)
         return np.where(np.isfinite(missed), missed, np.inf)

@@ -6,7 +6,7 @@ from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.constraint_rows import Active
 from sandbox.physics.contacts.direct.held_contacts import check_held, without_held
 from sandbox.physics.contacts.direct.kick_system import Kick
-from sandbox.physics.contacts.direct.linear_systems import CUT
+from sandbox.physics.contacts.direct.linear_systems import nearest
 from sandbox.physics.contacts.direct.newton import newton
 from sandbox.physics.contacts.direct.row_layout import Layout
 from sandbox.physics.joints.exact.constraints import GROWS
@@ -132,5 +132,5 @@ def _joined(kick: Kick, motion: Array) -> Array:
         return motion
     jacobian, response = kick.here.jacobian[held], kick.response[held]
     rates = jacobian @ motion + kick.joint_rates()[held]
-    impulse = np.linalg.lstsq(jacobian @ response.T, rates, rcond=CUT)[0]
+    impulse = nearest(jacobian @ response.T, rates)
     return np.asarray(motion - impulse @ response)

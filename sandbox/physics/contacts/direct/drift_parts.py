@@ -10,7 +10,7 @@ import numpy as np
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.constraint_rows import Active
 from sandbox.physics.contacts.direct.drift_subdivision import Between, Divided
-from sandbox.physics.contacts.direct.kick_parts import Stage
+from sandbox.physics.contacts.direct.kick_parts import Stage, Taken
 from sandbox.physics.contacts.direct.kick_system import Kick
 from sandbox.physics.engine.batch import Booleans, Integers
 from sandbox.physics.joints.exact.constraints import GROWS, Coordinates, inertia_of, order
@@ -48,6 +48,13 @@ class Part(NamedTuple):
     active: Active
     moved: Array
     before: tuple[Stage, ...] = ()
+
+    @classmethod
+    def after(cls, taken: Taken, drift: float, moved: Array) -> "Part":
+        """Return the whole drift after a kick, so long [s], with velocities (3 N,)."""
+        begun, lasts, forces, active = taken.begun, taken.lasts, taken.forces, taken.active
+        before = taken.stages[:-1]
+        return cls(taken.kick, drift, drift, begun, lasts, forces, active, moved, before)
 
     @property
     def pulls(self) -> Array:

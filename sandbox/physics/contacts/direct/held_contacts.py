@@ -9,7 +9,7 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.kick_system import Kick
-from sandbox.physics.contacts.direct.linear_systems import CUT
+from sandbox.physics.contacts.direct.linear_systems import CUT, nearest
 from sandbox.physics.contacts.direct.row_layout import Layout
 from sandbox.physics.contacts.direct.surfaces import SLOP
 from sandbox.physics.contacts.shapes import DIRECT_SKIN
@@ -28,7 +28,7 @@ def without_held(kick: Kick) -> tuple[Layout, Booleans] | None:
     here, response = kick.here.jacobian, kick.response
     rows, answers = layout.joined + layout.gaps.start, response[layout.ties]
     across = here[rows] @ answers.T
-    shares = np.linalg.lstsq(here[layout.ties] @ answers.T, across.T, rcond=CUT)[0]
+    shares = nearest(here[layout.ties] @ answers.T, across.T)
     own = np.vecdot(here[rows], response[rows])
     held = layout.joined[own - np.vecdot(across, shares.T) <= MOVES * own]
     if not len(held):

@@ -88,35 +88,59 @@ def bounce(kick: Kick, came: Array, strikes: Booleans) -> tuple[Array, Array]:
     JointFailure, NoForces
         If there are none without a rebound either.
     """
-    layout, jacobian = kick.layout, kick.here.jacobian
-    rates = jacobian @ came
-    leaves = np.zeros(len(kick.response))
-    leaves[layout.gaps] = layout.restitution * np.minimum(rates[layout.gaps], 0.0) * strikes
-    none = np.zeros(len(kick.response), dtype=bool)
-    none[layout.gaps] = kick.ahead
-    touch, runs = layout.touch, rates.copy()
-    runs[layout.slips] += kick.runs
+    rebound = _Rebound(kick, came, strikes)
+    impulse = rebound.taken(1.0, EXACT)
+    if impulse is None:
+        impulse = rebound.impulses(_largest(rebound) if rebound.leaves.any() else 0.0)
+    return came + impulse @ kick.response, impulse
 
-    def rebound(share: float) -> tuple[Array, float]:
-        impulse = impulses(kick, came, share * leaves, none)
-        after = runs + jacobian @ (impulse @ kick.response)
-        return impulse, float(impulse[touch] @ (runs + after)[touch]) / 2
 
-    def takes(share: float, rounding: float) -> Array | None:
+def _largest(rebound: "_Rebound") -> float:
+    """Return the largest share of a rebound that can be taken; all of it cannot."""
+    low, high = 0.0, 1.0
+    for _ in range(HALVINGS):
+        share = (low + high) / 2
+        low, high = (low, share) if rebound.taken(share, 0.0) is None else (share, high)
+    return low
+
+
+class _Rebound:
+    """Shares of the rebound after an impact; for the parameters see `bounce`.
+
+    Attributes
+    ----------
+    leaves
+        (r,), how fast each row is left after all of it, as a negative rate [m/s, rad/s].
+    """
+
+    def __init__(self, kick: Kick, came: Array, strikes: Booleans) -> None:
+        self._kick, self._came = kick, came
+        layout, self._rates = kick.layout, kick.here.jacobian @ came
+        self._runs = self._rates.copy()
+        self._runs[layout.slips] += kick.runs
+        self.leaves = np.zeros(len(kick.response))
+        closing = np.minimum(self._rates[layout.gaps], 0.0)
+        self.leaves[layout.gaps] = layout.restitution * closing * strikes
+        self._ahead = np.zeros(len(kick.response), dtype=bool)
+        self._ahead[layout.gaps] = kick.ahead
+
+    def impulses(self, share: float) -> Array:
+        """Return the impulses, (r,), of a share of it."""
+        return impulses(self._kick, self._came, share * self.leaves, self._ahead)
+
+    def taken(self, share: float, rounding: float) -> Array | None:
+        """Return the impulses of a share of it; None if there are none, or if they give energy.
+
+        So much of their work, as a share, may be rounding.
+        """
         try:
-            impulse, work = rebound(share)
+            impulse = self.impulses(share)
         except (JointFailure, NoForces):
             return None
-        return impulse if work <= rounding * float(np.abs(impulse) @ np.abs(rates)) else None
-
-    impulse = takes(1.0, EXACT)
-    if impulse is None:
-        low, high = 0.0, 1.0
-        for _ in range(HALVINGS if leaves.any() else 0):
-            share = (low + high) / 2
-            low, high = (low, share) if takes(share, 0.0) is None else (share, high)
-        impulse = rebound(low)[0]
-    return came + impulse @ kick.response, impulse
+        kick, touch = self._kick, self._kick.layout.touch
+        after = self._runs + kick.here.jacobian @ (impulse @ kick.response)
+        work = float(impulse[touch] @ (self._runs + after)[touch]) / 2
+        return impulse if work <= rounding * float(np.abs(impulse) @ np.abs(self._rates)) else None
 
 
 def recorded(kick: Kick, left: Array, pushes: Array) -> Impacts:

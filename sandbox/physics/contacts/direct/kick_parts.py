@@ -70,7 +70,7 @@ class Taken(NamedTuple):
     total
         (r,), the impulses of the whole kick.
     impacts
-        What impacts did in it.
+        What impacts did in it; None if there were none.
     stages
         Its parts, if there were impacts; else none.
     begun
@@ -86,7 +86,7 @@ class Taken(NamedTuple):
     forces: Array
     active: Active
     total: Array
-    impacts: Impacts
+    impacts: Impacts | None
     stages: tuple[Stage, ...]
     begun: Array
     lasts: float

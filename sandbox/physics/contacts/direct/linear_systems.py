@@ -16,6 +16,10 @@ CUT = 1e-10
 """The share of the largest that a row adds to those before it, and that is nothing where rows
 repeat each other."""
 
+SOUND = 1e6
+"""How much larger solutions may be than what is asked for, by the largest diagonal element, where
+elimination is as good as singular values."""
+
 FEASIBLE = 1e-12
 """What is left of one, where limits contradict each other: rounding."""
 
@@ -55,6 +59,22 @@ def _least(matrix: Array, wanted: Array) -> Array:
     count = len(matrix)
     _, found, *_ = dgelsy(matrix, wanted, np.zeros(count, np.int32), CUT, _room(count).least)
     return np.asarray(found[:, 0] if found.ndim > 1 else found)
+
+
+def nearest(matrix: Array, wanted: Array) -> Array:
+    """Return what meets a symmetric system as well as can be, the least of all: (m,) or (m, s).
+
+    Rows may repeat each other. By singular values, or, where none nearly do, by elimination.
+    """
+    count = len(matrix)
+    columns = np.column_stack((_probe(count), wanted))
+    try:
+        found = np.linalg.solve(matrix, columns).astype(float, copy=False)
+        if most(found[:, 0]) * matrix.diagonal().max() < SOUND:
+            return np.asarray(found[:, 1:].reshape(wanted.shape))
+    except np.linalg.LinAlgError:
+        pass
+    return np.asarray(np.linalg.lstsq(matrix, wanted, rcond=CUT)[0])
 
 
 def null(matrix: Array) -> Array:

@@ -132,9 +132,10 @@ def solve_rows(
         guess = Active(active.on.take(rows), active.slip.take(slips))
         try:
             found[rows], held = solve(problem, delassus, free, guess, blur, lets)
-        except (Unsolvable, np.linalg.LinAlgError) as error:
-            row = error.row if isinstance(error, Unsolvable) else 0
-            raise lost(kick, int(rows[row])) from None
+        except Unsolvable as error:
+            raise lost(kick, int(rows[error.row])) from None
+        except np.linalg.LinAlgError:
+            raise lost(kick, int(rows[0])) from None
         on[rows], slip[slips] = held
     return found, Active(on, slip)
 

@@ -23,8 +23,6 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.contact_queries import Query
-from sandbox.physics.contacts.direct import impacts
-from sandbox.physics.contacts.direct.constraint_impulses import Held, hold
 from sandbox.physics.contacts.direct.constraint_rows import Active
 from sandbox.physics.contacts.direct.drift_parts import Landed, Part
 from sandbox.physics.contacts.direct.drift_subdivision import Divided, through
@@ -35,6 +33,7 @@ from sandbox.physics.contacts.direct.landing_drifts import Landings
 from sandbox.physics.contacts.direct.row_layout import Surfaces
 from sandbox.physics.contacts.direct.speculative_contacts import LOOKS, SpeculativeContacts
 from sandbox.physics.contacts.direct.warm_start import WarmStart
+from sandbox.physics.contacts.direct.whole_kick import Beginning, take
 from sandbox.physics.contacts.sequential_impacts import Impacts
 from sandbox.physics.engine.batch import Batch, Booleans, Contacts
 from sandbox.physics.joints.exact.constraints import Coordinates, order
@@ -94,7 +93,7 @@ class Direct:
         self._fixed = np.flatnonzero(~self._moves)
         self._lands, self._runs = bool(surfaces.lands.any()), bool(surfaces.running.any())
         self._order = order(len(inertia))
-        self._calm = _calm(len(inertia))
+        self._calm = Impacts.none(len(inertia))
         self._begun = self._acceleration = self._change = self._calm.jump
         self._lead, self._starts = 0.0, True
         self._until = 0.0  # s, the end of the drift that follows
@@ -221,25 +220,25 @@ class Direct:
 
     def _solve_all(self) -> None:
         self._joints.check()
-        rates = self._spread(self._begun, self._acceleration, self._change)
-        kick = self._build.look(rates[0] * self._dt)
+        start = self._beginning()
+        kick = self._build.look(start.velocity * self._dt)
         try:
-            taken = self._take(kick, rates)
+            taken = take(kick, start, self._known)
         except (JointFailure, NoForces):
             if not self._divides(kick):
                 raise
-            self._divide(kick, rates)
+            self._divide(kick, start)
             return
-        taken = self._closed(taken, rates)
+        taken = self._closed(taken, start)
         leaning = taken.kick.leaning(taken.moved, taken.forces)
         if leaning is not None:
-            taken = self._take(leaning, rates)
-        self.last, self.stages, self._taken = taken.impacts, taken.stages, taken
+            taken = take(leaning, start, self._known)
+        self.last, self.stages, self._taken = taken.impacts or self._calm, taken.stages, taken
         self._batch.set_velocity(taken.moved[self._order])
         self._known.note(taken.kick, taken.forces, taken.active)
         self._report(taken.kick, taken.total, taken.active)
 
-    def _closed(self, taken: Taken, rates: Array) -> Taken:
+    def _closed(self, taken: Taken, start: Beginning) -> Taken:
         """Return a kick after which corners that come down gently close, and go no further.
 
         Those that come down faster than what acts makes them are located in the drift: see `_land`.
@@ -252,10 +251,10 @@ class Direct:
             ahead = self._speculative.contacts(corners, taken.kick.place, origin)
             kick = self._build.with_ahead(taken.kick, ahead)
             pulls = taken.forces @ taken.kick.response
-            if self._locates and kick.strikes(taken.moved, rates[1], pulls):
+            if self._locates and kick.strikes(taken.moved, start.acceleration, pulls):
                 return taken._replace(strikes=True)
             try:
-                taken = self._take(kick, rates)
+                taken = take(kick, start, self._known)
             except (JointFailure, NoForces):
                 break  # found where the drift ends it is in the way no longer
         return taken
@@ -275,11 +274,12 @@ class Direct:
         joints = self._joints
         return not self._starts and joints.kick == joints.drift == self._dt
 
-    def _divide(self, kick: Kick, rates: Array) -> None:
+    def _divide(self, kick: Kick, start: Beginning) -> None:
         """Take the drift after a kick in parts."""
-        found = through(kick, rates[1], self._until, partial(self._take, rates=rates))
+        takes = partial(take, start=start, known=self._known)
+        found = through(kick, start.acceleration, self._until, takes)
         first = found.first
-        self.last = first.impacts
+        self.last = first.impacts or self._calm
         self.divided = found.seen(self._batch.state()[:, :3], self._order)
         self.kicked = self.divided.left
         self._batch.set_velocity(found.way[self._order] / self._joints.drift)
@@ -312,60 +312,23 @@ class Direct:
     def _whole(self, place: Coordinates, moved: Array) -> Part:
         """Return the drift after a kick as one part: from a place with velocities, (3 N,)."""
         dt, joints = self._dt, self._joints
-        if taken := self._taken:
-            forces, before = taken.forces, taken.stages[:-1]
-            known = taken.begun, taken.lasts, forces, taken.active
-            return Part(taken.kick, dt, dt, *known, moved, before)
-        begun, active = self._spread(self._begun)[0], joints.expected()[1]
-        held = Active(active, np.zeros(0, dtype=np.intp))
+        if self._taken:
+            return Part.after(self._taken, dt, moved)
+        begun, taut = self._spread(self._begun)[0], joints.expected()[1]
+        held = Active(taut, np.zeros(0, dtype=np.intp))
         return Part(self._build.at(place), dt, dt, begun, dt, joints.tension, held, moved)
 
-    def _take(self, kick: Kick, rates: Array, *, placed: bool = False) -> Taken:
-        """Return what becomes of a kick.
-
-        Parameters
-        ----------
-        rates
-            (3, 3 N), the velocities before it, what acts in it, and what the last one changed, see
-            `begin`.
-        """
-        begun, acceleration, change = rates
-        at_step, lead = begun + acceleration * self._lead, self._lead
-        total: Array | float = 0.0
-        stages: tuple[Stage, ...] = ()
-        record = self._calm
-        strikes = impacts.struck(
-            kick, at_step, acceleration * self._dt, change, looks=self._strikes
-        )
-        if np.count_nonzero(strikes) or np.count_nonzero(self._joints.added):
-            came, before = impacts.come(kick, at_step, strikes)
-            begun, pushes = impacts.bounce(kick, came, strikes)
-            stages = (
-                Stage.of(kick, lead, came[self._order], before),
-                Stage.of(kick, 0, begun[self._order], pushes),
-            )
-            total = before + pushes
-            record = impacts.recorded(kick, begun, pushes)
-        else:
-            lead = 0.0
-        rest = self._joints.kick - lead
-        impulse, moved, active = self._hold(kick, begun + acceleration * rest, rest, placed)
-        if stages:
-            stages = *stages, Stage.of(kick, rest, moved[self._order], impulse)
-        return Taken(
-            kick, moved, impulse / rest, active, total + impulse, record, stages, begun, rest
-        )
+    def _beginning(self) -> Beginning:
+        """Return what this kick begins with."""
+        begun, acts, change = self._spread(self._begun, self._acceleration, self._change)
+        lead, looks, driven = self._lead, self._strikes, self._driven()
+        return Beginning(begun, acts, change, lead, self._dt, looks, driven)
 
     def _spread(self, *rates: Array) -> Array:
         """Return s rates (n, 3) as rows have coordinates: (s, 3 N)."""
         values = np.zeros((len(rates), 3 * len(self._moves) + 3))
         values[:, self._order] = rates
         return values
-
-    def _hold(self, kick: Kick, motion: Array, length: float, placed: bool) -> Held:
-        """Return impulses with which all rows hold after the drift, and the velocities then."""
-        guess = self._known.guess(kick, motion, length)
-        return hold(kick, motion, guess, driven=self._driven(), placed=placed)
 
     def _driven(self) -> bool:
         """Whether surfaces that run, or kinematic bodies, may give energy."""
@@ -386,12 +349,4 @@ class Direct:
         """
         if self._solved is None:
             return np.zeros((2, 0, 3))
-        kick, impulse = self._solved
-        return kick.wrenches(impulse, body)
-
-
-def _calm(count: int) -> Impacts:
-    """Return that so many bodies had no impact."""
-    none: Array = np.zeros((count, 3))
-    none.setflags(write=False)
-    return Impacts(np.zeros(count, dtype=bool), none, none, none[:, 0])
+        return self._solved[0].wrenches(self._solved[1], body)

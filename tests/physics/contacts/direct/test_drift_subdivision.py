@@ -7,10 +7,12 @@ import pytest
 
 from sandbox.model.expressions import Array
 from sandbox.model.level import Level
-from sandbox.physics.contacts.direct import drift_subdivision
+from sandbox.physics.contacts.direct import drift_subdivision, solver
 from sandbox.physics.contacts.direct.kick_parts import Taken
 from sandbox.physics.contacts.direct.kick_system import Kick
 from sandbox.physics.contacts.direct.solver import Direct
+from sandbox.physics.contacts.direct.warm_start import WarmStart
+from sandbox.physics.contacts.direct.whole_kick import Beginning, take
 from sandbox.physics.energy.ledger import Ledger
 from sandbox.physics.run import build, simulate
 from sandbox.physics.state.errors import NoForces, SimulationError
@@ -94,17 +96,16 @@ def end(rate: float) -> Array:
 
 def in_two(monkeypatch: pytest.MonkeyPatch) -> None:
     """Let every drift be taken in two parts."""
-    taken = Direct._take
 
-    def refuse(direct: Direct, kick: Kick, rates: Array, *, placed: bool = False) -> Taken:
-        if direct._joints.drift == direct._dt and not direct._starts:
+    def refuse(kick: Kick, start: Beginning, known: WarmStart, *, placed: bool = False) -> Taken:
+        if kick.joints.drift == start.step and start.lead > 0:
             raise NoForces(0, 1)
-        return taken(direct, kick, rates, placed=placed)
+        return take(kick, start, known, placed=placed)
 
     def together(direct: Direct, _until: float) -> None:
         direct._solve_all()
 
-    monkeypatch.setattr(Direct, "_take", refuse)
+    monkeypatch.setattr(solver, "take", refuse)
     monkeypatch.setattr(Direct, "_solve_joints", together)
 
 
