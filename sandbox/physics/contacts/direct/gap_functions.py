@@ -166,10 +166,7 @@ def features(
     surfaces = middle + out * (contacts.depths.take(number) / 2)
     where, turned = place.plane.take(bodies), place.turned.take(bodies)
     is_round, center = outlines.round(where, turned, n, middle)
-    owns = outlines.faces(out * turned.conj())
-    if outlines.sided:
-        owns[0] &= ~(owns[1] & touching.yields)
-        owns[1] &= ~owns[0]
+    owns = _owners(touching, out * turned.conj())
     curved = tuple(on_curves(figures, bodies, n, surfaces, (place.plane, place.turned)))
     is_round, center = _with_curves(curved, place, is_round, center, owns)
     corners, corner = _corners(outlines, is_round, owns)
@@ -195,6 +192,21 @@ def features(
         curved=tuple(one for one in curved if corner is not None and corner[one.point]),
         corners=corners,
     )
+
+
+def _owners(touching: Touching, out: Plane) -> Booleans:
+    """Return whose the side is, where there is one: (2, k), of at most one body each.
+
+    Parameters
+    ----------
+    out
+        (2, k), where each body faces the other, along its axes.
+    """
+    owns = touching.outlines.faces(out)
+    if touching.outlines.sided:
+        owns[0] &= ~(owns[1] & touching.yields)
+        owns[1] &= ~owns[0]
+    return owns
 
 
 def _with_curves(
