@@ -118,6 +118,11 @@ class Direct:
             self._build.contacts, self._pushed = kick.pushing(total), None
         return self._build.contacts
 
+    @property
+    def rows(self) -> int:
+        """How many rows the last kick had at the most, of joints, contacts and friction."""
+        return len(self._joints.pulls_only) + 3 * len(self._build.contacts.bodies)
+
     def begin(self, acceleration: Array, *, start: bool) -> None:
         """Take note of the velocities before a kick, and of what acts in it.
 

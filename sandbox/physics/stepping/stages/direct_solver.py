@@ -1,5 +1,6 @@
 """The stage of the direct solver: contacts and exact joints together (see `contacts/direct`)."""
 
+from sandbox.physics.contacts.direct.blas_threads import single_thread
 from sandbox.physics.energy.step_record import StepRecord
 from sandbox.physics.state.kick import Kick
 from sandbox.physics.stepping.stage import Setup, Stage
@@ -15,7 +16,8 @@ def make(setup: Setup) -> Stage:
         direct.begin(forces.held(dt), start=kick.at_step)
 
     def solve(kick: Kick) -> None:
-        direct.solve(kick.until)
+        with single_thread(direct.rows):
+            direct.solve(kick.until)
 
     def refit(_t: float) -> None:
         direct.forget()
