@@ -122,7 +122,7 @@ class Events:
         if share is None or session is None:
             return share is not None
         try:
-            session.go_to(round(share * session.end))
+            session.go_to(round(share * session.span))
         except SandboxError as error:
             self._space.banner.tell(say(error.message))
         return True

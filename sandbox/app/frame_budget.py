@@ -5,7 +5,7 @@ from collections import defaultdict, deque
 from sandbox.app.frame_load import FRAME
 
 LEAST, MOST = 0.005, 0.013
-"""s, of a frame for steps, whatever else it takes."""
+"""s, of a frame that is in time for steps; where less would be left, it is late anyway."""
 
 SPARE = 0.0007
 """s, that are left over."""
@@ -34,4 +34,14 @@ class Allowance:
         """Return what a frame of some kind has for steps [s]."""
         known = sorted(self._last[kind])
         rest = known[int(ALMOST * (len(known) - 1))] if known else FRAME / 2
-        return min(max(FRAME - SPARE - rest, LEAST), MOST)
+        left = FRAME - SPARE - rest
+        return min(left, MOST) if left >= LEAST else _late(rest)
+
+
+def _late(rest: float) -> float:
+    """Return what steps have of a frame that cannot be in time, beside the rest of it [s].
+
+    It is as much as the rest, within 30 frames a second; a third, where that cannot be; and never
+    more than two frames in time would take.
+    """
+    return min(rest, max(2 * FRAME - SPARE - rest, rest / 2), 2 * FRAME)

@@ -6,13 +6,17 @@ import pygame
 
 from sandbox.app.drawing import lines, signs, theme
 from sandbox.app.drawing.text import Pen
+from sandbox.app.drawing.theme import Color
 from sandbox.app.pages.page import Row
 from sandbox.app.words.language import say
+from sandbox.model.shapes import XY
 
 CORNER = 44, 62  # px, clear of the ruler and of a banner of one line
 GAP = 8  # px, below a banner of more lines
 SWATCH = 26  # px
 PADDING = 8  # px
+COLORS = 4
+"""How many of its bodies' colours are shown for the run that is played."""
 
 
 def earlier(texts: Sequence[str]) -> Sequence[Row]:
@@ -21,8 +25,13 @@ def earlier(texts: Sequence[str]) -> Sequence[Row]:
     return [(None, say("this run")), *rows] if rows else []
 
 
-def draw(surface: pygame.Surface, pen: Pen, rows: Sequence[Row], banner: int = 0) -> None:
+def draw(
+    surface: pygame.Surface, pen: Pen, rows: Sequence[Row], banner: int = 0,
+    own: Sequence[Color] = (),
+) -> None:  # fmt: skip
     """Draw a row for each run in the upper left corner, below where a banner ends [px].
+
+    The run that is played has its `own` colours, those of its bodies.
 
     What is too long for the surface is shortened; the side panel tells it in full.
     """
@@ -41,8 +50,16 @@ def draw(surface: pygame.Surface, pen: Pen, rows: Sequence[Row], banner: int = 0
     for place, ((color, _), text) in enumerate(zip(rows, texts, strict=True)):
         ends = (x, y + height // 2), (x + SWATCH, y + height // 2)
         if color is None:
-            lines.stroke(surface, theme.ACCENT, *ends, 3)
+            _stroke(surface, own[:COLORS] or (theme.ACCENT,), *ends)
         else:
             lines.dashed(surface, color, ends, *signs.dash(place - 1))
         surface.blit(text, (x + SWATCH + 10, y))
         y += height
+
+
+def _stroke(surface: pygame.Surface, colors: Sequence[Color], start: XY, end: XY) -> None:
+    """Draw a level line, a piece in each colour."""
+    piece = (end[0] - start[0]) / len(colors)
+    for i, color in enumerate(colors):
+        x = start[0] + i * piece
+        lines.stroke(surface, color, (x, start[1]), (x + piece, end[1]), 3)

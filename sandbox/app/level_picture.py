@@ -88,7 +88,7 @@ def render(
     _run(session, session.duration * TELLING if at is None else at, stage.watch)
     drawn = picture.subsurface((0, 0, size[0] - SIDE, size[1]))
     stage.draw(drawn, session.trail, session.milestones(), session.companions)
-    legend.draw(drawn, pen, runs_beside(session)[1])
+    legend.draw(drawn, pen, runs_beside(session)[1], own=stage.view.colors)
     _write(picture, session, pen)
     return picture
 

@@ -52,7 +52,7 @@ def _paint_stage(space: Workspace, view: pygame.Surface, session: Session) -> No
     below = space.banner.draw(space.surface, space.pen, space.panels.layout.stage, session)
     labels = [run.label(session.values) for run in session.earlier]
     runs = runs_beside(session)[1] or legend.earlier(labels)
-    legend.draw(view, space.pen, runs, below)
+    legend.draw(view, space.pen, runs, below, space.stage.view.colors)
 
 
 def _paint_run(space: Workspace, view: pygame.Surface, session: Session) -> None:

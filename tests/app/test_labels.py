@@ -1,6 +1,7 @@
 """Words keep off each other."""
 
 import pygame
+import pytest
 
 from sandbox.app.drawing.text import Pen
 from sandbox.app.runs.session import Session
@@ -10,7 +11,9 @@ from sandbox.app.stage.marks import boxes
 from sandbox.app.stage.stage import Stage
 from sandbox.model import catalog
 from sandbox.model.loading import load
+from tests.app.person import Person
 from tests.app.scenes import play
+from tests.app.writing import placed
 
 BOUNDS = pygame.Rect(0, 0, 100, 100)
 BEST, SECOND = pygame.Rect(10, 10, 20, 10), pygame.Rect(10, 40, 20, 10)
@@ -88,6 +91,22 @@ def test_what_was_measured_keeps_off_bodies(pen: Pen) -> None:
     balls = [(each, *stage.view.state(each)) for each in stage.view.moving]
     assert places
     assert all(place.collidelist(boxes(stage.camera, balls)) < 0 for place in places)
+
+
+def test_what_was_measured_keeps_off_the_arrow_of_a_force(
+    person: Person, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The first ball of the cradle hangs where it struck, and its weight is drawn downwards."""
+    person.window.open_level("momentum/cradle")
+    person.press(pygame.K_j, "j")
+    while person.session.t < 0.6:
+        person.session.step()
+    places, arrows = placed(monkeypatch)
+    person.wait()
+
+    assert person.session.milestones()
+    assert len(places) > 5
+    assert not any(place.clipline(*arrow) for place in places for arrow in arrows)
 
 
 def test_what_was_measured_keeps_off_the_words_of_the_level(pen: Pen) -> None:

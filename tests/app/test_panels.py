@@ -6,7 +6,7 @@ from pygame_gui import UIManager
 from pygame_gui.elements import UIScrollingContainer
 
 from sandbox.app.cards.card import COLUMNS, INDENT, Card
-from sandbox.app.cards.energy import energy
+from sandbox.app.cards.energy import energy, total
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.observing.energy_books import Energies
@@ -18,24 +18,12 @@ from sandbox.app.widgets.sheet import BAR, MARGIN
 from sandbox.model import catalog
 from sandbox.model.loading import load
 from tests.app import scenes
+from tests.app.writing import noted
 
 LONGEST = 12
 """So many labels are tried, the longest that there are."""
 
 WIDTH = divide((1280, 800), levels=True, side=True).side.width - MARGIN - BAR
-
-
-def noted(pen: Pen, monkeypatch: pytest.MonkeyPatch) -> list[str]:
-    """Return a list of what the pen writes from now on."""
-    written: list[str] = []
-    write = pen.write
-
-    def note(text: str, size: int = 14, *more: object) -> pygame.Surface:
-        written.append(text)
-        return write(text, size, *more)
-
-    monkeypatch.setattr(pen, "write", note)
-    return written
 
 
 @pytest.mark.sweep
@@ -88,3 +76,12 @@ def test_an_energy_that_is_rounding_beside_the_rest_is_told_as_none(
     energy(pen, WIDTH, start, now, pygame.Surface((WIDTH, 60)))
 
     assert {"0 J", "1.962 J"} <= set(written)
+
+
+def test_a_sum_of_energies_that_is_rounding_is_told_as_none(
+    pen: Pen, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    written = noted(pen, monkeypatch)
+    total(pen, WIDTH, Energies(0.0, 0.0, 0.0), Energies(7.3, -7.3, 1.4e-14))
+
+    assert "0 J, change 1e−14 J" in written

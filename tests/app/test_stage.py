@@ -389,6 +389,37 @@ def test_a_curve_is_hatched_evenly_on_one_side(pen: Pen, monkeypatch: pytest.Mon
     assert (across > 0).all()  # downwards on the screen, which it follows to the right
 
 
+def test_a_line_stays_hatched_on_one_side_when_all_is_drawn_anew(
+    pen: Pen, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A change of the theme draws it anew, wherever the ball is by then."""
+    line = {"type": "segment", "start": [-2, 0], "end": [2, 0]}
+    ball = {"shape": {"type": "disc", "radius": 0.1}, "mass": 1, "position": [0, 1]}
+    scene = scenes.level(
+        effects={"gravity": {"acceleration": [0, -9.81]}},
+        bodies={"ball": ball, "line": {"type": "static", "shape": line}},
+        parameters={}, checks=[], ghosts={},
+    )  # fmt: skip
+    session = Session(scene)
+    stage = Stage(pen, SIZE)
+    sides = []
+
+    def noted(_: pygame.Surface, color: Color, a: XY, b: XY, width: float) -> None:
+        if color == theme.SURFACE and width == 1:
+            sides.append(b[1] > a[1])
+
+    monkeypatch.setattr(lines, "stroke", noted)
+    for _ in range(2):
+        stage.use(session.world)
+        stage.fit()
+        draw(session, stage)
+        while session.world.snapshot.position[0, 1] > -1:
+            session.step()
+
+    assert len(sides) > 20
+    assert all(sides)
+
+
 def test_the_wheels_of_pegs_beside_each_other_do_not_overlap() -> None:
     surface = pygame.Surface(SIZE)
     corners = [(50, 150), (50, 50), (90, 50), (90, 150)]

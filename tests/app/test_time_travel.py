@@ -8,7 +8,7 @@ import pytest
 from sandbox.app.drawing import theme
 from sandbox.app.observing.impacts import Blow
 from sandbox.app.pages.graph.choice import Choice
-from sandbox.app.panels.controls import Controls
+from sandbox.app.panels.controls import Controls, notes
 from sandbox.app.runs import playback
 from sandbox.app.runs.session import Session
 from sandbox.editing.run_as_level import as_it_stands
@@ -282,6 +282,27 @@ def test_no_way_leads_beyond_the_end_of_the_level() -> None:
     assert not session.playing
 
 
+def test_beyond_the_end_of_the_level_a_way_leads_as_far_as_the_run_has_been(
+    person: Person,
+) -> None:
+    """The bar ended with the level: what came after could not be sought on it."""
+    person.window.open_level("kinematics/free-fall")
+    session = person.session
+    take(session, session.end + 50)
+    state = fingerprint(session.world.snapshot)
+    track = track_of(person)
+    assert next(notes(session))[0] == f"complete at {session.duration:.2f} s"
+
+    person.click((track.x + track.width * session.end / (session.end + 50), track.centery))
+    arrive(person)
+    assert abs(session.world.steps - session.end) <= 2
+    person.click((track.right - 1, track.centery))
+    arrive(person)
+    go_to(session, session.end + 50)
+
+    assert fingerprint(session.world.snapshot) == state
+
+
 def test_a_long_way_takes_some_frames_and_then_time_goes_on() -> None:
     session = opened("kinematics/free-fall")
     session.go_to(30)
@@ -400,8 +421,8 @@ def test_the_column_says_of_what_time_it_tells_while_another_one_is_shown(
     person.session.go_to(40)
     person.wait()
 
-    top = person.side._sheet.container.rect.topleft
-    pixel = top[0] + 2, top[1] + 2
+    assert person.side.foot is not None
+    pixel = person.side._sheet.container.rect.left + 2, person.side.foot.top + 2
     assert person.session.recalled
     assert person.color_at(pixel) == theme.RAISED
     arrive(person)

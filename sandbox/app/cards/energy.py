@@ -44,7 +44,8 @@ def total(pen: Pen, width: int, start: Energies, now: Energies) -> pygame.Surfac
     """Draw the sum of the energies alone, and what has become of it."""
     card = Card(pen, width)
     card.heading(say("Energy"))
-    whole = formatting.quantity(now.total, "J", 4)
+    scale = max(abs(now.kinetic), abs(now.potential))
+    whole = formatting.quantity(formatting.without_rounding(now.total, scale), "J", 4)
     card.text(say("{energy}, change {change}", energy=whole, change=_change(start, now)), 13)
     return card.drawn()
 

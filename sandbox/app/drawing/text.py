@@ -10,6 +10,9 @@ import pygame
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.theme import Color
 
+SIGNS = "/\\._-"
+"""Behind which a word is cut that does not fit on a line, such as a path or a quantity."""
+
 NO_LETTER = "\U0010ffff"
 
 
@@ -133,13 +136,17 @@ class Pen:
 
     @staticmethod
     def _pieces(word: str, width: int, font: pygame.font.Font) -> list[str]:
-        """Cut a word that is wider than a line."""
-        pieces = [""]
+        """Cut a word that is wider than a line: behind a sign such as / if there is one in it."""
+        pieces, piece = [], ""
         for letter in word:
-            if pieces[-1] and font.size(pieces[-1] + letter)[0] > width:
-                pieces.append("")
-            pieces[-1] += letter
-        return pieces
+            if piece and font.size(piece + letter)[0] > width:
+                whole = max(map(piece.rfind, SIGNS)) + 1
+                if whole < len(piece) / 2:
+                    whole = len(piece)
+                pieces.append(piece[:whole])
+                piece = piece[whole:]
+            piece += letter
+        return [*pieces, piece]
 
 
 def _drawn(font: pygame.font.Font, text: str, color: Color) -> pygame.Surface:

@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from itertools import cycle
+from time import perf_counter
 from typing import TYPE_CHECKING
 
 from sandbox.app.drawing import theme
@@ -33,6 +34,10 @@ LITTLE = 0.1
 """The share of its scale that the strongest force must fill, or the scale is made smaller."""
 
 
+HELD = 0.3
+"""For how long the stage keeps to the numbers of a page [s], which are anew some times a second."""
+
+
 class Looking:
     """At which body a person looks.
 
@@ -47,6 +52,7 @@ class Looking:
         self._bodies: tuple[World, FreeBodies] | None = None
         self._seen: tuple[Snapshot, str, FreeBody | None] | None = None
         self._full: dict[str, float] = {}
+        self._told: tuple[World, FreeBody, float] | None = None
 
     def body(self, level: Level) -> str | None:
         """Return the body of a level that is looked at: the one that was chosen, if it is there.
@@ -69,6 +75,21 @@ class Looking:
             seen = self._seen = snapshot, body, self._bodies[1].of(body)
         return seen[2]
 
+    def tell(self, world: World, found: FreeBody) -> None:
+        """Note that these forces stand on a page."""
+        self._told = world, found, perf_counter()
+
+    def told(self, world: World, found: FreeBody) -> FreeBody:
+        """Return the forces that a page told just now, if they are the same ones, or else them.
+
+        Numbers on the stage would change in each frame, and differ from those of the page.
+        """
+        if self._told is None or self._told[0] is not world:
+            return found
+        _, told, at = self._told
+        same = told.body == found.body and _whom(told) == _whom(found)
+        return told if same and perf_counter() - at < HELD else found
+
     def full(self, found: FreeBody) -> float:
         """Return the force that the longest arrow on a body stands for [N].
 
@@ -79,6 +100,10 @@ class Looking:
         if now > known or 0 < now < known * LITTLE:
             self._full[found.body] = rounded_up(now)
         return self._full.get(found.body) or rounded_up(found.largest)
+
+
+def _whom(found: FreeBody) -> Sequence[tuple[str, str]]:
+    return [(acting.name, acting.by) for acting in felt(found)]
 
 
 def color(acting: Acting) -> Color:

@@ -113,7 +113,7 @@ class Controls(Bar):
             surface.blit(note, (area.right - note.width, middle - pen.px(18)))
         track = self._track
         pygame.draw.rect(surface, theme.RAISED, track, border_radius=2)
-        share = min(shown / session.duration, 1.0)
+        share = min(shown / (session.span * session.world.dt), 1.0)
         if share > 0:
             done = pygame.Rect(track.topleft, (round(track.width * share), track.height))
             pygame.draw.rect(surface, theme.ACCENT, done, border_radius=2)
@@ -123,13 +123,13 @@ class Controls(Bar):
         pygame.draw.aacircle(surface, theme.ACCENT, knob, pen.px(KNOB))
         if session.sought is not None:
             other = session.world.steps if session.recalled else session.sought
-            ring = track.x + track.width * other / session.end, float(track.centery)
+            ring = track.x + track.width * other / session.span, float(track.centery)
             pygame.draw.aacircle(surface, theme.NOTICE, ring, pen.px(KNOB), 2)
 
     def _mark_impacts(self, surface: pygame.Surface, session: Session) -> None:
         """Mark where bodies struck, also where that is still to come again."""
         track, px = self._track, self._pen.px
-        self._snaps = [min(blow.steps / session.end, 1.0) for blow in session.run.marks.shown]
+        self._snaps = [min(blow.steps / session.span, 1.0) for blow in session.run.marks.shown]
         for x in {round(track.x + track.width * snap) for snap in self._snaps}:
             pygame.draw.aacircle(surface, theme.DIM, (x, track.bottom + px(6)), max(px(2), 2))
 
@@ -139,7 +139,7 @@ class Controls(Bar):
         if not track.inflate(2 * snap, self._pen.px(REACH)).collidepoint(x, y):
             return
         away = {
-            abs(track.x + track.width * b.steps / session.end - x): b
+            abs(track.x + track.width * b.steps / session.span - x): b
             for b in session.run.marks.shown
         }
         if away and min(away) <= snap:
@@ -152,7 +152,7 @@ class Controls(Bar):
         """Mark where a person did something to the run, also where that is still to come again."""
         track, px = self._track, self._pen.px
         steps = {action.step for action in session.all_actions if action.kind in MARKED}
-        for x in {round(track.x + track.width * min(step / session.end, 1.0)) for step in steps}:
+        for x in {round(track.x + track.width * min(step / session.span, 1.0)) for step in steps}:
             mark = pygame.Rect(0, 0, max(px(2), 2), track.height + px(6))
             mark.center = x, track.centery
             surface.fill(theme.NOTICE, mark)
@@ -171,7 +171,9 @@ def notes(session: Session) -> Iterator[tuple[str, theme.Color]]:
         return
     reduced = session.pace.reduced if session.playing else None
     if reduced is None or reduced > NEARLY * session.speed:
-        yield say("of {time}", time=formatting.seconds(session.duration)), theme.DIM
+        beyond = session.world.steps > session.end
+        told = later("complete at {time}") if beyond else later("of {time}")
+        yield say(told, time=formatting.seconds(session.duration)), theme.DIM
         return
     message = say("running at {speed:.2g}×", speed=reduced)
     if session.remaining:

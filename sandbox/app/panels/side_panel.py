@@ -64,7 +64,7 @@ class SidePanel:
         upper = pygame.Rect(rect.x, top, rect.width, max(end - top, 1))
         self._sheet = Sheet(manager, pen, upper)
         self.page: Panel = register.page(page).open(self._sheet, self.desk)
-        self._late = end if register.page(page).recalls else top  # px, from where on it lags behind
+        self._recalls = register.page(page).recalls
         self.books = register.page(page).books or bool(self.foot and self.foot.books)
         self._since, self._below = 0.0, False  # whether the foot is due
         self._shown = self._state
@@ -109,11 +109,15 @@ class SidePanel:
     def draw_over(self, surface: pygame.Surface) -> None:
         """Say of what time it tells, while the stage shows what was recorded of another one."""
         rect, pen = self._sheet.container.rect, self._pen
-        if self._session.recalled is None or (self._late > rect.top and self.foot is None):
+        if self._session.recalled is None or (self._recalls and self.foot is None):
             return
         at = say("Here still t = {t}: the run is on its way", t=seconds(self._session.t))
         told = pen.write(pen.shorten(at, rect.width - 2 * pen.px(MARGIN), 13), 13, theme.NOTICE)
-        strip = pygame.Rect(rect.x, self._late, rect.width, told.height + pen.px(8))
+        strip = pygame.Rect(rect.x, 0, rect.width, told.height + pen.px(8))
+        if self.foot is not None:  # below, so that it hides no heading
+            strip.top = self.foot.top
+        else:
+            strip.bottom = rect.bottom
         surface.fill(theme.RAISED, strip)
         surface.blit(told, told.get_rect(center=strip.center))
 

@@ -133,7 +133,7 @@ class Playback(RunView, ABC):
             self.go_to(self.sought + 1)
 
     def go_to(self, step: int, *, undone: bool = False) -> None:
-        """Go to another step of the run, back or ahead; to the level's end at the most.
+        """Go to another step of the run, back or ahead, as far as its `span` reaches.
 
         A way back begins at the start: the run is taken again, with all that a hand did to it, and
         so is the same to the last bit. What was done later is done again when its step comes,
@@ -152,7 +152,7 @@ class Playback(RunView, ABC):
         SandboxError
             If the run cannot be built again.
         """
-        sought = min(max(step, 0), self.end)
+        sought = min(max(step, 0), self.span)
         back = undone or sought < self.world.steps
         if self._stands or (self.failure is not None and not back):
             return

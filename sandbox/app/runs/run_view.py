@@ -133,6 +133,11 @@ class RunView:
         return self.end * self.world.dt
 
     @property
+    def span(self) -> int:
+        """How many steps the bar of the time stands for: the level's, or more if there were."""
+        return max(self.end, self.run.farthest.steps())
+
+    @property
     def at_end(self) -> bool:
         """Whether the run stands where its level says that it is complete."""
         return self.world.steps == self.end

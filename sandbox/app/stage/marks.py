@@ -153,22 +153,26 @@ def draw_arrow_key(
 
 
 def draw_milestones(
-    surface: pygame.Surface, camera: Camera, pen: Pen, milestones: Sequence[Milestone],
-    words: Say, labels: Labels, avoid: Sequence[pygame.Rect] = (),
-) -> None:  # fmt: skip
-    """Mark where something has happened, with what was measured then written beside it.
-
-    The words rather do not cover some places [px], such as those of bodies.
-    """
-    seen = [(m, camera.to_screen(m.place)) for m in milestones]
-    seen = [(m, (x, y)) for m, (x, y) in seen if lines.near(((x, y),))]
-    for milestone, (x, y) in seen:
+    surface: pygame.Surface, camera: Camera, milestones: Sequence[Milestone], labels: Labels
+) -> None:
+    """Mark where something has happened."""
+    for milestone, (x, y) in _seen(camera, milestones):
         color = theme.PASSED if milestone.passed else theme.FAILED
         corners = [(x, y - 6), (x + 6, y), (x, y + 6), (x - 6, y)]
         lines.fill(surface, theme.STAGE, corners)
         lines.path(surface, color, [*corners, corners[0]], 2)
         labels.take(_box(corners))
-    for milestone, (x, y) in seen:
+
+
+def write_milestones(
+    surface: pygame.Surface, camera: Camera, pen: Pen, milestones: Sequence[Milestone],
+    words: Say, labels: Labels, avoid: Sequence[pygame.Rect] = (),
+) -> None:  # fmt: skip
+    """Write beside each mark what was measured then.
+
+    The words rather do not cover some places [px], such as those of bodies.
+    """
+    for milestone, (x, y) in _seen(camera, milestones):
         texts = [pen.outlined(text) for text in milestone.texts(words)]
         size = max(t.width for t in texts), sum(t.height - 2 for t in texts)
         inside = surface.get_rect().inflate(-2 * EDGE, -2 * EDGE)
@@ -180,8 +184,19 @@ def draw_milestones(
                 top += text.height - 2
 
 
+def _seen(camera: Camera, milestones: Sequence[Milestone]) -> Iterator[tuple[Milestone, XY]]:
+    """Yield what is near the picture, and where in it [px]."""
+    for milestone in milestones:
+        place = camera.to_screen(milestone.place)
+        if lines.near((place,)):
+            yield milestone, place
+
+
 def _around(x: int, y: int, size: tuple[int, int]) -> Iterator[pygame.Rect]:
-    """Yield where words may stand about a point: below, above, beside it, and further off."""
+    """Yield where words may stand about a point: below, above, beside it, and further off.
+
+    Where something straight up and down is in the way, they stand on one side of that.
+    """
     place = pygame.Rect((0, 0), size)
     for further in range(0, FURTHER * LINE, LINE):
         yield place.move_to(midtop=(x, y + 9 + further))
@@ -189,6 +204,11 @@ def _around(x: int, y: int, size: tuple[int, int]) -> Iterator[pygame.Rect]:
         if not further:
             yield place.move_to(midleft=(x + 11, y))
             yield place.move_to(midright=(x - 11, y))
+    for further in range(0, FURTHER * LINE, LINE):  # no longer above or below it
+        yield place.move_to(topleft=(x + 11, y + 9 + further))
+        yield place.move_to(topright=(x - 11, y + 9 + further))
+        yield place.move_to(bottomleft=(x + 11, y - 9 - further))
+        yield place.move_to(bottomright=(x - 11, y - 9 - further))
 
 
 def boxes(camera: Camera, shown: Iterable[tuple[Outline, XY, float]]) -> list[pygame.Rect]:

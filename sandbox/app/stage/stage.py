@@ -116,15 +116,21 @@ class Stage:
         self._draw_beside(surface, beside)
         if world.level.view.labels:
             texts.draw_texts(surface, view)
-        if view.few and milestones:
-            words = level_words.of(world.level)
-            avoid = marks.boxes(self.camera, ((each, *view.state(each)) for each in view.moving))
-            marks.draw_milestones(
-                surface, self.camera, self._pen, milestones, words, view.labels, avoid
-            )
+        told = milestones if view.few else ()
+        marks.draw_milestones(surface, self.camera, told, view.labels)
         for overlay in self._overlays:
             if overlay.draw is not None:
                 overlay.draw(surface, view)
+        if told:
+            self._write(surface, told)
+
+    def _write(self, surface: pygame.Surface, milestones: Sequence[Milestone]) -> None:
+        """Write what was measured, once it is known where arrows are: they cannot be elsewhere."""
+        view, words = self.view, level_words.of(self.view.world.level)
+        avoid = marks.boxes(self.camera, ((each, *view.state(each)) for each in view.moving))
+        marks.write_milestones(
+            surface, self.camera, self._pen, milestones, words, view.labels, avoid
+        )
 
     @property
     def _overlays(self) -> Sequence[Overlay]:
@@ -188,20 +194,21 @@ class Stage:
         bodies.draw_surface(surface, self.camera, outline, *self.view.state(outline), inside)
 
     def _middle(self) -> XY:
-        """Return a point where things happen [m]."""
+        """Return a point where things happen [m], the same all along a run."""
         if not self.view.moving:
             return self.camera.center
-        rows = [outline.row for outline in self.view.moving]
-        x, y = self.view.world.snapshot.position[rows].mean(axis=0).tolist()
+        x, y = self.view.starts.mean(axis=0).tolist()
         return x, y
 
     def _nearest(self, outline: Outline) -> XY:
-        """Return where what moves is nearest to an outline [m]."""
+        """Return where of what moves begins that which is nearest to an outline then [m]."""
+        if not self.view.moving:
+            return self.camera.center
         place, angle = self.view.state(outline)
         line = np.array(outline.placed(place, angle))
-        places = [self.view.state(o)[0] for o in self.view.moving]
-        away = [np.hypot(*(line - place).T).min() for place in places]
-        return places[int(np.argmin(away))] if away else self.camera.center
+        away = [np.hypot(*(line - start).T).min() for start in self.view.starts]
+        x, y = self.view.starts[int(np.argmin(away))].tolist()
+        return x, y
 
     def _draw_centers(self) -> None:
         """Mark the centres of attraction."""

@@ -8,12 +8,13 @@ import pygame
 
 from sandbox.app.drawing.camera import Camera
 from sandbox.app.drawing.text import Pen
+from sandbox.app.drawing.theme import Color
 from sandbox.app.stage import marks
 from sandbox.app.stage.forces import Forces
 from sandbox.app.stage.labels import Labels
 from sandbox.app.stage.outline import Outline, outlines
 from sandbox.app.words.formatting import rounded_up
-from sandbox.model.shapes import XY
+from sandbox.model.shapes import XY, evaluate
 from sandbox.physics.measuring.recording import count_steps
 from sandbox.physics.stepping.world import World
 
@@ -21,6 +22,7 @@ if TYPE_CHECKING:
     from sandbox.app.observing.impacts import Flash
     from sandbox.app.observing.selected_body import Looking
     from sandbox.app.observing.trail import Trail
+    from sandbox.model.expressions import Array
 
 NAMED = 12
 """Up to so many moving bodies carry their name, an arrow and a trail."""
@@ -53,6 +55,8 @@ class View:
         Where the bodies have been; None if nobody keeps it.
     looking
         At which body a person looks; None if nobody does.
+    starts
+        Where the level places what moves: (k, 2) [m].
     flashes
         Of the impacts that have just been.
     labels
@@ -74,6 +78,9 @@ class View:
         self.looking: Looking | None = None
         self.flashes: Sequence[Flash] = ()
         self.labels = Labels(pygame.Rect((0, 0), camera.size))
+        self.starts: Array = np.array(
+            [evaluate(world.level.bodies[o.name].position, world.values) for o in self.moving]
+        )
         self._fastest = marks.fastest(world, self.duration)
 
     def state(self, outline: Outline) -> tuple[XY, float]:
@@ -81,6 +88,11 @@ class View:
         snapshot = self.world.snapshot
         x, y = snapshot.position[outline.row].tolist()
         return (x, y), float(snapshot.angle[outline.row])
+
+    @property
+    def colors(self) -> Sequence[Color]:
+        """The colours of what moves, each once."""
+        return list(dict.fromkeys(outline.color for outline in self.moving))
 
     @property
     def width(self) -> float:

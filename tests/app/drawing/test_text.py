@@ -41,6 +41,20 @@ def paste(player: Person, text: str, monkeypatch: pytest.MonkeyPatch) -> None:
     player.press(pygame.K_v, mod=pygame.KMOD_CTRL)
 
 
+def test_a_path_that_is_wider_than_a_line_is_cut_between_its_folders(pen: Pen) -> None:
+    path = "/home/somebody/Documents/Mechanics sandbox"
+
+    lines = pen.wrap(f"Files go to {path}", pen.font(14, bold=False).size(path[:30])[0])
+
+    assert lines == ["Files go to", "/home/somebody/Documents/", "Mechanics sandbox"]
+
+
+def test_a_word_without_a_sign_is_cut_where_the_line_ends(pen: Pen) -> None:
+    width = pen.font(14, bold=False).size("m" * 10)[0]
+
+    assert pen.wrap("/" + "m" * 15, width) == ["/" + "m" * 9, "m" * 6]
+
+
 @pytest.mark.parametrize("letter", thinned(UNSEEN, 4), ids=ascii)
 def test_a_letter_without_width_is_not_taken_into_the_field_that_finds_levels(
     player: Person, letter: str

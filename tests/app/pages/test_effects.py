@@ -118,6 +118,19 @@ def test_the_legend_stands_below_a_banner_of_any_height(pen: Pen, banner: int) -
     assert drawn[0] > banner
 
 
+def test_the_legend_tells_the_own_run_by_the_colours_of_its_bodies(pen: Pen) -> None:
+    """Its trails have these; it was told by another one."""
+    surface = pygame.Surface((600, 300))
+    red, blue = (239, 71, 111), (17, 138, 178)
+
+    legend.draw(surface, pen, [(None, "this run"), (theme.GHOST, "speed = 12.9")], own=[red, blue])
+
+    y = legend.CORNER[1] + legend.PADDING + (pen.write("this run", 14).height + 2) // 2
+    x = legend.CORNER[0] + legend.PADDING
+    assert surface.get_at((x + 3, y))[:3] == red
+    assert surface.get_at((x + legend.SWATCH - 3, y))[:3] == blue
+
+
 def test_the_legend_ends_within_a_narrow_stage(pen: Pen) -> None:
     surface = pygame.Surface((370, 300))
     many = "with drag (linear 0.1), with contact, with restitution (coefficient 1)"

@@ -16,10 +16,10 @@ from sandbox.app.pages.forces.panel import ForcesPage
 from sandbox.app.runs.session import Session
 from sandbox.app.stage.labels import Labels
 from sandbox.app.stage.overlays import accelerations, center, forces
-from sandbox.model.shapes import XY
 from sandbox.physics.measuring.free_body import FRICTION, NORMAL, Acting, FreeBody
 from tests.app import scenes
 from tests.app.person import Person
+from tests.app.writing import placed
 from validation.case import textbook
 
 WIDTH = 276
@@ -255,21 +255,7 @@ def test_words_of_forces_on_the_stage_lie_over_no_arrow(
 ) -> None:
     person.window.open_level("machines/squeaking-crate")
     person.press(pygame.K_j, "j")
-    places: list[pygame.Rect] = []
-    lines: list[tuple[XY, XY]] = []
-    find, mark = Labels.find, Labels.mark
-
-    def noted(self: Labels, *told: object) -> pygame.Rect | None:
-        place = find(self, *told)  # type: ignore[arg-type]
-        places.extend([place] if place else [])
-        return place
-
-    def marked(self: Labels, start: XY, end: XY) -> None:
-        lines.append((start, end))
-        mark(self, start, end)
-
-    monkeypatch.setattr(Labels, "find", noted)
-    monkeypatch.setattr(Labels, "mark", marked)
+    places, lines = placed(monkeypatch)
     for _ in range(30):
         person.session.step()
     person.wait()
@@ -277,6 +263,30 @@ def test_words_of_forces_on_the_stage_lie_over_no_arrow(
     assert len(places) >= 4
     assert len(lines) >= 5
     assert not any(place.clipline(*line) for place in places for line in lines)
+
+
+def test_the_stage_and_the_page_tell_one_size_while_the_run_plays(
+    person: Person, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The stage is drawn in every frame, and the page a few times a second."""
+    person.window.open_level("momentum/cradle")
+    person.press(pygame.K_j, "j")
+    person.session.step()
+    person.wait()
+    told: list[tuple[str, ...]] = []
+    texts = selected_body.texts
+
+    def noted(found: FreeBody) -> Sequence[tuple[Acting, str]]:
+        told.append(tuple(text for _, text in texts(found)))
+        return texts(found)
+
+    monkeypatch.setattr(selected_body, "texts", noted)
+    person.session.playing = True
+    before = person.session.world.steps
+    person.wait(0.2)
+
+    assert person.session.world.steps > before
+    assert len(set(told)) <= 3
 
 
 def test_every_force_has_a_colour() -> None:

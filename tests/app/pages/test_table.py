@@ -6,10 +6,15 @@ import numpy as np
 import pygame
 import pytest
 
+from sandbox.app.drawing.text import Pen
 from sandbox.app.files import own_files
 from sandbox.app.pages.table import card
 from sandbox.app.pages.table.panel import TablePage
+from sandbox.app.runs.session import Session
+from sandbox.model import catalog
+from sandbox.model.loading import load
 from tests.app.person import Person
+from tests.app.writing import noted
 
 
 @pytest.fixture
@@ -43,6 +48,18 @@ def test_the_file_has_what_is_graphed_at_every_instant(seated: Person, tmp_path:
     assert lines[0].startswith("t [s],ball.")
     assert found.shape[0] == 31
     np.testing.assert_array_equal(found[:, 0], states.t)
+
+
+def test_the_unit_of_a_quantity_with_a_long_name_is_written(
+    pen: Pen, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Name and unit were shortened as one: the unit was what went."""
+    session = Session(load(catalog.find("newton/atwood")))
+    written = noted(pen, monkeypatch)
+
+    card.values(pen, 278, session, ["left.acceleration.y", "string.tension"], {})
+
+    assert {"m/s²", "N"} <= set(written)
 
 
 def test_another_instant_is_another_table(seated: Person) -> None:

@@ -35,6 +35,7 @@ def forces(pen: Pen, width: int, session: Session, axes: Axes) -> pygame.Surface
     if found is None:
         card.text(say(NOT_YET if body else NOBODY), 13, theme.DIM)
         return card.drawn()
+    session.looking.tell(session.world, found)
     if len(session.level.bodies) > 1:
         card.text(say("Click on another body to see its forces."), SIZE, theme.DIM)
         card.y += 4

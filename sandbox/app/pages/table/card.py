@@ -24,6 +24,7 @@ DIGITS = 4
 
 SIZE = 12  # of letters
 GAP = 10  # px, between columns
+TIME = 64  # px, the column of the time
 
 
 def values(
@@ -45,8 +46,8 @@ def values(
     card, shown = Card(pen, width), names[:COLUMNS]
     card.heading(say("Values by time"))
     columns, units = measured(session.world, session.history, ["t", *shown])
-    head = ["t [s]", *(formatting.with_unit_in_brackets(n, units[n]) for n in shown)]
-    _row(card, head, theme.ACCENT)
+    _row(card, ["t", *shown], theme.ACCENT)
+    _row(card, ["s", *(units[n] for n in shown)], theme.DIM)
     for row in instants(len(columns["t"])):
         cells = (_cell(float(columns[n][row]), units[n], trust.get(n)) for n in shown)
         _row(card, [f"{columns['t'][row]:.4g}", *cells], theme.TEXT)
@@ -72,11 +73,12 @@ def _cell(value: float, unit: str, trust: Trust | None) -> str:
 
 def _row(card: Card, cells: Sequence[str], color: theme.Color) -> None:
     """Write a row: the first cell at the left, the others at the right of their columns."""
-    room = card.width / len(cells)
+    first = card.pen.px(TIME)
+    room = (card.width - first) / max(len(cells) - 1, 1)
     heights = []
     for i, text in enumerate(cells):
-        shown = card.pen.shorten(text, int(room) - GAP, SIZE)
+        shown = card.pen.shorten(text, int(room if i else first) - GAP, SIZE)
         image = card.pen.write(shown, SIZE, theme.DIM if i == 0 else color)
-        card.put(image, 0 if i == 0 else round((i + 1) * room) - image.width)
+        card.put(image, 0 if i == 0 else first + round(i * room) - image.width)
         heights.append(image.height)
     card.y += max(heights, default=SMALLEST)

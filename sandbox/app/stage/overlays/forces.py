@@ -28,7 +28,8 @@ def _draw(surface: pygame.Surface, view: View) -> None:
     given = _given(view, found)
     scale = given or longest / (view.looking.full(found) or 1.0)  # px/N
     ends = []
-    for acting, text in selected_body.texts(found):
+    words = selected_body.texts(view.looking.told(view.world, found))
+    for acting, (_, text) in zip(selected_body.felt(found), words, strict=True):
         if given and acting.name == Force.effect.called:
             continue
         share = min(scale, CUT * longest / acting.size)
