@@ -33,7 +33,8 @@ def draw(
 
     The run that is played has its `own` colours, those of its bodies.
 
-    What is too long for the surface is shortened; the side panel tells it in full.
+    What is too long for the surface is shortened; the side panel tells it in full. Where there is
+    no room below the banner, it waits until that has gone.
     """
     if not rows:
         return
@@ -44,6 +45,8 @@ def draw(
     corner = CORNER[0], max(CORNER[1], banner + GAP)
     box = pygame.Rect(corner, (0, len(texts) * height + 2 * PADDING))
     box.width = max(text.width for text in texts) + beside
+    if box.bottom > surface.height:
+        return
     pygame.draw.rect(surface, theme.PANEL, box, border_radius=6)
     pygame.draw.rect(surface, theme.EDGE, box, 1, border_radius=6)
     x, y = box.x + PADDING, box.y + PADDING

@@ -19,7 +19,7 @@ def paint(space: Workspace) -> None:
     area = layout.stage.clip(surface.get_rect())
     if space.panels.home.open:
         space.panels.home.draw(surface)
-        space.banner.draw(surface, space.pen, layout.stage, None)
+        space.banner.draw(surface, space.pen, area, None)
     elif space.session is not None and area:
         _paint_stage(space, surface.subsurface(area), space.session)
     else:
@@ -49,7 +49,7 @@ def _paint_stage(space: Workspace, view: pygame.Surface, session: Session) -> No
     if space.hand.tape is not None:
         space.hand.tape.draw(view, space.stage.camera, space.pen)
     space.workers.of(Stopwatch).draw(view, space.pen, session)
-    below = space.banner.draw(space.surface, space.pen, space.panels.layout.stage, session)
+    below = space.banner.draw(view, space.pen, view.get_rect(), session)
     labels = [run.label(session.values) for run in session.earlier]
     runs = runs_beside(session)[1] or legend.earlier(labels)
     legend.draw(view, space.pen, runs, below, space.stage.view.colors)

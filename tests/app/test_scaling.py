@@ -7,6 +7,8 @@ import pygame
 import pytest
 from pygame_gui.elements import UIButton, UITextEntryLine
 
+from sandbox.app.drawing import theme
+from sandbox.app.drawing.theme import Color
 from sandbox.app.files import preferences
 from sandbox.app.files.preferences import SIZES
 from sandbox.app.pages.register import PAGES
@@ -131,3 +133,32 @@ def test_what_has_no_room_is_scrolled_to(person: Person, tmp_path: Path, size: i
     for _ in range(8):
         person.press(pygame.K_PAGEDOWN)
     assert side._sheet.checks is None or side._sheet.checks.rect.bottom <= container.rect.bottom + 4
+
+
+@pytest.mark.parametrize(
+    ("window", "size"), [((200, 900), 100), (SMALLEST, 200), ((1600, 300), 100)]
+)
+def test_a_note_is_whole_in_a_narrow_window_and_leaves_some_of_the_stage(
+    person: Person, monkeypatch: pytest.MonkeyPatch, window: tuple[int, int], size: int
+) -> None:
+    """At 200 x 900 it was cut at the right, and large text hid all of the stage at 900 x 600."""
+    person.resize(window)
+    choose(person, size)
+    person.window.open_level("kinematics/projectile")
+    boxes: list[pygame.Rect] = []
+    rect = pygame.draw.rect
+
+    def noted(
+        surface: pygame.Surface, color: Color, box: pygame.Rect, *more: int, **how: int
+    ) -> None:
+        if color == theme.RAISED:
+            boxes.append(box.move(surface.get_abs_offset()))
+        rect(surface, color, box, *more, **how)
+
+    person.window.banner.tell("saved /home/somebody/Documents/Mechanics sandbox/projectile 9.gif")
+    monkeypatch.setattr(pygame.draw, "rect", noted)
+    person.wait()
+
+    stage = person.window.panels.layout.stage.clip(person.window.surface.get_rect())
+    assert stage.contains(boxes[0])
+    assert boxes[0].height < stage.height / 2

@@ -16,6 +16,9 @@ from sandbox.app.keys import MOUSE
 from sandbox.app.words.language import say, say_in
 
 PADDING = 12  # px
+NARROWEST = 60  # px, of what is written in a note
+HIDDEN = 0.25
+"""The part of an area that a note may hide before it is written smaller."""
 OFFER = 220, 38  # px
 ROW = 17  # px, the height from which on the rows of the help do not touch
 LEGIBLE = 0.75
@@ -26,7 +29,7 @@ def draw_banner(
     surface: pygame.Surface, pen: Pen, area: pygame.Rect, text: str, color: Color
 ) -> int:
     """Draw a note at the top of an area, and return where it ends [px]."""
-    lines = pen.paragraph(text, min(area.width - 60, pen.px(640)), 14, theme.TEXT)
+    lines = _lines(pen, area, text)
     width = max(line.width for line in lines) + 2 * PADDING + 6
     height = sum(line.height for line in lines) + 2 * PADDING - 6
     box = pygame.Rect(0, 0, width, height)
@@ -39,6 +42,15 @@ def draw_banner(
         surface.blit(line, (box.x + PADDING + 3, y))
         y += line.height
     return box.bottom
+
+
+def _lines(pen: Pen, area: pygame.Rect, text: str) -> Sequence[pygame.Surface]:
+    """Write a note, smaller where it would hide too much of the area."""
+    width = max(min(area.width - 2 * PADDING - 20, pen.px(640)), pen.px(NARROWEST))
+    lines = pen.paragraph(text, width, 14, theme.TEXT)
+    if sum(line.height for line in lines) > HIDDEN * area.height:
+        lines = pen.paragraph(text, width, 11, theme.TEXT)
+    return lines
 
 
 def everywhere() -> list[tuple[str, str]]:

@@ -118,6 +118,15 @@ def test_the_legend_stands_below_a_banner_of_any_height(pen: Pen, banner: int) -
     assert drawn[0] > banner
 
 
+def test_a_legend_for_which_a_banner_leaves_no_room_waits(pen: Pen) -> None:
+    """It was cut in the middle of a row."""
+    surface = pygame.Surface((600, 300))
+
+    legend.draw(surface, pen, [(None, "with drag"), (theme.GHOST, whatif.DECLARED)], 250)
+
+    assert not pygame.surfarray.array3d(surface).any()
+
+
 def test_the_legend_tells_the_own_run_by_the_colours_of_its_bodies(pen: Pen) -> None:
     """Its trails have these; it was told by another one."""
     surface = pygame.Surface((600, 300))
