@@ -175,7 +175,7 @@ class Workspace:
         self.path, self._settings, self._accuracy = path, settings or {}, accuracy
         ran = path.name.endswith(runfile.SUFFIX)
         try:
-            session = runfile.session_of(runfile.read(path)) if ran else self._begun(path, rate)
+            session = self._taken_again(path) if ran else self._begun(path, rate)
         except SandboxError as error:
             self._refuse(path, error)
             self._refused_rate = error.rate if isinstance(error, SimulationError) else None
@@ -202,6 +202,11 @@ class Workspace:
             message = later("Building {title}: {count:,} bodies and joints …")
             self._say_first(say(message, title=_title(level), count=parts))
         return Session(level, choose(level, self._settings), rate, patient=False)
+
+    @staticmethod
+    def _taken_again(path: Path) -> Session:
+        """Return a session of the run of a file; what it has to wait for, the window does not."""
+        return runfile.session_of(runfile.read(path), patient=False)
 
     def _tell_of(self, session: Session, path: Path, *, ran: bool) -> None:
         """Say what there is to know of what was opened; keep a person's own file in mind."""

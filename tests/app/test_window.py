@@ -17,7 +17,10 @@ from sandbox.app.panels.controls import Controls
 from sandbox.app.panels.footer import counted
 from sandbox.app.panels.layout import divide
 from sandbox.app.runs import runfile
+from sandbox.app.runs.session import Session
 from sandbox.model import catalog
+from sandbox.model.level import Stepping
+from sandbox.model.loading import load
 from sandbox.physics.measuring.recording import count_steps
 from sandbox.physics.run import build
 from tests.app import scenes
@@ -590,6 +593,24 @@ def test_a_run_is_played_again_by_dropping_its_file(person: Person, tmp_path: Pa
     assert person.window.path is None
     assert person.window.banner.tells(f"{path.name} plays as it did, with all that was done")
     assert person.session.actions
+
+
+def test_the_window_does_not_stand_still_while_a_run_looks_for_its_setting(
+    person: Person, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Somebody has asked for an accuracy in the file: that is searched beside the frames."""
+    level = load(catalog.find("kinematics/projectile"))
+    asking = level.model_copy(update={"stepping": Stepping(accuracy=1e-6)})
+    stated = asking.model_dump(mode="json", by_alias=True, exclude_defaults=True)
+    saved = runfile.run_of(Session(level)).model_copy(update={"level": stated})
+    path = tmp_path / f"mine{runfile.SUFFIX}"
+    runfile.save(saved, path)
+    monkeypatch.setattr("sandbox.app.runs.beginning.calibrated", lambda *_: pytest.fail("waits"))
+
+    pygame.event.post(pygame.Event(pygame.DROPFILE, file=str(path)))
+    person.wait()
+
+    assert person.session.level.stepping.accuracy == 1e-6
 
 
 def test_a_file_of_a_run_that_is_none_says_so(person: Person, tmp_path: Path) -> None:

@@ -83,8 +83,10 @@ def replay(run: Run) -> Session:
     return session
 
 
-def session_of(run: Run) -> Session:
+def session_of(run: Run, *, patient: bool = True) -> Session:
     """Return a session at the start of a run, which does again, step by step, what a hand did.
+
+    It is as `patient` as `Session` says.
 
     Raises
     ------
@@ -92,7 +94,7 @@ def session_of(run: Run) -> Session:
         If its level is not well formed, or cannot be built.
     """
     level = parse(json.dumps(run.level), "the level of the run")
-    session = Session(level, choose(level, run.parameters))
+    session = Session(level, choose(level, run.parameters), patient=patient)
     session.do_again(run.actions, 0)
     return session
 
