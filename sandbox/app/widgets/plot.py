@@ -25,6 +25,7 @@ SIGNED = 4
 """How many signs stand on a line; those of other lines stand elsewhere along it."""
 GAP = 7  # px, between the numbers of two ticks
 DOT = 2.5  # px, the radius of a marked point
+CORNERS = "topleft", "bottomleft", "topright", "bottomright"
 MARGIN = 3  # px, around the field, in which what stands on its edge is drawn
 
 
@@ -103,6 +104,7 @@ def draw(
     surface.set_clip(field.inflate(2 * MARGIN, 2 * MARGIN))
     for each in series:
         _draw_line(surface, each, span, up)
+    _tell_offset(surface, pen, field, series, span, up)
     if cursor is not None:
         x = round(float(span.pixels(np.array(cursor))))
         pygame.draw.line(surface, theme.NOTICE, (x, up.end), (x, up.start))
@@ -175,16 +177,31 @@ def _draw_axes(surface: pygame.Surface, pen: Pen, span: Scale, up: Scale) -> Non
         pygame.draw.line(surface, theme.GRID_STRONG, (left, y), (span.end, y))
         text = pen.write(_brief(value), 11, theme.DIM)
         surface.blit(text, text.get_rect(midright=(left - 4, y)))
-    if offset:
-        surface.blit(
-            pen.write(f"{_brief(offset)} + …", 11, theme.NOTICE), (left + 6, round(up.end))
-        )
     for value in _ticks_apart(pen, span):
         x = round(float(span.pixels(np.array(value))))
         pygame.draw.line(surface, theme.GRID_STRONG, (x, up.end), (x, bottom))
         text = pen.write(_brief(value), 11, theme.DIM)
         place = text.get_rect(midtop=(x, bottom + 3)).clamp(surface.get_rect())
         surface.blit(text, place)
+
+
+def _tell_offset(
+    surface: pygame.Surface, pen: Pen, field: pygame.Rect, series: Sequence[Series], span: Scale,
+    up: Scale,
+) -> None:  # fmt: skip
+    """Write what the numbers upwards are told beyond, in a corner that no line goes through."""
+    if not (offset := _offset(up)):
+        return
+    told = pen.write(f"{_brief(offset)} + …", 11, theme.NOTICE)
+    place, inside = told.get_rect(), field.inflate(-2 * GAP, 0)
+    corners = [place.move_to(**{corner: getattr(inside, corner)}) for corner in CORNERS]
+    pixels = [np.column_stack((span.pixels(each.x), up.pixels(each.y))) for each in series]
+
+    def free(place: pygame.Rect) -> bool:
+        box = np.array([place.topleft, place.bottomright])
+        return not any(any(True for _ in _parts(line, box)) for line in pixels)
+
+    surface.blit(told, next(filter(free, corners), corners[0]))
 
 
 def _ticks_apart(pen: Pen, span: Scale) -> Sequence[float]:

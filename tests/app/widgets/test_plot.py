@@ -3,8 +3,10 @@
 from math import radians
 
 import numpy as np
+import pygame
 import pytest
 
+from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.widgets import plot
 from sandbox.app.widgets.plot import GAP, Scale, Series
@@ -48,3 +50,19 @@ def test_a_scale_of_another_unit_is_read_as_it_is() -> None:
 
     assert scale.read_in("m") is scale
     assert scale.read_in("rad/s").high == pytest.approx(360 / 3.14159265, rel=1e-6)
+
+
+@pytest.mark.parametrize("slope", [-1e-5, 1e-5])
+def test_what_numbers_are_told_beyond_stands_where_no_line_is(pen: Pen, slope: float) -> None:
+    """It stood on a line that begins in the upper left corner."""
+    x = np.linspace(0.0, 1.0, 50)
+    series = Series(theme.ACCENT, x, 4.5 + slope * x**2, marked=True)
+
+    drawn = pygame.surfarray.array3d(
+        plot.draw(pen, SIZE, [series], plot.across(pen, SIZE[0], [x]), None)
+    )
+
+    columns, rows = np.nonzero((drawn == theme.NOTICE).all(axis=2))
+    told = drawn[columns.min() : columns.max() + 1, rows.min() : rows.max() + 1]
+    assert told.size
+    assert not (told == theme.ACCENT).all(axis=2).any()

@@ -84,7 +84,7 @@ def momentum(pen: Pen, width: int, session: Session) -> pygame.Surface:
     card.y += 4
     card.heading(say("Change"))
     card.text(session.books.covered, 12, theme.DIM)
-    _add_table(card, given(session))
+    _add_table(card, given(session), scale)
     return card.drawn()
 
 
@@ -105,8 +105,8 @@ def _add_bars(card: Card, row: Momentum, scale: float, colors: Sequence[Color]) 
     card.y += 3
 
 
-def _add_table(card: Card, rows: Sequence[Momentum]) -> None:
-    """Add momenta as numbers, in a column for each axis."""
+def _add_table(card: Card, rows: Sequence[Momentum], scale: float) -> None:
+    """Add momenta as numbers, in a column for each axis; what is rounding of a scale is none."""
     pen, ends = card.pen, (card.width - card.pen.px(COLUMN), card.width)
     for axis, color, end in zip("xy", _axes(), ends, strict=True):
         head = pen.write(f"{axis} [{momenta.UNIT}]", 12, color)
@@ -115,7 +115,8 @@ def _add_table(card: Card, rows: Sequence[Momentum]) -> None:
     for row in rows:
         card.put(pen.write(row.name, 13, theme.DIM), 0)
         for value, end in zip(row.value.tolist(), ends, strict=True):
-            text = pen.write(formatting.number(value, 3), 13)
+            told = formatting.without_rounding(value, scale)
+            text = pen.write(formatting.number(told, 3), 13)
             card.put(text, end - text.width)
         card.y += pen.height(13) + 1
 
