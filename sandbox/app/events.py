@@ -114,7 +114,10 @@ class Events:
         elif event.type in _MOUSE and not (
             maker is not None and maker.process(event, area, space.stage, session)
         ):
-            space.hand.process(event, area, session)
+            try:
+                space.hand.process(event, area, session)
+            except SandboxError as error:
+                space.banner.tell(say(error.message))
 
     def _seek(self, event: pygame.event.Event) -> bool:
         """Go to the time that was clicked on or dragged to, and return whether one was."""

@@ -21,7 +21,9 @@ from sandbox.app.runs.pace import faster, slower
 from sandbox.app.runs.record import Records
 from sandbox.app.runs.run_view import RunView
 from sandbox.model.errors import SandboxError
+from sandbox.model.message import Message
 from sandbox.model.shapes import XY
+from sandbox.physics.state.errors import SimulationError
 from sandbox.physics.stepping.world import World
 
 BUDGET = 0.009  # s, of a frame for steps
@@ -270,9 +272,28 @@ class Playback(RunView, ABC):
             self._grip.grab(body, point)
 
     def drag(self, point: XY) -> None:
-        """Pull what is held to a point [m]: while time runs with a force, else put it there."""
+        """Pull what is held to a point [m]: while time runs with a force, else put it there.
+
+        Raises
+        ------
+        SandboxError
+            If it cannot be put there. Then the run stands where it stood, and nothing is held.
+        """
+        well = self.failure is None
         self._grip.drag(point, playing=self.playing)
+        if well and self.failure is not None and not self.playing:
+            self._put_back(self.failure)
         self._pause_if_stopped()
+
+    def _put_back(self, failure: SandboxError) -> None:
+        """Take the run again up to here, without what it could not stand."""
+        self._begin_again(self.world.steps)
+        self._recall()
+        self._seek(AT_ONCE)
+        reason = failure.reason if isinstance(failure, SimulationError) else failure.message
+        raise SandboxError(
+            Message("it cannot be put there: {reason}; play, and pull it", reason=reason)
+        )
 
     def release(self) -> None:
         """Let go."""

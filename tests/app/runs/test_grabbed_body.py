@@ -9,6 +9,7 @@ from sandbox.app.runs.session import Session
 from sandbox.model import catalog
 from sandbox.model.loading import load
 from tests.app.person import Person
+from tests.levels.playing import fingerprint
 
 PIVOTS = {"ball1": 0.0, "ball2": 0.2, "ball5": 0.8}  # m, at a height of 1 m; the rods are 1 m long
 
@@ -70,3 +71,26 @@ def test_in_the_middle_of_a_swing_too() -> None:
     x, y = where(session, "ball1")
     assert session.failure is None
     assert hypot(x, y - 1) == pytest.approx(1, rel=1e-9)
+
+
+def test_a_run_goes_on_from_where_it_stood_after_a_body_could_not_be_put_elsewhere(
+    person: Person,
+) -> None:
+    """A chassis without its wheels stopped the run for good, with a rate that would not help."""
+    person.window.open_level("machines/car-over-bumps")
+    session = person.session
+    for _ in range(20):
+        session.step()
+    x, y = where(session, "chassis")
+    state = fingerprint(session.world.snapshot)
+
+    lift(person, "chassis", (x - 0.2, y + 0.3))
+    while session.sought is not None:
+        person.wait()
+
+    assert session.failure is None
+    assert fingerprint(session.world.snapshot) == state
+    assert not session.actions
+    assert "it cannot be put there: nothing keeps" in person.window.banner._note
+    session.step()
+    assert session.world.steps == 21
