@@ -28,6 +28,16 @@ def test_says_what_touches_and_how_hard(run: Run) -> None:
     assert "press on each other with 19.32 N" in told
 
 
+def test_says_where_a_line_is_and_no_rounding_of_places_and_forces(run: Run) -> None:
+    """A beam was said to be at 0, and balls that hang still at −4e-18 m, pressing with 7e-9 N."""
+    told = run("describe", "momentum/cradle", "--at", "0.6").out
+
+    assert "beam: a static segment, from x = −0.3000 m, y = 1.030 m to x = 1.100 m" in told
+    assert "at x = 0.2000 m, y = 0 m; at rest" in told
+    assert "ball1 and ball2 touch" in told
+    assert "e−" not in told
+
+
 def test_says_the_forces_on_each_body_where_they_are_asked_for(run: Run) -> None:
     """2 kg on a slope of 30° with a friction of 0.3: m g (sin 30° − 0.3 cos 30°) is left."""
     asked = "describe", "newton/incline-with-friction", "--at", "0.5"

@@ -1,18 +1,23 @@
 """A scene in words, for a terminal or a screen reader."""
 
+from cmath import exp
 from collections.abc import Iterator
 from math import hypot
 
 from sandbox.app.observing.forces_in_words import forces, way
+from sandbox.app.observing.selected_body import FAINT
 from sandbox.app.words import formatting
 from sandbox.model.body import Body
 from sandbox.model.joints import End, Held, Joint, Pulley, Wire, points
-from sandbox.model.shapes import Box, Disc, Hoop, Shape, evaluate
+from sandbox.model.shapes import Box, Disc, Hoop, Segment, Shape, evaluate
 from sandbox.physics.measuring.grading import Result
 from sandbox.physics.stepping.world import World
 
 STILL = 1e-9
 """m/s or rad/s: what is slower than that is said to be at rest."""
+
+NEAR = 1e-6
+"""Of the width that is seen: what is no farther from an axis is said to be on it."""
 
 MANY = 40
 """How many bodies, joints or contacts are told one by one; of more, how many there are besides."""
@@ -66,7 +71,8 @@ def _parameters(world: World) -> Iterator[str]:
 
 def _bodies(world: World) -> Iterator[str]:
     for row, (name, body) in enumerate(world.level.bodies.items()):
-        yield f"{name}: {_looks(body, world)}{_place(world, row)}{_motion(world, row)}"
+        place = _ends if isinstance(body.shape, Segment) else _place
+        yield f"{name}: {_looks(body, world)}{place(world, row)}{_motion(world, row)}"
 
 
 def _looks(body: Body, world: World) -> str:
@@ -89,11 +95,31 @@ def _shape(shape: Shape, world: World) -> str:
             return str(shape.type)
 
 
+def _ends(world: World, row: int) -> str:
+    """Say from where to where a segment is: what its body is placed at may be far from it."""
+    shape = list(world.level.bodies.values())[row].shape
+    assert isinstance(shape, Segment)
+    place = complex(*world.snapshot.position[row].tolist())
+    turn = exp(1j * float(world.snapshot.angle[row]))
+    start, end = (
+        _point(world, place + turn * complex(*evaluate(corner, world.values)))
+        for corner in (shape.start, shape.end)
+    )
+    return f", from {start} to {end}"
+
+
+def _point(world: World, point: complex) -> str:
+    least = NEAR * world.level.view.width(world.values)
+    seen = (part if abs(part) > least else 0.0 for part in (point.real, point.imag))
+    x, y = (formatting.quantity(value, "m", 4) for value in seen)
+    return f"x = {x}, y = {y}"
+
+
 def _place(world: World, row: int) -> str:
-    x, y = (formatting.quantity(float(value), "m", 4) for value in world.snapshot.position[row])
+    at = _point(world, complex(*world.snapshot.position[row].tolist()))
     angle = float(world.snapshot.angle[row])
     turned = f", turned by {formatting.quantity(angle, 'rad', 3)}" if abs(angle) > STILL else ""
-    return f", at x = {x}, y = {y}{turned}"
+    return f", at {at}{turned}"
 
 
 def _motion(world: World, row: int) -> str:
@@ -135,9 +161,11 @@ def _end(end: End, world: World) -> str:
 
 def _contacts(world: World) -> Iterator[str]:
     names, contacts = list(world.level.bodies), world.contacts
-    for (first, second), impulse in zip(contacts.bodies, contacts.normal, strict=True):
-        force = formatting.quantity(float(impulse) / world.dt, "N", 4)
-        yield f"{names[first]} and {names[second]} press on each other with {force}"
+    forces = contacts.normal / world.dt
+    strongest = max(forces.max(initial=0.0), abs(world.snapshot.tension).max(initial=0.0))
+    for (first, second), force in zip(contacts.bodies, forces.tolist(), strict=True):
+        told = f"press on each other with {formatting.quantity(force, 'N', 4)}"
+        yield f"{names[first]} and {names[second]} {told if force > FAINT * strongest else 'touch'}"
 
 
 def _check(result: Result) -> str:
