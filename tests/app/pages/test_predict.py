@@ -391,6 +391,8 @@ def test_two_balls_that_were_lifted_are_still_when_the_last_ones_way_is_predicte
 
     assert person.session.world.steps == 0
     assert (person.session.world.snapshot.position[:2] == lifted).all()
+    tip = person.page(PredictPage).button.tool_tip_text
+    assert tip == "let the run go on without a prediction"  # that of Predict stayed
     answer(person, "1")
     assert person.session.playing
     person.wait(0.1)

@@ -28,6 +28,12 @@ MOST = 6
 CAPTIONS = PREDICT, PUT_OFF, ANOTHER = (
     later("Predict"), later("Put it off"), later("Predict another"),
 )  # fmt: skip
+TIPS = {
+    PREDICT: later("go back to the start of the run"),
+    PUT_OFF: later("let the run go on without a prediction"),
+    ANOTHER: later("choose what to predict"),
+}
+"""What each says while the mouse rests on it."""
 
 
 class PredictPage:
@@ -41,9 +47,8 @@ class PredictPage:
         self.list = self._listed([])
         self.button = sheet.button(
             pygame.Rect((0, 0), (sheet.room(*map(say, CAPTIONS)), sheet.px(HEIGHT))),
-            "",
-            say("go back to the start of the run"),
-        )
+            "", say(TIPS[PREDICT]),
+        )  # fmt: skip
         place = pygame.Rect(sheet.margin, 0, sheet.width - sheet.px(UNIT), sheet.px(FIELD))
         self.field = Field(place, sheet.manager, container=sheet.container)
         self.field.set_text_length_limit(60)
@@ -142,9 +147,10 @@ class PredictPage:
     def _name_button(self) -> None:
         """Let the button say what it would do."""
         asked = self._predicting.question is not None
-        text = say(PUT_OFF if self._open else ANOTHER if asked else PREDICT)
-        if self.button.text != text:
+        caption = PUT_OFF if self._open else ANOTHER if asked else PREDICT
+        if self.button.text != (text := say(caption)):
             self.button.set_text(text)
+            self.button.tool_tip_text = say(TIPS[caption])
 
     def _put(self, widget: Widget, y: int, *, shown: bool) -> int:
         """Put a widget at a height if it is shown; return where the next one stands."""
