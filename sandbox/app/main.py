@@ -19,7 +19,10 @@ _HEADLESS = {"dummy", "offscreen"}
 
 
 def has_display() -> bool:
-    """Whether a window can be opened on this machine."""
+    """Whether a window can be opened on this machine; the display stays open then.
+
+    An X server may begin anew once its last client has gone, and turns away who comes meanwhile.
+    """
     somewhere = os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY")
     chosen = os.environ.get("SDL_VIDEODRIVER", "")
     if chosen in _HEADLESS or (sys.platform == "linux" and not somewhere and not chosen):
@@ -29,7 +32,8 @@ def has_display() -> bool:
         found = pygame.display.get_driver() not in _HEADLESS
     except pygame.error:
         return False
-    pygame.display.quit()
+    if not found:
+        pygame.display.quit()
     return found
 
 

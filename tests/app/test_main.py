@@ -2,6 +2,7 @@
 
 import sys
 
+import pygame
 import pytest
 
 from sandbox.app import main
@@ -15,6 +16,17 @@ def test_a_driver_without_a_screen_is_no_display(
     monkeypatch.setenv("SDL_VIDEODRIVER", driver)
 
     assert not main.has_display()
+
+
+def test_a_display_that_was_found_stays_open(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Left for a moment, a server without other clients refused the window: "x11 not available"."""
+    monkeypatch.setenv("SDL_VIDEODRIVER", "")
+    monkeypatch.setenv("DISPLAY", ":99")
+    monkeypatch.setattr(pygame.display, "init", lambda: None)
+    monkeypatch.setattr(pygame.display, "get_driver", lambda: "x11")
+    monkeypatch.setattr(pygame.display, "quit", lambda: pytest.fail("the display was left"))
+
+    assert main.has_display()
 
 
 @pytest.mark.sweep
