@@ -3,7 +3,7 @@
 import pygame
 
 from sandbox.app.building.editor import Editor
-from sandbox.app.building.file_offers import recover
+from sandbox.app.building.recovery_choices import recover
 from sandbox.app.command_actions import CommandActions
 from sandbox.app.keymap import command
 from sandbox.app.keys import WHILE_TYPING

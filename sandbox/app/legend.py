@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 import pygame
 
-from sandbox.app.drawing import lines, signs, theme
+from sandbox.app.drawing import curve_markers, lines, theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.pages.page import Row
 from sandbox.app.words.language import say
@@ -43,6 +43,6 @@ def draw(surface: pygame.Surface, pen: Pen, rows: Sequence[Row], banner: int = 0
         if color is None:
             lines.stroke(surface, theme.ACCENT, *ends, 3)
         else:
-            lines.dashed(surface, color, ends, *signs.dash(place - 1))
+            lines.dashed(surface, color, ends, *curve_markers.dash(place - 1))
         surface.blit(text, (x + SWATCH + 10, y))
         y += height

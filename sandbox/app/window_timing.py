@@ -7,11 +7,11 @@ from time import perf_counter, thread_time
 import numpy as np
 import pygame
 
-from sandbox.app.first_picture import first_picture
 from sandbox.app.main import FIRST
 from sandbox.app.runs.beginning import begin
 from sandbox.app.runs.live_run import LiveRun
 from sandbox.app.runs.session import Session
+from sandbox.app.startup_timing import first_picture
 from sandbox.app.window import RATE, Window
 from sandbox.model import catalog
 from sandbox.model.errors import SandboxError

@@ -5,7 +5,6 @@ from math import isfinite
 from pathlib import Path
 
 from sandbox.model import catalog
-from sandbox.model.conditions.numbers import MAX_STEPS
 from sandbox.model.crowd_levels import CrowdError
 from sandbox.model.effect_variants import EffectError
 from sandbox.model.errors import SandboxError, ValueRangeError, brief
@@ -14,6 +13,7 @@ from sandbox.model.level import Level, Stepping
 from sandbox.model.loading import load
 from sandbox.model.message import Message
 from sandbox.model.quantities import QuantityError
+from sandbox.model.rules.conditions.numbers import MAX_STEPS
 
 
 class UsageError(SandboxError):

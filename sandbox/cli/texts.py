@@ -10,7 +10,7 @@ from itertools import product
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from sandbox.app.declared_words import has_words, shown_keys, words
+from sandbox.app.translatable_texts import has_words, shown_keys, words
 from sandbox.app.words import language
 from sandbox.model import catalog
 from sandbox.model.files import write_atomically
@@ -73,7 +73,7 @@ def of_the_window() -> "Catalog":
             for line, message, _, context in extract("python", file, KEYWORDS):
                 if any(map(has_words, (message,) if isinstance(message, str) else message)):
                     found.add(message, locations=[(place, line)], context=context)
-    declared = [((FOLDER / "declared_words.py").as_posix(), 1)]
+    declared = [((FOLDER / "translatable_texts.py").as_posix(), 1)]
     for word in words():
         if word not in found:
             found.add(word, locations=declared)

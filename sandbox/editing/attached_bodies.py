@@ -3,7 +3,7 @@
 from collections.abc import Collection, Mapping
 
 from sandbox.editing.formulas import shifted
-from sandbox.editing.layout import Json
+from sandbox.editing.json_layout import Json
 from sandbox.editing.placement import Placed, placed, xy
 from sandbox.editing.text_patches import Changes, put_all
 from sandbox.model.expressions import Expression

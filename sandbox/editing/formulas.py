@@ -4,7 +4,7 @@ import ast
 import re
 from math import degrees
 
-from sandbox.editing.layout import plain
+from sandbox.editing.json_layout import plain
 from sandbox.model.expressions import Expression, Values
 
 _LOOSE = (ast.IfExp, ast.Compare, ast.BoolOp, ast.UnaryOp)

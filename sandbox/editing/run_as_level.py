@@ -11,7 +11,7 @@ from typing import Any
 
 from sandbox.editing.cleanup import without_meaning
 from sandbox.editing.formulas import renamed
-from sandbox.editing.layout import plain as rounded
+from sandbox.editing.json_layout import plain as rounded
 from sandbox.editing.written_out import plain
 from sandbox.model import writing
 from sandbox.model.body import Body

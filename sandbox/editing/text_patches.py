@@ -10,8 +10,8 @@ import re
 from collections.abc import Iterable, Mapping
 from itertools import takewhile
 
+from sandbox.editing.json_layout import INDENT, Json, laid_out, line
 from sandbox.editing.json_spans import Span, Spans
-from sandbox.editing.layout import INDENT, Json, laid_out, line
 from sandbox.model.document import Document
 from sandbox.model.errors import SandboxError
 from sandbox.model.json_positions import Path

@@ -15,11 +15,11 @@ from sandbox.experiments.measures import Measure
 from sandbox.experiments.observables import Observable
 from sandbox.experiments.random_points import points
 from sandbox.model import effect_variants
-from sandbox.model.conditions.condition import Condition
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level, Stepping
 from sandbox.model.loading import choose
-from sandbox.model.rules import depending
+from sandbox.model.rules.conditions.condition import Condition
+from sandbox.model.rules.faults import depending
 
 NONE = "none"
 """What `without` is called where nothing is switched off."""

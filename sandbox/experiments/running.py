@@ -12,14 +12,14 @@ import numpy as np
 from sandbox.experiments.observables import Observable, holds_at
 from sandbox.experiments.plan import Plan, Row
 from sandbox.experiments.table import Cell, columns
-from sandbox.model.conditions.numbers import MAX_STEPS
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level, Stepping
 from sandbox.model.message import NOTHING, Message
+from sandbox.model.rules.conditions.numbers import MAX_STEPS
 from sandbox.physics.ensemble.batched_runs import Flight, accepts, suits
 from sandbox.physics.measuring.recording import Trace, count_steps
-from sandbox.physics.metering.meter import Meter
+from sandbox.physics.quantities.meter import Meter
 from sandbox.physics.run import build, simulate
 from sandbox.physics.state.errors import SimulationError
 from sandbox.physics.stepping.world import World

@@ -15,7 +15,6 @@ from sandbox.model import parse_messages
 from sandbox.model.acting_events import ACTIONS
 from sandbox.model.arithmetic import ExpressionError
 from sandbox.model.body import Body
-from sandbox.model.consistency import inconsistencies
 from sandbox.model.constants import define
 from sandbox.model.did_you_mean import suggestion
 from sandbox.model.effects import EFFECTS, Effects
@@ -25,7 +24,8 @@ from sandbox.model.expressions import Expression
 from sandbox.model.level import Level
 from sandbox.model.level_parts import Fault
 from sandbox.model.message import Message
-from sandbox.model.rules import faults
+from sandbox.model.rules.consistency import inconsistencies
+from sandbox.model.rules.faults import faults
 
 DEFAULTS: Mapping[str, Settings] = {
     name: effect.trial for name, effect in EFFECTS.items() if effect.trial is not None

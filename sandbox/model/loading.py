@@ -14,10 +14,8 @@ import numpy as np
 from pydantic import ValidationError
 from pydantic_core import ErrorDetails
 
-from sandbox.model import parse_messages, rules
+from sandbox.model import parse_messages
 from sandbox.model.arithmetic import MAX_LENGTH
-from sandbox.model.conditions.condition import Condition
-from sandbox.model.consistency import dangling
 from sandbox.model.did_you_mean import meant
 from sandbox.model.document import Document, refuse
 from sandbox.model.errors import MAX_MISTAKES, LevelError, Mistake, ValueRangeError, brief
@@ -28,6 +26,9 @@ from sandbox.model.level import Level, Parameter
 from sandbox.model.level_parts import Fault
 from sandbox.model.message import NOTHING, Message, joined
 from sandbox.model.origin import Origin
+from sandbox.model.rules import faults
+from sandbox.model.rules.conditions.condition import Condition
+from sandbox.model.rules.consistency import dangling
 from sandbox.model.shorthand import write_out
 
 MAX_BYTES = 5_000_000
@@ -151,7 +152,7 @@ def _parsed(text: str, source: str) -> Level:
             rule, place = parse_messages.refused(details[0]["ctx"]["error"])
             refuse(source, rule, place if data is typed else None)
         document.refuse(_faults(document, data, details))
-    if found := rules.faults(level):
+    if found := faults.faults(level):
         document.refuse(made.hinted(fault, typed) for fault in found)
     level.read_from(Origin(text, source, made.place))
     return level
@@ -188,7 +189,7 @@ def choose(
     level, settings
         Whose parameters, and the values of those that are set.
     among
-        What `rules.depending` says of the level, where it is known already.
+        What `faults.depending` says of the level, where it is known already.
 
     Raises
     ------
@@ -223,8 +224,8 @@ def choose(
                 )
             )
     values = {**level.defaults, **settings}
-    held = rules.depending(level) if among is None and settings else among or ()
-    if fault := next(rules.broken(held, values), None):
+    held = faults.depending(level) if among is None and settings else among or ()
+    if fault := next(faults.broken(held, values), None):
         chosen = ", ".join(f"{name} = {value:g}" for name, value in settings.items())
         place = ".".join(map(str, fault.path))
         raise ValueRangeError(

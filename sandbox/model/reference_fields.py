@@ -1,7 +1,7 @@
 """The mark of fields that name another part of the level.
 
-`sandbox.model.consistency.mentions` finds them from here, so that a new effect or joint need say
-no more than the type of its field.
+`sandbox.model.rules.consistency.mentions` finds them from here, so that a new effect or joint need
+say no more than the type of its field.
 """
 
 from dataclasses import dataclass

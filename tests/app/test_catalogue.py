@@ -15,7 +15,7 @@ from babel.messages.catalog import Catalog, Message
 from babel.messages.mofile import write_mo
 from babel.messages.pofile import read_po
 
-from sandbox.app import declared_words
+from sandbox.app import translatable_texts
 from sandbox.app.words import language
 from sandbox.cli import texts
 from sandbox.model import catalog, ledger_accounts
@@ -142,7 +142,7 @@ def test_a_language_that_is_new_begins_with_all_messages_and_no_translation(
 @pytest.mark.sweep
 def test_every_account_of_every_level_is_a_word_that_is_declared() -> None:
     """What a joint or an effect books is found; so is what the ledger books of its own."""
-    words = set(declared_words.words())
+    words = set(translatable_texts.words())
     for name in catalog.names():
         level = load(catalog.root() / f"{name}.json")
         every = (

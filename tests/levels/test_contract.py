@@ -15,7 +15,7 @@ from sandbox.model.ledger_accounts import damps
 from sandbox.model.level import Level
 from sandbox.physics.measuring.grading import grade
 from sandbox.physics.measuring.recording import needed
-from sandbox.physics.metering.meter import Meter
+from sandbox.physics.quantities.meter import Meter
 from sandbox.physics.run import build, simulate
 from tests.elsewhere import PATIENCE, ROOT
 from tests.levels.playing import Played, fingerprint, play

@@ -14,6 +14,7 @@ from sandbox.model.errors import SandboxError
 from sandbox.model.message import Message
 from validation import suite
 from validation.case import Case, Outcome
+from validation.case_tables import read
 from validation.cases import PHENOMENA, all_cases
 from validation.cost import command as cost
 from validation.cost.requests import Request
@@ -24,7 +25,6 @@ from validation.effects.growth import Growth
 from validation.stability import command as stability
 from validation.stability.run import Outcome as Hard
 from validation.stability.run import run
-from validation.tables import read
 
 SAMPLE = (
     "kinematics/projectile",

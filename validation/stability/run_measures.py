@@ -8,7 +8,7 @@ from sandbox.model.expressions import Array
 from sandbox.model.joints import End, Held, points
 from sandbox.model.level import Level, Stepping
 from sandbox.model.shapes import evaluate
-from sandbox.physics.metering.meter import Meter
+from sandbox.physics.quantities.meter import Meter
 from sandbox.physics.run import build
 from sandbox.physics.state.snapshot import Snapshot
 from sandbox.physics.stepping.world import World

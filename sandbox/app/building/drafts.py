@@ -5,7 +5,7 @@ from contextlib import suppress
 from itertools import chain, count
 from pathlib import Path
 
-from sandbox.app.files import own_files
+from sandbox.app.files import save_folder
 from sandbox.editing.draft import Draft
 from sandbox.editing.recovery import Recoverable, Recovery, recoverable
 from sandbox.model import catalog
@@ -94,7 +94,7 @@ class Drafts:
             If it cannot be written, or something else would be written over unasked.
         """
         mine = draft is self._mine and path in (None, draft.path)
-        if path is not None and path.parent == own_files.folder():
+        if path is not None and path.parent == save_folder.folder():
             make_folder(path.parent)
         draft.save(path, overwrite=overwrite or mine)
         self._mine, self.outside = None, False
@@ -110,7 +110,7 @@ class Drafts:
         """Return a name for the file of a level that has none, which no file has yet."""
         if draft.path is not None and cls.is_own(draft):
             return draft.path
-        stem, folder = own_files.stem(title), own_files.folder()
+        stem, folder = save_folder.stem(title), save_folder.folder()
         names = chain((stem,), (f"{stem}-{number}" for number in count(2)))
         return next(path for name in names if not os.path.lexists(path := folder / f"{name}.json"))
 

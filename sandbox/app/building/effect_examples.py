@@ -6,7 +6,7 @@ from typing import Any, get_args, get_origin
 from pydantic.fields import FieldInfo
 
 from sandbox.app.building.fields import bare
-from sandbox.editing.layout import Json
+from sandbox.editing.json_layout import Json
 from sandbox.model.base import Model
 from sandbox.model.effects import Effects
 from sandbox.model.expressions import Expression, Positive

@@ -11,7 +11,7 @@ from time import thread_time
 import pygame
 
 from sandbox.app.drawing.text import Pen
-from sandbox.app.home.pictures import DRAWN
+from sandbox.app.home.picture_cache import DRAWN
 from sandbox.app.runs.session import Session
 from sandbox.app.stage.stage import Stage
 from sandbox.model.errors import SandboxError

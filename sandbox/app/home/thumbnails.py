@@ -7,8 +7,8 @@ from pathlib import Path
 import pygame
 
 from sandbox.app.background import Background
-from sandbox.app.home import pictures
-from sandbox.app.home.pictures import SIZE
+from sandbox.app.home import picture_cache
+from sandbox.app.home.picture_cache import SIZE
 
 AT_ONCE = 3
 """Pictures that are read from disk in a frame."""
@@ -80,7 +80,7 @@ class Thumbnails:
 
     def _look_up(self, path: Path) -> None:
         try:
-            png = pictures.kept(pictures.key(path))
+            png = picture_cache.kept(picture_cache.key(path))
         except OSError:
             self._hopeless.add(path)
             return
@@ -96,7 +96,7 @@ class Thumbnails:
         wanted += [path for path in others if path not in known and path not in wanted]
         if wanted:
             self._drawing = wanted[:BATCH]
-            self._work.start(pictures.made, list(self._drawing), pictures.folder())
+            self._work.start(picture_cache.made, list(self._drawing), picture_cache.folder())
 
     def _take(self, path: Path, png: bytes, *, seen: bool) -> None:
         """Keep a picture as the cards need it; where there is none, there will be none."""

@@ -3,8 +3,8 @@
 from typing import NamedTuple
 
 from sandbox.app.drawing import theme
-from sandbox.app.observing.history import History
-from sandbox.app.observing.trail import Trail
+from sandbox.app.observing.state_history import History
+from sandbox.app.observing.thinned_series import Trail
 from sandbox.app.words.language import say
 from sandbox.model.expressions import Values
 from sandbox.physics.stepping.world import World

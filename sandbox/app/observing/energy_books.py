@@ -4,13 +4,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sandbox.app.observing.states import States
+from sandbox.app.observing.state_rows import States
 from sandbox.app.words import formatting
 from sandbox.app.words.language import say
 from sandbox.model.expressions import Array
 from sandbox.physics.energy.balance import Balance
 from sandbox.physics.energy.ledger import Ledger
-from sandbox.physics.metering.meter import Meter
+from sandbox.physics.quantities.meter import Meter
 from sandbox.physics.state.snapshot import Snapshot
 from sandbox.physics.stepping.world import World
 

@@ -10,8 +10,8 @@ from dataclasses import dataclass, field
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.theme import Color
 from sandbox.app.observing.grading import Grading, Reading
-from sandbox.app.observing.trail import Trail
-from sandbox.app.runs.clock import Clock
+from sandbox.app.observing.thinned_series import Trail
+from sandbox.app.runs.step_clock import Clock
 from sandbox.app.words import formatting
 from sandbox.app.words.language import say
 from sandbox.model.effect_variants import Variation

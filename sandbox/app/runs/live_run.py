@@ -9,16 +9,16 @@ from sandbox.app.observing.earlier_runs import Earlier, Observed, kept
 from sandbox.app.observing.energy_books import Books
 from sandbox.app.observing.first_contacts import FirstContacts
 from sandbox.app.observing.grading import Grading, Ration, Reading
-from sandbox.app.observing.history import History
 from sandbox.app.observing.impact_marks import ImpactMarks
 from sandbox.app.observing.impacts import ImpactLog
 from sandbox.app.observing.milestones import Milestone
-from sandbox.app.observing.trail import Trail
+from sandbox.app.observing.state_history import History
+from sandbox.app.observing.thinned_series import Trail
 from sandbox.app.runs.actions import Action, perform
 from sandbox.app.runs.beginning import Beginning
-from sandbox.app.runs.clock import Clock
 from sandbox.app.runs.limits import Limits
 from sandbox.app.runs.pace import Pace
+from sandbox.app.runs.step_clock import Clock
 from sandbox.model.errors import SandboxError
 from sandbox.model.level import Level
 from sandbox.model.loading import choose

@@ -6,7 +6,7 @@ from math import copysign, hypot, isfinite
 import numpy as np
 import pygame
 
-from sandbox.app.drawing import lines, signs, theme
+from sandbox.app.drawing import curve_markers, lines, theme
 from sandbox.app.drawing.camera import Camera
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
@@ -57,7 +57,7 @@ def draw_ghost(
     corners = camera.path(outline.placed(position, angle))
     if outline.closed:
         corners.append(corners[0])
-    lines.dashed(surface, color, corners, *signs.dash(lane or 0))
+    lines.dashed(surface, color, corners, *curve_markers.dash(lane or 0))
     if lines.near(corners):
         x, y = camera.to_screen(position)
         pygame.draw.aacircle(surface, color, (x, y), 2)

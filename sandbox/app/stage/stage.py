@@ -10,10 +10,10 @@ from sandbox.app.drawing import lines, theme
 from sandbox.app.drawing.camera import Camera
 from sandbox.app.drawing.text import Pen
 from sandbox.app.observing.milestones import Milestone
-from sandbox.app.observing.trail import Trail
+from sandbox.app.observing.thinned_series import Trail
 from sandbox.app.runs.companions import Companion
 from sandbox.app.stage import belts_and_flames, bodies, grid, joints, liquid, marks, texts
-from sandbox.app.stage.forces import Arrow
+from sandbox.app.stage.given_forces import Arrow
 from sandbox.app.stage.labels import Labels
 from sandbox.app.stage.landscape import Relief
 from sandbox.app.stage.outline import Outline

@@ -9,7 +9,7 @@ import pygame
 from sandbox.app.drawing.camera import Camera
 from sandbox.app.drawing.text import Pen
 from sandbox.app.stage import marks
-from sandbox.app.stage.forces import Forces
+from sandbox.app.stage.given_forces import Forces
 from sandbox.app.stage.labels import Labels
 from sandbox.app.stage.outline import Outline, outlines
 from sandbox.app.words.formatting import rounded_up
@@ -20,7 +20,7 @@ from sandbox.physics.stepping.world import World
 if TYPE_CHECKING:
     from sandbox.app.observing.impacts import Flash
     from sandbox.app.observing.selected_body import Looking
-    from sandbox.app.observing.trail import Trail
+    from sandbox.app.observing.thinned_series import Trail
 
 NAMED = 12
 """Up to so many moving bodies carry their name, an arrow and a trail."""

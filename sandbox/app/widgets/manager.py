@@ -11,7 +11,7 @@ from pygame_gui.core import UIAppearanceTheme, UIElement
 from pygame_gui.elements import UIButton, UIImage
 
 from sandbox.app.widgets.appearance_cache import Looks
-from sandbox.app.widgets.row import Row
+from sandbox.app.widgets.list_button import Row
 
 Ids = list[str | None] | None
 """What a widget and all that hold it are called, from the outermost inwards."""

@@ -13,7 +13,7 @@ from sandbox.app.drawing.text import Pen
 from sandbox.app.widgets.text_field import Field
 from sandbox.app.words import formatting
 from sandbox.app.words.level_words import Say
-from sandbox.app.words.rounding import rounded, step
+from sandbox.app.words.slider_steps import rounded, step
 from sandbox.model.expressions import Values
 from sandbox.model.level import Parameter
 

@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 import pygame
 
-from sandbox.app.drawing import lines, signs, theme
+from sandbox.app.drawing import curve_markers, lines, theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
 from sandbox.app.words import formatting
@@ -161,9 +161,9 @@ def _draw_part(surface: pygame.Surface, series: Series, points: Sequence[XY]) ->
 
 def _sign(surface: pygame.Surface, which: int, color: Color, points: Sequence[XY]) -> None:
     """Put signs on a line, evenly along it."""
-    count = SIGNED * signs.SIGNS
-    for place in range(which % signs.SIGNS, count, signs.SIGNS):
-        signs.sign(surface, which, color, points[len(points) * place // count], 3)
+    count = SIGNED * curve_markers.SIGNS
+    for place in range(which % curve_markers.SIGNS, count, curve_markers.SIGNS):
+        curve_markers.sign(surface, which, color, points[len(points) * place // count], 3)
 
 
 def _draw_axes(surface: pygame.Surface, pen: Pen, span: Scale, up: Scale) -> None:

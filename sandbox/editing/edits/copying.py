@@ -11,12 +11,12 @@ from sandbox.editing.attached_bodies import shifted_point
 from sandbox.editing.cleanup import without_meaning
 from sandbox.editing.edits.edit_result import Made, new_name
 from sandbox.editing.text_patches import Changes, put_all
-from sandbox.model.consistency.mentions import mentions
 from sandbox.model.errors import SandboxError
 from sandbox.model.joints import Joint, Wire, bodies_of, body_of, ends_of
 from sandbox.model.level import Level
 from sandbox.model.level_parts import names_in
 from sandbox.model.message import Message
+from sandbox.model.rules.consistency.mentions import mentions
 from sandbox.model.shapes import XY, Point
 
 Data = dict[str, Any]

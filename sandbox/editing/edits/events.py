@@ -2,7 +2,7 @@
 
 from sandbox.editing.cleanup import accepted
 from sandbox.editing.edits.edit_result import new_name
-from sandbox.editing.layout import Json, plain
+from sandbox.editing.json_layout import Json, plain
 from sandbox.editing.text_patches import put
 from sandbox.model.level import Level
 

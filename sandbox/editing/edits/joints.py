@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 from sandbox.editing.cleanup import accepted
 from sandbox.editing.edits.edit_result import Made, new_name
-from sandbox.editing.layout import Json, plain
+from sandbox.editing.json_layout import Json, plain
 from sandbox.editing.placement import Placed, distance, placed, xy
 from sandbox.editing.text_patches import put
 from sandbox.model.collision_filter import apart

@@ -5,7 +5,7 @@ from typing import Literal
 
 from sandbox.editing.attached_bodies import attached
 from sandbox.editing.formulas import negative, shifted
-from sandbox.editing.layout import Json
+from sandbox.editing.json_layout import Json
 from sandbox.editing.placement import around, chosen
 from sandbox.editing.text_patches import Changes, put_all
 from sandbox.model.body import Body

@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 from sandbox.editing.cleanup import accepted
 from sandbox.editing.edits.fields import parameter_name
-from sandbox.editing.layout import Json, plain
+from sandbox.editing.json_layout import Json, plain
 from sandbox.editing.placement import Placed, distance, placed, xy
 from sandbox.editing.text_patches import Changes, put_all
 from sandbox.model.errors import SandboxError

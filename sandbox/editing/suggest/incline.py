@@ -7,7 +7,7 @@ from math import cos, sin
 import numpy as np
 
 from sandbox.editing.formulas import negative
-from sandbox.editing.layout import plain
+from sandbox.editing.json_layout import plain
 from sandbox.editing.placement import Core, Placed
 from sandbox.editing.suggest.scene import (
     SAFE,

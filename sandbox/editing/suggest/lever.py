@@ -8,7 +8,7 @@ from collections.abc import Iterator, Sequence
 from math import sqrt
 from typing import NamedTuple
 
-from sandbox.editing.layout import plain
+from sandbox.editing.json_layout import plain
 from sandbox.editing.placement import Placed
 from sandbox.editing.suggest.incline import friction, side
 from sandbox.editing.suggest.scene import (

@@ -5,7 +5,7 @@ from math import pi, sqrt
 
 import numpy as np
 
-from sandbox.editing.layout import plain
+from sandbox.editing.json_layout import plain
 from sandbox.editing.suggest.scene import TOUCHING, Scene, Suggestion, check, rate_of, said
 from sandbox.model.expressions import Expression
 from sandbox.model.formulas import Formula

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from sandbox.editing.layout import plain
+from sandbox.editing.json_layout import plain
 from sandbox.editing.suggest.scene import (
     TOUCHING,
     Scene,

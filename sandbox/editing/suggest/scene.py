@@ -9,12 +9,12 @@ from typing import Any, Literal
 
 import numpy as np
 
-from sandbox.editing.layout import plain
+from sandbox.editing.json_layout import plain
 from sandbox.editing.placement import Core, Placed, distance
 from sandbox.model.expressions import Expression, Values
 from sandbox.model.joints import Joint, bodies_of
 from sandbox.model.level import Level
-from sandbox.model.rules import corners
+from sandbox.model.rules.faults import corners
 
 Check = Mapping[str, Any]
 """As it stands in a level's file."""

@@ -17,7 +17,7 @@ from sandbox.model.quantities import Quantity, quantity
 from sandbox.physics.engine.batch import Booleans, Integers
 from sandbox.physics.joints.exact.batched_joints import ManyJoints
 from sandbox.physics.measuring.recording import Trace
-from sandbox.physics.metering.meter import Meter
+from sandbox.physics.quantities.meter import Meter
 from sandbox.physics.state.motion import Instant, kinetic_energy
 from sandbox.physics.state.snapshot import Snapshot
 from sandbox.physics.stepping.world import World

@@ -24,7 +24,7 @@ from sandbox.physics.energy.book_closure import Closing
 from sandbox.physics.energy.ledger import Ledger
 from sandbox.physics.engine.batch import Integers
 from sandbox.physics.measuring.running_aggregates import over_time
-from sandbox.physics.metering.meter import Meter
+from sandbox.physics.quantities.meter import Meter
 from sandbox.physics.state.errors import SimulationError
 from sandbox.physics.state.snapshot import Snapshot
 from sandbox.physics.stepping.world import Pair, World

@@ -6,7 +6,7 @@ import numpy as np
 import pygame
 import pytest
 
-from sandbox.app.files import own_files
+from sandbox.app.files import save_folder
 from sandbox.app.pages.table import card
 from sandbox.app.pages.table.panel import TablePage
 from tests.app.person import Person
@@ -15,7 +15,7 @@ from tests.app.person import Person
 @pytest.fixture
 def seated(person: Person, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Person:
     """Somebody who has opened the table after half a second of a throw."""
-    monkeypatch.setattr(own_files, "folder", lambda: tmp_path / "files")
+    monkeypatch.setattr(save_folder, "folder", lambda: tmp_path / "files")
     person.window.open_level("kinematics/projectile")
     for _ in range(30):
         person.press(pygame.K_RIGHT)

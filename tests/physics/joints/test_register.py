@@ -16,7 +16,7 @@ from sandbox.model.quantities import quantities
 from sandbox.model.reference_fields import NAMES
 from sandbox.model.schemes import unsmooth
 from sandbox.physics.joints.joint_forces import pulls_of
-from sandbox.physics.metering.meter import Meter
+from sandbox.physics.quantities.meter import Meter
 from sandbox.physics.run import build
 from tests.effects import SCHEMA, Part, resolved
 from tests.physics.scenes import GRAVITY, disc, level

@@ -12,11 +12,11 @@ from sandbox.app.building import inspection
 from sandbox.app.building.button_action import Act
 from sandbox.app.building.editor import Editor
 from sandbox.app.building.fields import Row
-from sandbox.app.pages.build import content
+from sandbox.app.pages.build import sections
 from sandbox.app.pages.build.column import GAP, HEIGHT, Column
-from sandbox.app.pages.build.content import Block
 from sandbox.app.pages.build.inspector import Inspector, Line
 from sandbox.app.pages.build.palette import Palette
+from sandbox.app.pages.build.sections import Block
 from sandbox.app.pages.page import Desk
 from sandbox.app.widgets.sheet import Sheet
 from sandbox.app.widgets.widget_helpers import press, scroll
@@ -189,12 +189,12 @@ class BuildPage:
     def _blocks(self) -> Blocks:
         """Return what stands above the name that is asked for, and below that."""
         editor = self._editor
-        below = content.subject(editor)
+        below = sections.subject(editor)
         if editor.saving.naming:
             here = Act(say("Save here"), say("write the file (Enter)"), self._save_here)
             leave = Act(say("Do not save"), say("go on without (Esc)"), editor.saving.stop_naming)
             below.insert(0, Block("", acts=(here, leave)))
-        return content.above(editor, self._session), [*below, *content.arranging(editor)]
+        return sections.above(editor, self._session), [*below, *sections.arranging(editor)]
 
     def _build(
         self, blocks: Blocks, rows: Sequence[Row], numbers: Collection[json_positions.Path]

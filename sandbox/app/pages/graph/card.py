@@ -7,11 +7,11 @@ import numpy as np
 import pygame
 
 from sandbox.app.cards.card import GAP, Card
-from sandbox.app.drawing import signs, theme
+from sandbox.app.drawing import curve_markers, theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
 from sandbox.app.observing.earlier_runs import alike
-from sandbox.app.observing.history import History
+from sandbox.app.observing.state_history import History
 from sandbox.app.pages.graph.zoom import WHOLE, Graph, Zoom
 from sandbox.app.runs.session import Session
 from sandbox.app.widgets import plot
@@ -23,7 +23,7 @@ from sandbox.model.expressions import Array
 from sandbox.model.quantities import TIME
 from sandbox.physics.accuracy.trusted_digits import Trust
 from sandbox.physics.measuring.grading import applies
-from sandbox.physics.metering.meter import Meter
+from sandbox.physics.quantities.meter import Meter
 from sandbox.physics.stepping.world import World
 
 HEIGHT = 150  # px, of a graph
@@ -157,7 +157,7 @@ def _values(
         )
         if (sign := _sign(name, up)) is not None:
             mark = pygame.Surface((indent, left.height), pygame.SRCALPHA)
-            signs.sign(mark, sign, _color(name, up), (indent / 2 - 2, left.height / 2), 4)
+            curve_markers.sign(mark, sign, _color(name, up), (indent / 2 - 2, left.height / 2), 4)
             card.put(mark, 0)
         card.put(left, indent)
         card.put(right, card.width - right.width)

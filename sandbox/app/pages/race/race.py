@@ -8,9 +8,9 @@ from typing import NamedTuple
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.theme import Color
 from sandbox.app.pages.effects import whatif
-from sandbox.app.runs.clock import Clock
 from sandbox.app.runs.companions import Variant, worst
 from sandbox.app.runs.session import Session
+from sandbox.app.runs.step_clock import Clock
 from sandbox.app.words import formatting
 from sandbox.app.words.language import say
 from sandbox.model.errors import SandboxError

@@ -11,7 +11,7 @@ from pygame_gui.elements import UIButton
 from sandbox.app.cards.card import Card
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
-from sandbox.app.files import own_files
+from sandbox.app.files import save_folder
 from sandbox.app.pages.page import Desk
 from sandbox.app.pages.share import saving
 from sandbox.app.pages.share.filming import Filming
@@ -101,5 +101,5 @@ class SharePage:
 def _intro(pen: Pen, width: int) -> pygame.Surface:
     card = Card(pen, width)
     card.heading(say("Take away"))
-    card.text(say("Files go to {folder}", folder=own_files.folder()), 13, theme.DIM)
+    card.text(say("Files go to {folder}", folder=save_folder.folder()), 13, theme.DIM)
     return card.drawn()

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pygame
 
-from sandbox.app.files import own_files
+from sandbox.app.files import save_folder
 from sandbox.app.runs import runfile
 from sandbox.app.runs.session import Session
 from sandbox.model.errors import SandboxError
@@ -18,7 +18,7 @@ from sandbox.model.quantities import TIME
 from sandbox.model.writing import text
 from sandbox.physics.measuring.csv_export import write_csv
 from sandbox.physics.measuring.recording import Trace
-from sandbox.physics.metering.meter import Meter
+from sandbox.physics.quantities.meter import Meter
 
 
 def path_for(session: Session, suffix: str) -> Path:
@@ -29,7 +29,7 @@ def path_for(session: Session, suffix: str) -> Path:
     SandboxError
         If the folder cannot be made or written to.
     """
-    folder, title = own_files.folder(), own_files.stem(session.original.title)
+    folder, title = save_folder.folder(), save_folder.stem(session.original.title)
     make_folder(folder)
     now = datetime.now().strftime("%Y-%m-%d %H.%M.%S")
     found = folder / f"{title} {now}{suffix}"

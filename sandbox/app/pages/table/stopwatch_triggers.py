@@ -14,7 +14,7 @@ from sandbox.model.quantities import QuantityError
 from sandbox.model.traversal import expressions
 from sandbox.physics.measuring.grading import time_of
 from sandbox.physics.measuring.recording import Trace, needed_at
-from sandbox.physics.metering.meter import Meter
+from sandbox.physics.quantities.meter import Meter
 
 Moment = Expression | ContactEvent | CrossingEvent | ApexEvent | LandingEvent
 """A time [s], or an event of which the first counts."""

@@ -6,7 +6,7 @@ import pygame
 
 from sandbox.app.drawing import lines, theme
 from sandbox.app.observing import selected_body
-from sandbox.app.stage.forces import LONGEST, write_beside
+from sandbox.app.stage.given_forces import LONGEST, write_beside
 from sandbox.app.stage.overlays.overlay import Overlay
 from sandbox.app.stage.view import View
 from sandbox.model.effects.force import Force
