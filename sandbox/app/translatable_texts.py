@@ -13,7 +13,7 @@ from sandbox.app.building import fields
 from sandbox.app.building.tools.joining import kinds
 from sandbox.app.building.tools.register import TOOLS
 from sandbox.app.drawing import theme
-from sandbox.app.frame_load import Load
+from sandbox.app.frame_time import Load
 from sandbox.app.pages.register import PAGES
 from sandbox.app.stage.overlays.register import OVERLAYS
 from sandbox.editing.suggest.scene import Setup

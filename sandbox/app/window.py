@@ -9,7 +9,7 @@ import pygame
 from sandbox.app.command_actions import CommandActions
 from sandbox.app.events import Events
 from sandbox.app.files.open_level_watch import FileWatch
-from sandbox.app.frame_budget import Allowance
+from sandbox.app.frame_time import Allowance
 from sandbox.app.long_frames import HoldUp
 from sandbox.app.painting import paint
 from sandbox.app.runs.session import Session

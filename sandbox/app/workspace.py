@@ -9,7 +9,7 @@ from sandbox.app.banner import Banner
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen, legible
 from sandbox.app.files.preferences import Comfort
-from sandbox.app.frame_load import Load
+from sandbox.app.frame_time import Load
 from sandbox.app.level_files import LevelFiles
 from sandbox.app.measuring.stage_mouse import Hand
 from sandbox.app.pages.page import OnStage

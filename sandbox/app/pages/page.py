@@ -9,7 +9,7 @@ import pygame
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
 from sandbox.app.files.preferences import Comfort
-from sandbox.app.frame_load import Load
+from sandbox.app.frame_time import Load
 from sandbox.app.keys import Binding
 from sandbox.app.runs.session import Session
 from sandbox.app.stage.stage import Stage

@@ -13,7 +13,7 @@ from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.files.level_entries import Entry
 from sandbox.app.files.preferences import Comfort
-from sandbox.app.frame_load import Load
+from sandbox.app.frame_time import Load
 from sandbox.app.home.home import Home
 from sandbox.app.pages import register
 from sandbox.app.pages.workers import Workers

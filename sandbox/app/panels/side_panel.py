@@ -10,7 +10,7 @@ from pygame_gui.elements import UIButton
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.files.preferences import Comfort
-from sandbox.app.frame_load import Load
+from sandbox.app.frame_time import Load
 from sandbox.app.pages import register
 from sandbox.app.pages.page import Desk, Leading, Zoomed
 from sandbox.app.pages.workers import Workers

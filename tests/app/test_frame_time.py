@@ -2,8 +2,7 @@
 
 import pytest
 
-from sandbox.app.frame_budget import LEAST, MEMORY, MOST, SPARE, Allowance
-from sandbox.app.frame_load import FRAME
+from sandbox.app.frame_time import FRAME, LEAST, MEMORY, MOST, SPARE, Allowance
 
 
 def test_steps_have_what_frames_of_the_same_kind_have_left() -> None:
