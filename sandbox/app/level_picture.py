@@ -29,7 +29,7 @@ from sandbox.model.level import Level
 
 SIZE = (1280, 720)  # px
 TELLING = 0.4
-"""The share of a level's duration at which it is drawn if nobody says when."""
+"""The default time of a picture, as a share of the level's duration."""
 
 SIDE = 340  # px, the column of words
 MARGIN = 16  # px

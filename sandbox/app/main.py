@@ -13,7 +13,7 @@ from sandbox.app.malloc_tuning import give_back_large_blocks
 from sandbox.app.window import Window
 
 FIRST = "kinematics/projectile"
-"""What is there behind the cards if nobody says what."""
+"""The level that is open behind the home page at the start."""
 
 _HEADLESS = {"dummy", "offscreen"}
 

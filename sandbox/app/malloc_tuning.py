@@ -4,7 +4,8 @@ import ctypes
 
 _THRESHOLD_OPTION = -3  # M_MMAP_THRESHOLD of glibc's malloc.h
 THRESHOLD = 128 * 1024
-"""Bytes: what is as large is given back as soon as it is freed. It is where glibc begins."""
+"""Bytes: blocks of this size and more are returned to the system when freed. glibc's initial
+value."""
 
 
 def give_back_large_blocks() -> bool:

@@ -8,7 +8,7 @@ from sandbox.model.errors import SandboxError
 from sandbox.model.message import Message
 
 STARTS = 2
-"""How often it is started. The quicker start counts: what disturbs one only adds to it."""
+"""How often the program is started. The fastest start counts, since disturbances only add."""
 
 LIMIT = 120.0
 """How long a start may take [s]."""

@@ -27,8 +27,8 @@ from sandbox.physics.measuring.free_body import FRICTION, HAND, IMPACT, NORMAL
 from sandbox.physics.measuring.goals import Standing
 
 _WORD = re.compile(r"[^\W\d_]{2}(?![^{}]*\})")
-"""What has no two letters beside each other says the same in every language: a key, a sign. The
-names of places for values are none that anybody reads."""
+"""Two letters in a row, outside placeholders. A text without them, such as a key or a sign, is the
+same in every language."""
 
 
 def words() -> Iterator[str]:

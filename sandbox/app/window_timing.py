@@ -18,16 +18,16 @@ from sandbox.model.errors import SandboxError
 from sandbox.model.message import Message
 
 BEFORE = (FIRST, "newton/atwood")
-"""Levels that the window may show before it is asked for another one."""
+"""The levels from which the change to another level is timed."""
 
 SHOWN = ("graph page", "forces")
-"""What is opened beside the stage: a page whose graph grows, and the arrows of a free body."""
+"""What is open beside the stage: a page with a growing graph, and the arrows of a free body."""
 
 LOOKS = 5
-"""How many pictures pygame_gui makes of a button, one a frame: as it is, under the mouse, ..."""
+"""How many pictures pygame_gui makes of a button, one per frame: normal, hovered, ..."""
 
 BOUNDS = {"first_picture": 1.5, "switch": 0.3, "frame_p99": 1 / RATE}
-"""What these attributes of a timing may be at the most [s]."""
+"""The largest allowed values of the attributes of a timing [s]."""
 
 
 @dataclass(frozen=True, slots=True)

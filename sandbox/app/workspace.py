@@ -35,9 +35,9 @@ TITLE = "Mechanics sandbox"
 SIZE = (1280, 800)  # px
 
 LONG = 60_000
-"""Bytes of a file: to read a longer one takes so long that it is said before."""
+"""Bytes of a level file beyond which a message announces that it is being read."""
 MANY = 100
-"""Bodies and joints of a level: to build one of more takes so long that it is said before."""
+"""Bodies and joints of a level beyond which a message announces that it is being built."""
 
 
 class Workspace:

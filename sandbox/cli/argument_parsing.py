@@ -27,7 +27,7 @@ class UsageError(SandboxError):
 
 
 MISUSES = (UsageError, TakenError, QuantityError, ValueRangeError, EffectError, CrowdError)
-"""The errors that say so."""
+"""The errors that mean wrong usage."""
 
 
 def open_level(argument: str) -> tuple[str, Level]:

@@ -16,7 +16,7 @@ from sandbox.model.schemes import bounds_the_rate
 from sandbox.processes import spread
 
 FEW = 30
-"""Joints that are never too many for a step."""
+"""Up to so many joints are never too many for a step."""
 
 
 class Finding(NamedTuple):

@@ -23,14 +23,13 @@ if TYPE_CHECKING:
     from babel.messages.catalog import Catalog
 
 FOLDER = Path("sandbox") / "app"
-"""In the project's sources: the window, which says all of it."""
+"""The folder of the window, within a checkout."""
 
 UNSAID = frozenset({"cli", "reporting"})
-"""The packages of the sandbox whose messages the window never shows."""
+"""The packages whose messages the window never shows."""
 
 KEYWORDS = {"say": None, "later": None, "plural": (1, 2), "say_in": ((1, "c"), 2), "Message": None}
-"""The functions of `sandbox.app.words.language`, and what is told from below the window; with which
-of their arguments are messages."""
+"""The functions that take a message, with the positions of their message arguments."""
 
 
 def main() -> int:
@@ -104,7 +103,7 @@ SAID: Mapping[language.Domain, Callable[[], "Catalog"]] = {
     "window": of_the_window,
     "levels": of_the_levels,
 }
-"""What is in the catalogues of each domain, in English."""
+"""For each domain, what collects its English texts."""
 
 
 def merged(path: Path, name: str, template: "Catalog") -> "Catalog":

@@ -13,7 +13,7 @@ from sandbox.model.expressions import Expression, Positive
 from sandbox.model.reference_fields import Mention
 
 LITTLE = 0.1
-"""Of what must be more than nothing, and may have to be less than something."""
+"""The example value of a field that must be positive and may have an upper bound."""
 
 
 def example(effect: str, moving: Sequence[str], others: Sequence[str]) -> dict[str, Json]:

@@ -31,10 +31,10 @@ from sandbox.model.level_parts import expressions
 NAMED = later("what it is called: a letter, then letters, digits or _; all mentions of it follow")
 
 MOST_NAMES = 6
-"""How many names are offered while one is typed."""
+"""How many names are offered while a name is typed."""
 
 MOST_TOLD = 12
-"""How many checks have a button that takes them out, and how many ghosts."""
+"""How many checks, and how many ghosts, have a button that removes them."""
 
 
 def subject(work: Work) -> str:

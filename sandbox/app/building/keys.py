@@ -22,7 +22,7 @@ ARROWS: Mapping[int, tuple[int, int]] = {
 }
 
 FINE = 0.1
-"""The share of a step by which arrows nudge while Alt is held."""
+"""The size of a nudge with Alt held, as a share of the usual one."""
 
 HELP: tuple[tuple[str, str], ...] = (
     *((kind.key, kind.text) for kind in TOOLS),

@@ -19,7 +19,7 @@ AS_A: dict[str, tuple[str, str]] = {
     "hoop": (later("As a hoop"), later("hollow: what is within it touches its inner side")),
     "arc": (later("As an arc"), later("a part of a circle that stands still, from start to end")),
 }
-"""What round bodies may become."""
+"""The kinds that a round body can be turned into."""
 
 
 def part_actions(work: Work) -> list[Act]:

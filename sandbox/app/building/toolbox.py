@@ -6,7 +6,7 @@ from sandbox.app.building.tools.register import TOOLS
 from sandbox.app.building.tools.tool import Tool
 
 FIRST = TOOLS[0].name
-"""The tool that selects; it is in hand at first."""
+"""The tool that selects, which is active at first."""
 
 
 class Toolbox:

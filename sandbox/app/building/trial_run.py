@@ -10,7 +10,7 @@ from sandbox.app.runs.session import Session
 from sandbox.model.expressions import Values
 
 MOST = 50
-"""How many runs are kept to come back to, each of another text."""
+"""How many runs are kept, each of a different text."""
 
 
 class Run(NamedTuple):

@@ -11,9 +11,9 @@ from sandbox.app.drawing.theme import Color
 GAP = 3  # px
 INDENT = 24  # px
 SMALLEST = 10
-"""The size of letters below which nobody reads."""
+"""The smallest legible size of letters."""
 COLUMNS = (0.39, 0.39, 0.22)
-"""How wide measured, expected and error are."""
+"""The widths of the columns: measured, expected and error."""
 
 
 class Card:

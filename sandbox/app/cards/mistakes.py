@@ -13,16 +13,16 @@ from sandbox.model.errors import Mistake
 from sandbox.model.json_positions import TOKEN
 
 AROUND = 2
-"""Lines that are shown before and after that of a mistake."""
+"""Lines shown before and after a line with a mistake."""
 
 AHEAD = 8
-"""Letters that are shown at least from the place of a mistake on."""
+"""Characters shown, at least, from the place of the mistake on."""
 
 SIZE = 13  # of letters, in an excerpt
 PADDING = 10  # px
 GUTTER = 14  # px, between the number of a line and the line
 LONGEST = 400
-"""Letters of a line that are looked at: as many as the widest window shows."""
+"""Characters of a line that are considered: as many as the widest window shows."""
 
 
 def groups(mistakes: Sequence[Mistake]) -> list[list[Mistake]]:

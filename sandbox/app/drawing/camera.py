@@ -7,10 +7,8 @@ from sandbox.model.shapes import XY, evaluate
 from sandbox.model.view import View
 
 ASPECT = 16 / 9
-"""Width over height of the part of the plane that a level's view promises to show.
-
-Of its width a narrower picture shows the middle alone.
-"""
+"""Width over height of the part of the plane that every level's view shows. A narrower picture
+shows only the middle of it."""
 
 LEAST, MOST = 1e-3, 1e5
 """Bounds of the scale [px/m]."""

@@ -9,7 +9,7 @@ from sandbox.app.drawing.theme import Color
 from sandbox.model.shapes import XY
 
 DASHES: tuple[tuple[int, int], ...] = ((6, 5), (2, 4), (12, 4))
-"""Of each lane beside the run that is played: how long a dash is, and a gap [px]."""
+"""The dash patterns of the runs beside the one that is played: length of dash and gap [px]."""
 
 
 def dash(lane: int) -> tuple[int, int]:
@@ -55,4 +55,4 @@ _SIGNS: tuple[Callable[[pygame.Surface, Color, XY, float], None], ...] = (
     _disc, _diamond, _square, _triangle, _ring, _cross,
 )  # fmt: skip
 SIGNS = len(_SIGNS)
-"""How many there are."""
+"""The number of different signs."""

@@ -13,7 +13,7 @@ MARGIN = 24  # px, around all
 GAP = 16  # px, between two cards
 NARROWEST = 190  # px, a card
 MOST = 6
-"""Cards in a row, in the widest window."""
+"""The most cards in a row."""
 WORDS = 46  # px, below a picture
 HEADING = 46  # px
 ASPECT = 1.6  # of a picture, width over height

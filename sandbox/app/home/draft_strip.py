@@ -11,7 +11,7 @@ from sandbox.app.words.language import say
 from sandbox.editing.recovery import Recoverable
 
 MOST = 3
-"""Of how many drafts, the newest, each has a row; the page Build tells of the others."""
+"""How many drafts have a row here, the newest; the page Build lists the others."""
 ROW = 34  # px, how high a row is
 MARGIN = 24  # px, left and right of it
 GAP = 6  # px, above and below each

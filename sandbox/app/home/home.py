@@ -27,7 +27,7 @@ PADDING = 9  # px, beside a card's words
 ROWS = 4, 23  # px, where these begin below the picture
 
 Line = tuple[str, int, theme.Color]
-"""A text, the size of its letters, and its colour."""
+"""A text, its letter size, and its colour."""
 
 _STEPS = {
     pygame.K_LEFT: (-1, 0), pygame.K_RIGHT: (1, 0), pygame.K_UP: (0, -1), pygame.K_DOWN: (0, 1),

@@ -27,12 +27,12 @@ SIZE = 320, 200  # px
 DRAWN = 480, 300  # px, before it is made smaller: lines are thinner then
 PATIENCE = 1.0  # s of computing, after which a run is drawn where it is
 MOST = 1000
-"""Pictures that are kept, the latest."""
+"""How many pictures are kept, the latest."""
 LARGEST = 500_000
-"""Bytes of a picture: what is larger was not written here."""
+"""The largest picture that is read [bytes]; a larger one was not written by this program."""
 
 _BEGIN, _END = b"\x89PNG\r\n\x1a\n", b"IEND\xaeB`\x82"
-"""How a whole PNG file begins and ends."""
+"""The first and the last bytes of a complete PNG file."""
 
 
 class Picture(NamedTuple):

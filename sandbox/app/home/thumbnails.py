@@ -11,11 +11,11 @@ from sandbox.app.home import picture_cache
 from sandbox.app.home.picture_cache import SIZE
 
 AT_ONCE = 3
-"""Pictures that are read from disk in a frame."""
+"""How many pictures are read from disk per frame."""
 BATCH = 16
-"""Levels that are drawn before it is asked again which are in view."""
+"""How many levels are drawn before the visible ones are determined anew."""
 MOST = 80
-"""Pictures that are held in memory: more than are in view at once."""
+"""How many pictures are held in memory: more than are ever visible at once."""
 
 
 class Thumbnails:

@@ -15,7 +15,7 @@ from sandbox.app.words import formatting
 from sandbox.model.shapes import XY
 
 REACH = 8.0
-"""How near to a trail the mouse has to be [px]."""
+"""How close to a trail the mouse must be [px]."""
 
 DIGITS = 4
 AWAY, PADDING = 16, 8  # px, from the instant to what is told of it, and around that

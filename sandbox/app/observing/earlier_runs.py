@@ -10,8 +10,8 @@ from sandbox.model.expressions import Values
 from sandbox.physics.stepping.world import World
 
 BRIEF = 0.05
-"""The part of a level's duration that a branch must have lasted for anything of it to stay: while a
-slider is dragged, a run branches at every step."""
+"""The share of a level's duration that a branch must last to be kept: while a slider is dragged, a
+run branches at every step."""
 
 
 class Observed(NamedTuple):

@@ -15,7 +15,7 @@ from sandbox.physics.state.snapshot import Snapshot
 from sandbox.physics.stepping.world import World
 
 INSTANTS = 500
-"""At about how many instants of a level's duration the energies are kept."""
+"""How many instants are kept per duration of the level, about."""
 
 _ENERGIES = ("system.kinetic_energy", "system.potential_energy", "system.energy")
 

@@ -17,7 +17,7 @@ from sandbox.physics.measuring.recording import Recorder, Trace
 T = TypeVar("T")
 
 SHARE = 0.05
-"""The share of the time that looking at a run may take while time runs."""
+"""The share of the time that grading may take while the run plays."""
 
 LEAST = 0.1  # s, between two looks
 

@@ -17,9 +17,9 @@ from sandbox.physics.measuring.impacts import Impacts, impacts
 from sandbox.physics.stepping.world import World
 
 FAINTEST = 0.04
-"""How hard an impact must be to be noted."""
+"""The least strength of an impact that is noted."""
 MOST = 256
-"""Impacts that are kept, the latest."""
+"""How many impacts are kept, the latest."""
 
 
 class Blow(NamedTuple):

@@ -12,10 +12,11 @@ from sandbox.physics.measuring.grading import Result
 from sandbox.physics.stepping.world import World
 
 STILL = 1e-9
-"""m/s or rad/s: what is slower than that is said to be at rest."""
+"""m/s or rad/s: anything slower is said to be at rest."""
 
 MANY = 40
-"""How many bodies, joints or contacts are told one by one; of more, how many there are besides."""
+"""Up to how many bodies, joints or contacts are described one by one; the others are only
+counted."""
 
 
 def describe(

@@ -26,11 +26,11 @@ _NAMES = (
 )
 
 FAINT = 1e-9
-"""The share of the strongest force below which one is nothing but rounding, or as good as that."""
+"""The share of the strongest force below which a force counts as rounding."""
 
 
 LITTLE = 0.1
-"""The share of its scale that the strongest force must fill, or the scale is made smaller."""
+"""The share of the scale that the strongest force must fill; otherwise the scale is reduced."""
 
 
 class Looking:

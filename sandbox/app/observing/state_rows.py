@@ -7,7 +7,8 @@ from sandbox.model.expressions import Array
 from sandbox.physics.state.snapshot import Snapshot
 
 MANY = 64
-"""So many states wait at the most to be made rows of: together they cost little more than one."""
+"""How many states are collected before they are turned into rows: together they cost hardly more
+than one."""
 
 
 class States:

@@ -17,7 +17,7 @@ from sandbox.app.widgets.sheet import Panel, Sheet, below
 from sandbox.model.level import Level
 
 Row = tuple[Color | None, str]
-"""A colour, None for the run that is played, and what is drawn in it."""
+"""A colour (None for the run that is played), and what is drawn in it."""
 
 
 class Worker(Protocol):

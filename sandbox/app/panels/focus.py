@@ -14,15 +14,15 @@ from sandbox.app.widgets.widget_helpers import scroll, scrolled
 
 Containers = Mapping[int, UIScrollingContainer]
 Stop = UIButton | Field | UIHorizontalSlider
-"""What can have the focus."""
+"""The widgets that can have the focus."""
 PRESSING = (pygame.K_RETURN, pygame.K_KP_ENTER, pygame.K_SPACE)
 SLIDING = {pygame.K_LEFT: -1, pygame.K_DOWN: -1, pygame.K_RIGHT: 1, pygame.K_UP: 1}
 RING = 2  # px
 APART = 2  # px, between a widget and its ring
 DIALOG = "file_dialog"
-"""What names the parts of the dialog in which a file is chosen."""
+"""The prefix of the ids of the file dialog's parts."""
 INNER = ("#sliding_button", "scroll_bar", "#left_button", "#right_button")
-"""What names the parts of sliders and scroll bars: no widgets of their own."""
+"""The ids of the inner parts of sliders and scroll bars, which are no stops of their own."""
 
 
 class Focus:

@@ -30,9 +30,9 @@ MARGIN = 8  # px
 FIELD = 28  # px
 SCROLL_BAR = 22  # px
 CAPTION = 14
-"""The size of the letters on buttons."""
+"""The letter size of the buttons."""
 STAR = "•"
-"""Stands behind a title for each star that its challenge has earned."""
+"""Added to a title for each star that its challenge has earned."""
 
 
 def entries() -> list[Entry]:

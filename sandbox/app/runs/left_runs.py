@@ -7,7 +7,7 @@ from sandbox.app.observing.earlier_runs import Observed
 from sandbox.app.runs.actions import Action
 
 MOST = 3
-"""So many are kept: what is observed begins anew where a hand moves a body, or the run branches."""
+"""How many runs are kept. A new one begins where a hand moves a body, or the run branches."""
 
 
 class Record(NamedTuple):

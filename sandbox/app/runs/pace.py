@@ -3,7 +3,7 @@
 from collections import deque
 
 SPEEDS = (0.05, 0.1, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0)
-"""Simulated seconds a second."""
+"""Simulated seconds per second."""
 
 MEMORY = 0.5  # s
 

@@ -15,7 +15,7 @@ from sandbox.model.message import Message
 
 TOGETHER = 0.7  # s, within which changes of the same thing are one: a slider on its way
 MOST = 200
-"""Changes that are remembered."""
+"""How many changes are remembered."""
 FORM, SPEED = later("effects and stepping"), "speed"
 
 

@@ -24,17 +24,17 @@ from sandbox.model.shapes import XY, evaluate
 from sandbox.physics.stepping.world import World
 
 LONGEST = 0.18
-"""The longest arrow with the parameters' defaults, as a part of the stage's width."""
+"""The longest arrow at the parameters' defaults, as a share of the stage's width."""
 
 LONGER = 3.0
-"""How much longer than that an arrow may become within the parameters' ranges."""
+"""How many times as long as that an arrow may become within the parameters' ranges."""
 
 WIDTH = 4.0  # px, thicker than a velocity, which may lie on it
 HANDLE = 5.0  # px, the radius of the ring at a tip that can be dragged
 REACH = 11.0  # px, how close to it a hand must come
 STEEP = 0.2  # the least share of its length that an arrow goes sidewards, for words at its side
 INSTANTS = 240
-"""At how many times a force is looked at for its largest value."""
+"""At how many times a force is evaluated to find its largest value."""
 
 
 @dataclass(frozen=True, slots=True)

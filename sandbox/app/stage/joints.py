@@ -41,7 +41,7 @@ BUFFER = 4.5  # px, from one turn of an elastic stop's coil to the next, and how
 HOOK = 7.0  # px, the radius of a hook that is open
 GAPE = 0.9  # rad, how far it is open to either side
 SAG = 0.12
-"""How far a slack rope hangs down, of its length on the screen."""
+"""How far a slack rope hangs down, relative to its length on the screen."""
 
 
 def draw_joint(
@@ -279,7 +279,7 @@ LOOKS: Mapping[type, Look] = {
     Stop: _stop,
     AngleStop: _angle_stop,
 }
-"""What each kind looks like; any other is drawn plainly."""
+"""How each kind is drawn; any other kind is drawn as a plain line."""
 
 IN_FRONT = (Pivot, Motor, Winding, Gear, Rack, AngleStop)
-"""The kinds that go through bodies or around them, drawn over them; others end behind them."""
+"""The kinds that go through or around bodies are drawn over them; the others end behind them."""

@@ -17,7 +17,7 @@ from sandbox.physics.quantities.meter import Meter
 from sandbox.physics.stepping.world import World
 
 TICKS = 3
-"""About how many energies are written at the axis."""
+"""About how many energies are labelled on the axis."""
 
 
 class Relief:

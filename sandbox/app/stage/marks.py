@@ -22,14 +22,14 @@ from sandbox.model.shapes import XY
 from sandbox.physics.stepping.world import World
 
 LONGEST = 0.14
-"""The longest arrow, as a part of the stage's width."""
+"""The longest arrow, as a share of the stage's width."""
 
 EDGE = 26  # px, kept free of words along the rulers
 LINE, FURTHER = 16, 4
-"""The height of a line [px], and by up to how many words move on where there is no room."""
+"""The height of a line [px], and by up to how many lines a label may move to find room."""
 
 PATH_POINTS = 240
-"""Into how many pieces the closed form's path is cut."""
+"""The number of pieces in which the closed form's path is drawn."""
 
 
 def trail_color(color: Color) -> Color:

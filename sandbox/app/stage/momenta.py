@@ -14,7 +14,7 @@ from sandbox.physics.state.snapshot import Snapshot
 from sandbox.physics.stepping.world import World
 
 JUMP = 3.0
-"""A ghost's speed beyond so many times its 95th percentile is a jump of the formula, no speed."""
+"""A ghost's speed above this multiple of its 95th percentile is a jump of the formula."""
 UNIT = "kg·m/s"
 
 _scales: WeakKeyDictionary[object, "_Kept"] = WeakKeyDictionary()

@@ -20,10 +20,10 @@ from sandbox.physics.geometry.depth import depth
 CORNERS_OF_A_CIRCLE = 48
 
 LETS = {None: 0, "left": 1, "right": -1}
-"""What `Outline.lets` is of a body's `one_way`."""
+"""The value of `Outline.lets` for each `one_way` of a body."""
 
 RIM = 6
-"""The radius of a hoop over the width of its rim, as it is drawn."""
+"""The radius of a hoop relative to the drawn width of its rim."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -23,10 +23,10 @@ if TYPE_CHECKING:
     from sandbox.app.observing.thinned_series import Trail
 
 NAMED = 12
-"""Up to so many moving bodies carry their name, an arrow and a trail."""
+"""Up to how many moving bodies have a name, an arrow and a trail."""
 
 LONGER = 1.1
-"""So many times as long as the longest an arrow may be, before all are drawn shorter."""
+"""How far an arrow may exceed the longest length before all are drawn shorter."""
 
 
 class View:

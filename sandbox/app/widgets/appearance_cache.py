@@ -4,7 +4,7 @@ import pygame
 from pygame_gui.core.surface_cache import SurfaceCache
 
 MOST = 16_000_000
-"""Bytes of pictures that are kept."""
+"""The bytes of pictures that are kept."""
 
 
 class Looks(SurfaceCache):

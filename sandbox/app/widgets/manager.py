@@ -14,7 +14,7 @@ from sandbox.app.widgets.appearance_cache import Looks
 from sandbox.app.widgets.list_button import Row
 
 Ids = list[str | None] | None
-"""What a widget and all that hold it are called, from the outermost inwards."""
+"""The ids of a widget and of its containers, from the outermost inwards."""
 
 
 class Manager(UIManager):
@@ -63,7 +63,8 @@ class Manager(UIManager):
 
 
 _PLAIN = UIButton, UIImage, Row
-"""What is under the mouse only if the mouse is in its rectangle, unless it is held."""
+"""The widgets that are under the mouse only if it is inside their rectangle, or if they are
+held."""
 
 
 class _Theme(UIAppearanceTheme):

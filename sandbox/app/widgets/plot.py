@@ -16,13 +16,13 @@ from sandbox.model.shapes import XY
 
 LEFT, BELOW, ABOVE, RIGHT = 46, 18, 8, 10  # px, around the field
 ROUNDING = 1e-12
-"""What differs less is drawn as a straight line, in whatever unit."""
+"""Smaller differences are drawn as a straight line, in any unit."""
 MANY = 600
 """How many points of a line are drawn: there are no more pixels."""
 
 
 SIGNED = 4
-"""How many signs stand on a line; those of other lines stand elsewhere along it."""
+"""How many signs stand on a line; the signs of different lines are offset."""
 GAP = 7  # px, between the numbers of two ticks
 DOT = 2.5  # px, the radius of a marked point
 MARGIN = 3  # px, around the field, in which what stands on its edge is drawn

@@ -7,7 +7,7 @@ from pygame_gui.elements import UITextEntryLine
 from sandbox.app.drawing.text import typed
 
 LONGEST = 100
-"""Letters: as much as anybody looks for."""
+"""Characters that can be typed."""
 
 
 class Field(UITextEntryLine):

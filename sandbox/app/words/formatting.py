@@ -23,7 +23,7 @@ from sandbox.physics.measuring.goals import Outcome
 
 MINUS = "−"
 ROUNDING = 1e-12
-"""The part of a scale below which a value is nothing but rounding."""
+"""The share of a scale below which a value counts as rounding."""
 NO_DIFFERENCE = later("no difference")
 SCHEMES: Mapping[str, str] = {
     "leapfrog": later("leapfrog"),

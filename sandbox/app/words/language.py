@@ -18,20 +18,20 @@ from sandbox.model.errors import SandboxError
 from sandbox.model.message import Message
 
 Name = Literal["en", "de"]
-"""Of a language, as its catalogue is called."""
+"""The code of a language, and the name of its catalogue."""
 NAMES: tuple[Name, ...] = get_args(Name)
-"""In the order in which they are offered."""
+"""All languages, in the order in which they are offered."""
 TITLES: Mapping[Name, str] = {"en": "English", "de": "Deutsch"}
-"""What each is called by those who speak it."""
+"""The name of each language in that language."""
 ENGLISH: Name = "en"
-"""The language of the code, which needs no catalogue; it is in use before another is chosen."""
+"""The language of the source code, which needs no catalogue, and the default."""
 
 Domain = Literal["window", "levels"]
-"""Who says what is in a catalogue."""
+"""The catalogues: texts of the window, and texts of the levels."""
 DOMAINS: tuple[Domain, ...] = get_args(Domain)
 
 _VARIABLES = ("LANGUAGE", "LC_ALL", "LC_MESSAGES", "LANG")
-"""Where a system says its language; of several the first that says anything counts."""
+"""The environment variables that set the language; the first that is set counts."""
 
 _used = ENGLISH
 

@@ -22,11 +22,12 @@ from sandbox.model.level import Level
 from sandbox.model.shapes import XY
 
 STEP = radians(5)
-"""rad, to whole ones of which a body is turned unless Alt is held."""
+"""rad, bodies turn by whole multiples of this unless Alt is held."""
 
 
 CROWD = 60
-"""How many bodies are drawn where they are moved to; of more only the frame around them is."""
+"""Up to how many bodies are drawn where they are moved to; beyond that, only a frame around
+them."""
 
 NOWHERE = Snapped((0.0, 0.0), "")
 

@@ -16,7 +16,7 @@ from sandbox.physics.accuracy.study import Here, Point
 
 LEFT, BELOW, ABOVE, RIGHT = 38, 36, 8, 18  # px, around the field
 LEAST = 1e-16
-"""Of an error: what is less is drawn there."""
+"""The smallest error that is drawn; smaller ones are drawn here."""
 
 
 def colors() -> Mapping[str, Color]:

@@ -17,7 +17,7 @@ from sandbox.app.widgets.text_field import Field
 HEIGHT = 24  # px, of a button and of a field
 GAP = 4  # px, between two
 SMALL = "@small"
-"""The look of these buttons, and of their fields."""
+"""The style of these buttons, and of their fields."""
 SIZE = 12  # of their captions, as widgets.json says
 PADDING = 14  # px, beside a caption, left and right together
 

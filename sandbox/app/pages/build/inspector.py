@@ -21,7 +21,7 @@ UNIT = 44  # px
 SLIDER = 44  # px
 INDENT = 10  # px, of what belongs to a section
 MOST = 300
-"""Letters; what is longer is no line to type."""
+"""Characters; a longer text is not edited in a line."""
 TOO_LONG = later("too long for one line: edit it in the file")
 SWITCHED: Mapping[str, str] = {later("no"): "false", later("yes"): "true"}
 

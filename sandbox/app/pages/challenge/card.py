@@ -131,7 +131,7 @@ def _goal(card: Card, outcome: Outcome, label: str) -> None:
 
 
 _SIGNS: dict[Standing, str] = {"met": "✓", "missed": "×", "open": "…"}
-"""A standing must not be told by its colour alone."""
+"""A sign for each standing, which must not be shown by its colour alone."""
 
 
 def _color(standing: Standing) -> Color:

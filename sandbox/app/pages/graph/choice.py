@@ -12,7 +12,7 @@ from sandbox.model.level import Level
 from sandbox.model.quantities import TIME, momentary
 
 MOST = 400
-"""How many quantities can be chosen from: of a crowd, those of its first bodies."""
+"""How many quantities can be chosen from; in a crowd, those of its first bodies."""
 
 
 def offered(level: Level) -> list[str]:

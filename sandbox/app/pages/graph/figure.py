@@ -18,9 +18,9 @@ from sandbox.optional_packages import needed_for
 
 WIDTH, HEIGHT = 7.0, 3.2  # inches, of each graph
 STYLES = {"run": ("-", 1.6), "closed": ("--", 1.0), "earlier": ("-", 0.8)}
-"""How lines are drawn: their dashes and their widths [pt]."""
+"""The dashes and the widths of the lines [pt]."""
 FAINT = 0.45
-"""How strong earlier runs are."""
+"""The opacity of earlier runs."""
 
 
 class Curve(NamedTuple):

@@ -11,11 +11,11 @@ from sandbox.app.widgets.plot import Scale
 Interval = tuple[float, float]
 
 NOTCH = 0.8
-"""What a notch of the wheel, or a button, leaves of what is seen."""
+"""The factor by which a notch of the wheel, or a button, scales the visible range."""
 SHIFT = 0.25
-"""The part of what is seen by which a button moves on."""
+"""The share of the visible range by which a button moves it."""
 CLOSEST = 1e-9
-"""The smallest part of the whole that can be looked at."""
+"""The smallest visible range, as a share of the whole."""
 CLICK = 5  # px; a box that is smaller is none, and one that is lower or narrower spans all
 TWICE = 500  # ms, between the two presses of a double click
 

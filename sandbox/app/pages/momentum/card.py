@@ -18,7 +18,7 @@ from sandbox.model.expressions import Array
 from sandbox.physics.stepping.world import World
 
 MOST = 10
-"""So many bodies have bars of their own; those of the others are one."""
+"""How many bodies have bars of their own; the others share one."""
 LABEL, AXIS, NUMBER = 82, 14, 104  # px: left of a bar, its axis, right of it
 COLUMN = 68  # px, of numbers along y
 

@@ -22,7 +22,7 @@ CHANGED = later(
 )
 NEVER = later("That did not happen in this run.")
 NOTICED = 1e-4
-"""A change by a smaller share is none that anybody would look for."""
+"""Relative changes smaller than this are not mentioned."""
 
 
 def intro(pen: Pen, width: int, session: Session, *, possible: bool) -> pygame.Surface:

@@ -12,7 +12,7 @@ from sandbox.physics.measuring.grading import ZERO, Result, grade_check, least_s
 from sandbox.physics.measuring.recording import Trace
 
 LIMITS: Sequence[float] = (0.01, 0.05, 0.2)
-"""How far a prediction may be off to be called within 1 %, 5 %, 20 %."""
+"""The grades of a prediction: within 1 %, 5 % or 20 %."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -22,7 +22,7 @@ UNIT = 84  # px, what is kept for the unit beside it
 ROW = 20  # px, of the list
 BESIDE = 24  # px, of the list, beside its words
 MOST = 6
-"""So many rows of the list are seen at once."""
+"""How many rows of the list are visible at once."""
 
 
 CAPTIONS = PREDICT, PUT_OFF, ANOTHER = (

@@ -30,7 +30,8 @@ FACTORS: Mapping[str, Mapping[str, float]] = {
     "J": {"mJ": 1e-3, "kJ": 1e3},
     "N": {"mN": 1e-3, "kN": 1e3},
 }
-"""What else a number may be typed in, for each SI unit, and what one of it is in that."""
+"""Other units in which a number may be typed, for each SI unit, with the value of one SI unit in
+them."""
 
 
 def questions(level: Level, values: Values) -> tuple[Check, ...]:

@@ -14,7 +14,7 @@ from sandbox.app.runs.session import Session
 from sandbox.app.words.language import say
 
 BETWEEN = 0.01
-"""The part of a step by which the time of an event is known that lies between two steps."""
+"""The resolution of an event's time between two steps, as a share of a step."""
 CORNER = 16, 62  # px, from the upper right, clear of a banner of one line
 PADDING = 8  # px
 DIAL = 8  # px, the radius of the sign beside the time

@@ -17,12 +17,12 @@ from sandbox.physics.measuring.recording import Trace, needed_at
 from sandbox.physics.quantities.meter import Meter
 
 Moment = Expression | ContactEvent | CrossingEvent | ApexEvent | LandingEvent
-"""A time [s], or an event of which the first counts."""
+"""A time [s], or an event, of which the first occurrence counts."""
 
 FEW = 12
 """Up to so many bodies, the apex and the landing of each are offered."""
 MOST = 60
-"""How many can be chosen from."""
+"""How many triggers can be chosen from."""
 
 
 class Occasion(NamedTuple):
