@@ -7,7 +7,7 @@ from _thread import interrupt_main, start_new_thread
 from types import FrameType
 
 STATUS = 128
-"""What shells add to the number of the signal that has ended a process."""
+"""Shells add this to the number of the signal that ended a process."""
 
 INTERRUPTED = STATUS + signal.SIGINT
 ENDED = STATUS + signal.SIGTERM

@@ -24,7 +24,7 @@ from sandbox.model.level import Level
 from sandbox.model.shapes import evaluate
 
 APART = 1e-12
-"""m, within which two points are one."""
+"""m, the distance below which two points count as one."""
 
 
 def pinned(level: Level, names: Collection[str]) -> set[str]:

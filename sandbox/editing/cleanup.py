@@ -12,13 +12,15 @@ from sandbox.model.json_positions import Path
 from sandbox.model.loading import parse
 
 COEFFICIENTS = tuple(name for name, effect in EFFECTS.items() if effect.coefficient)
-"""What every body needs where it is declared; 1 leaves that of the other body as it is."""
+"""What every body needs where it is declared; 1 leaves the coefficient of the other body
+unchanged."""
 
 ROUNDS = 20
-"""How often it is looked for what has lost its meaning; each time another part may."""
+"""How often the level is searched for meaningless parts; removing one can make another
+meaningless."""
 
 _LISTS = ("pairs", "located", "bodies", *ACTIONS)
-"""What effects and events name parts in, of which one may go and leave the others."""
+"""The lists of parts in effects and events from which one part can be removed alone."""
 
 
 def loads(text: str) -> bool:

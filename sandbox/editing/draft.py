@@ -17,7 +17,7 @@ MOST_STEPS = 1000
 """How many steps can be undone."""
 
 NEW = "<new level>"
-"""Where a level comes from that has no file."""
+"""The origin of a level without a file."""
 
 
 class Draft:

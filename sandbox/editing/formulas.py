@@ -8,10 +8,10 @@ from sandbox.editing.json_layout import plain
 from sandbox.model.expressions import Expression, Values
 
 _LOOSE = (ast.IfExp, ast.Compare, ast.BoolOp, ast.UnaryOp)
-"""What is put in brackets before something is added: it binds less than a sum, or might."""
+"""Nodes that need brackets before something is added: they bind less tightly than a sum."""
 
 _TIGHT = (ast.Name, ast.Call, ast.Constant)
-"""What needs no brackets, whatever is done to it."""
+"""Nodes that never need brackets."""
 
 ROUND = 10
 """Decimals of an angle in degrees: a rounding of 2e-12 rad."""

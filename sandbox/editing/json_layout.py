@@ -6,12 +6,12 @@ from collections.abc import Iterator, Mapping, Sequence
 from sandbox.model.writing import WIDTH
 
 Json = None | bool | int | float | str | Sequence["Json"] | Mapping[str, "Json"]
-"""What a JSON text can say."""
+"""A JSON value."""
 
 INDENT = "  "
 
 DIGITS = 15
-"""Of a number that was computed: what lies behind them is rounding."""
+"""Significant digits of computed numbers; the digits after them are rounding."""
 
 
 def plain(value: float) -> float:

@@ -20,11 +20,11 @@ from sandbox.model.files import data_folder, lives, make_folder, read_ordinary, 
 from sandbox.model.message import NOTHING, Message
 
 LARGEST = 20_000_000
-"""Bytes of a file: what is larger was not written here."""
+"""The largest file that is read [bytes]; a larger one was not written by this program."""
 
 _ENDING = ".draft.json"
 _OPEN = set[str]()
-"""The names of what this process keeps."""
+"""The names of the files that this process keeps."""
 
 
 def folder() -> Path:

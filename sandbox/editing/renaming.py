@@ -20,7 +20,7 @@ from sandbox.model.quantities import quantity
 from sandbox.model.rules.consistency.mentions import mentions
 
 PARTS = {"parameter": "parameters", "joints": "joints", "forces": ""}
-"""In which part of a level that is found which a mention names; all others name bodies."""
+"""The part of a level that each kind of mention refers to; all other kinds name bodies."""
 
 
 def rename(text: str, path: Path, name: str) -> str:

@@ -30,7 +30,7 @@ from sandbox.physics.stepping.world import World
 Data = dict[str, Any]
 
 TOLD = ("checks", "ghosts", "challenge")
-"""What is said of a run from the level's own start."""
+"""The parts of a level that describe a run from the level's own start."""
 
 MOVES = ("position", "angle", "velocity", "angular_velocity")
 """The fields of a body that change while it runs."""

@@ -19,10 +19,10 @@ from sandbox.model.message import Message
 from sandbox.model.writing import NAMED, ORDER, WIDTH
 
 Changes = dict[Path, Json]
-"""What is to stand where in a text."""
+"""New values, by their paths in a text."""
 
 _LINES = tuple((part,) for part in NAMED)
-"""The parts whose members have a line each: bodies, joints, checks."""
+"""The parts whose members each have a line: bodies, joints, checks."""
 
 
 class PatchError(SandboxError):

@@ -23,7 +23,7 @@ MOST_LISTED = 10_000
 """How many values may be listed one by one."""
 
 SPELT = 20
-"""How many listed values are told one by one."""
+"""Up to how many listed values are written out in messages."""
 
 FORMS = Message(
     "must be FROM:TO:COUNT, FROM:TO:COUNT:log, a list with commas, LOW..HIGH, LOW..HIGH:log or"

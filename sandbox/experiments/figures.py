@@ -18,10 +18,10 @@ from sandbox.model.expressions import Array
 from sandbox.reporting.plots import COLOURS, FRAME, MARKERS, legend_below, style
 
 FAMILY = 8
-"""How many curves may stand in one picture; of more a heat map is made."""
+"""How many curves fit in one picture; more become a heat map."""
 
 MARKED = 120
-"""How many points a curve may have to show each of them."""
+"""Up to how many points a curve shows each of them."""
 
 BINS = 60
 CLOUD = 4000

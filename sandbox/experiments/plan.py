@@ -22,10 +22,10 @@ from sandbox.model.rules.conditions.condition import Condition
 from sandbox.model.rules.faults import depending
 
 NONE = "none"
-"""What `without` is called where nothing is switched off."""
+"""The value of `without` that switches off nothing."""
 
 NAMED = ("without", "scheme")
-"""What is varied by names, and not by numbers."""
+"""The axes whose values are names, not numbers."""
 
 
 class Row(NamedTuple):

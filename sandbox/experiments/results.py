@@ -11,7 +11,7 @@ from sandbox.experiments.table import FAILURE, NUMBER
 from sandbox.model.expressions import Array
 
 MOST = 250_000
-"""How many rows are looked at; of more, some at equal distances."""
+"""How many rows are read; of more, evenly spaced ones."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -25,11 +25,11 @@ from sandbox.physics.state.errors import SimulationError
 from sandbox.physics.stepping.world import World
 
 TOGETHER = 400
-"""How many runs go on together where they can: from there on a step of one costs as good as no
-less, and what is recorded of them stays small."""
+"""How many runs share one batch of arrays. Larger batches hardly reduce the cost of a step, and
+need more memory."""
 
 LARGEST = 8_000_000
-"""How many numbers may be recorded of all that go on together."""
+"""How many numbers a batch may record."""
 
 
 class Task(NamedTuple):

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     import pyarrow as pa
 
 GROUP = 65_536
-"""How many rows each group of the finished file has, whatever the batches were."""
+"""The rows of each row group of the finished file, whatever the batches were."""
 
 RESULTS, DESCRIPTION, PARTS = "results.parquet", "experiment.json", "parts"
 

@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 Cell = float | str | None
 
 NUMBER, FAILURE = "run", "failure"
-"""What the first and the last column are called."""
+"""The names of the first and the last column."""
 
 
 class Column(NamedTuple):

@@ -41,10 +41,10 @@ RULES: Mapping[str, str] = {
     "power to a constant": "v*u**(v - 1)*du",
     "power": "u**v*(dv*log(u) + v*du/u)",
 }
-"""The derivative of each function and operator of u, v and w, in their derivatives du, dv, dw."""
+"""The derivative of each function and operator of u, v and w, in terms of du, dv, dw."""
 
 CORNERS = frozenset({"abs", "ceil", "floor", "max", "min", "sign", "where"})
-"""The functions that jump, or have a corner."""
+"""The functions that jump, or have a kink."""
 
 _ARGUMENTS = ("u", "v", "w")
 _CORNERS = (ast.Mod, ast.IfExp, ast.Compare, ast.BoolOp, ast.Not)

@@ -30,15 +30,15 @@ from sandbox.model.rules.faults import faults
 DEFAULTS: Mapping[str, Settings] = {
     name: effect.trial for name, effect in EFFECTS.items() if effect.trial is not None
 }
-"""What is switched on where nothing is said of it; other effects must be told what they are."""
+"""The settings of effects that are switched on by their name alone; other effects need settings."""
 
 TOLD = ("parameters", "checks", "ghosts", "challenge")
-"""The parts of a level that tell what the scene should do, and may have lost their meaning."""
+"""The parts of a level that describe what should happen, which a variant may make wrong."""
 
 _COEFFICIENTS: Mapping[str, type[Expression]] = {
     name: effect.coefficient for name, effect in EFFECTS.items() if effect.coefficient
 }
-"""The effects that have a coefficient a body: 'coefficient' is that of every pair."""
+"""The effects with a coefficient per body: 'coefficient' is that of every pair."""
 
 
 class Variation(NamedTuple):

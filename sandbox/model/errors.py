@@ -15,7 +15,7 @@ from dataclasses import dataclass
 from sandbox.model.message import Message, joined
 
 MAX_MISTAKES = 100
-"""The most mistakes that are listed; a file with more has one at its root."""
+"""The most mistakes that are listed; of more, one at the root says that there are others."""
 
 
 class SandboxError(Exception):

@@ -13,10 +13,10 @@ from sandbox.model.base import Model
 from sandbox.model.json_positions import Path
 
 Marked = tuple[Path, Any, Any]
-"""Where a marked value stands, the value, and its mark."""
+"""The path of a marked value, the value, and its mark."""
 
 Find = Callable[[Any, Path], Iterator[Marked]]
-"""Yields what is marked in a value that stands at a path."""
+"""Yields the marked values within a value, given its path."""
 
 
 def marked(part: Model, kind: type, path: Path = ()) -> Iterator[Marked]:

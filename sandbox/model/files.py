@@ -20,7 +20,7 @@ class TakenError(SandboxError):
 
 
 _PART = re.compile(r"\.([0-9a-f]{8})-(\d+)-[0-9a-f]{32}\.part")
-"""What a file is called while it is written: by which machine, by which process, and a number."""
+"""The name of a file while it is written: the machine, the process, and a number."""
 
 
 def data_folder() -> Path:

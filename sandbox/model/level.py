@@ -54,13 +54,13 @@ MAX_CONSTANTS = 200
 """How many names for formulas a level may have."""
 
 ROUNDING = 1e-12
-"""The share of a duration that a product with the rate may be off by."""
+"""The share by which the product of duration and rate may differ from a whole number."""
 
 HIGHEST_RATE = 100_000
 """Hz, the most steps that a second may have."""
 
 FINEST = 1e-14
-"""The least accuracy that may be asked for: below it is rounding."""
+"""The least accuracy that may be asked for; anything below is rounding."""
 
 Finite = Annotated[float, Field(allow_inf_nan=False, ge=-LARGEST_PARAMETER, le=LARGEST_PARAMETER)]
 Scheme = Literal["leapfrog", "fourth-order", "symplectic-euler", "explicit-euler"]

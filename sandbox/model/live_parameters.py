@@ -15,7 +15,7 @@ from sandbox.model.level_parts import expressions, names_in
 from sandbox.model.message import Message, both
 
 TELLS = ("mass", "moment", "friction", "static_friction", "restitution")
-"""The fields of a body that its motion depends on at every step."""
+"""The fields of a body that affect its motion at every step."""
 
 
 def obstacle(level: Level, changed: Collection[str]) -> Message | None:

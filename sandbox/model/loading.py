@@ -32,15 +32,15 @@ from sandbox.model.rules.consistency import dangling
 from sandbox.model.shorthand import write_out
 
 MAX_BYTES = 5_000_000
-"""The largest file that is read: as much as the most bodies need, of some 200 bytes each."""
+"""The largest file that is read: enough for the most bodies, of some 200 bytes each."""
 
 LONGEST_NAME = 31
 
 MAX_FORMULAS = 300_000
-"""Characters of all different formulas together: to read so many takes two seconds."""
+"""Characters of all different formulas together: parsing so many takes two seconds."""
 
 _MENDED = ("expression", "float_type", "int_type", "missing", "greater_than", "finite_number")
-"""The types of pydantic's errors that a 1 in the place of the value usually mends."""
+"""The types of pydantic's errors that a 1 in place of the value usually mends."""
 
 
 def load(path: Path) -> Level:

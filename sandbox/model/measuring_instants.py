@@ -20,7 +20,7 @@ def _counted(said: object) -> object:
 
 
 Nth = Annotated[int, BeforeValidator(_counted), Field(ge=1, le=MOST_MEETINGS)]
-"""The how many-th time; the first is 1."""
+"""Which occurrence of an event; the first is 1."""
 
 
 class ContactEvent(Model):

@@ -58,7 +58,7 @@ _BOUNDS: Mapping[str, Message] = {
     "too_long": Message("has {actual_length} entries, but may have at most {max_length}"),
     "too_short": Message("has {actual_length} entries, but needs at least {min_length}"),
 }
-"""With places for what pydantic says of the bound."""
+"""Messages for pydantic's bounds, with placeholders for the values."""
 
 
 def syntax(message: str) -> Message:

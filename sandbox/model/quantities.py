@@ -52,15 +52,15 @@ _SCALARS: Mapping[Owner, Mapping[str, str]] = {
 }
 
 _OF_CONTACT = {"contact.normal": "N", "contact.friction": "N"}
-"""What two bodies exert on each other where they touch."""
+"""The forces between two bodies that touch."""
 
 _KINDS_OF_CONTACT = tuple(name.partition(".")[2] for name in _OF_CONTACT)
 
 MOST_MUTUAL = 6
-"""How many bodies a level may have for all that two of them have together to be listed."""
+"""Up to how many bodies all quantities of pairs are listed."""
 
 WITHIN = "within"
-"""How deep the centre of a body is in a sensor, from its outline; negative outside."""
+"""The depth of a body's centre in a sensor, from its outline; negative outside."""
 
 _OF_POINTS = {"position": "m", "velocity": "m/s"}
 """What can be measured of a point of a body."""
@@ -73,8 +73,8 @@ OVER_TIME: Mapping[str, str] = {
     "mean": "",
     "integral": "s",
 }
-"""What may become of a quantity from the start on, and by what its unit is multiplied; `largest` is
-that of its size, `amplitude` half the way from the least to the most."""
+"""The aggregates of a quantity since the start, with the factor of their unit; `largest` is the
+largest size, `amplitude` half the range."""
 
 _BOOKS: Mapping[str, str] = {
     "work": "J",
@@ -85,7 +85,7 @@ _BOOKS: Mapping[str, str] = {
     "angular_impulse": "N·m·s",
     "unexplained_angular_momentum": "kg·m²/s",
 }
-"""What a ledger keeps of the system; the first, and the impulses, by what gave or took it."""
+"""What a ledger keeps of the system; the first, and the impulses, are split by cause."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -333,4 +333,4 @@ ATTRIBUTES_OF_BODIES = frozenset(
     name.partition(".")[0]
     for name in (*_VECTORS["body"], *_SCALARS["body"], "relative", WITHIN, *OVER_TIME)
 )
-"""What a point of a body cannot be called."""
+"""The names that a point of a body cannot have."""

@@ -12,7 +12,7 @@ from pydantic.json_schema import JsonSchemaValue
 from pydantic_core import CoreSchema
 
 NAMES = "names"
-"""The key under which the schema holds what a text names."""
+"""The key in the schema that says what kind of part a text names."""
 
 
 @dataclass(frozen=True, slots=True)

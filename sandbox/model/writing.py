@@ -14,14 +14,14 @@ from sandbox.model.level import Level
 from sandbox.model.shorthand.repeating import GROUPS, order
 
 WIDTH = 100
-"""Columns: what stands a line a member is put on one line if it fits in so many."""
+"""Columns: a part whose members have a line each stands on one line if that fits."""
 
 _INDENT = "  "
 ORDER = order(known.alias or name for name, known in Level.model_fields.items())
-"""The outermost keys of a level, as they stand below each other."""
+"""The order of the outermost keys of a level."""
 
 NAMED = ("parameters", "constants", GROUPS, "bodies", "joints", "checks", "ghosts")
-"""The parts whose members come and go, so that each may have a line of its own, however short."""
+"""The parts whose members come and go, so that each member may have a line of its own."""
 
 
 @dataclass(slots=True)

@@ -21,16 +21,16 @@ from sandbox.model.message import Message
 from sandbox.model.shapes import XY
 
 DENSITY = 10.0
-"""kg/m², of what is drawn: a box of 0.3 m weighs about 1 kg."""
+"""kg/m², of drawn bodies: a box of 0.3 m weighs about 1 kg."""
 
 SMALLEST = 1e-12
-"""m, what is drawn smaller is a click, and no body."""
+"""m, anything drawn smaller is a click, and makes no body."""
 
 DRAWN = 12
-"""The digits of a size that is drawn: it is a difference, whose last digits are rounding."""
+"""The digits of a drawn size: it is a difference, whose last digits are rounding."""
 
 CLOSES = 0.1
-"""The share of its size within which a stroke comes back to its beginning, and is closed."""
+"""A stroke is closed if its ends are closer than this share of its size."""
 
 GRAVITY: Json = {"acceleration": [0, -9.81]}
 

@@ -11,7 +11,7 @@ from sandbox.model.level import Level
 from sandbox.model.quantities import quantities
 
 MOST = 200
-"""How many names are offered at the most."""
+"""How many names are offered, at most."""
 
 
 def add_checks(

@@ -7,7 +7,7 @@ from sandbox.editing.text_patches import put
 from sandbox.model.level import Level
 
 SOON = 1.0
-"""s, when a new event happens; half-way through a run that is short."""
+"""s, the time of a new event; in a short run, half of its duration."""
 
 
 def cut(text: str, level: Level, joint: str) -> str:

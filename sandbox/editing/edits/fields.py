@@ -30,7 +30,7 @@ _MEANT_BY: Mapping[str, str] = {
     "angular_velocity": "rotation",
     "one_way": "contact",
 }
-"""The effects without which fields of bodies mean nothing."""
+"""For each field of a body, the effects without which it means nothing."""
 
 _DEGREES = re.compile(r"\s*(-?[\d.]+)\s*\*\s*deg\s*")
 

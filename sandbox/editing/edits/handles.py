@@ -30,7 +30,8 @@ from sandbox.model.shapes import (
 )
 
 _SIDES = (-1 - 1j, 0 - 1j, 1 - 1j, 1 + 0j, 1 + 1j, 0 + 1j, -1 + 1j, -1 + 0j)
-"""Where on a box its handles are, in halves of its sides, counter-clockwise from the lower left."""
+"""The positions of a box's handles in halves of its sides, counter-clockwise from the lower
+left."""
 
 
 def handles(level: Level, name: str) -> list[XY]:

@@ -21,16 +21,16 @@ from sandbox.model.message import Message, word
 from sandbox.model.shapes import XY
 
 CENTRAL = 1e-9
-"""m, within which a point of a body is its centre."""
+"""m, the distance from the centre within which a picked point counts as the centre."""
 
 OVERLAP = 1e-6
-"""m, by which two bodies that are joined may overlap and still meet."""
+"""m, two bodies that are joined meet if they overlap by less."""
 
 FREQUENCY = 1.0
-"""Hz, at which a body swings on a new spring."""
+"""Hz, the frequency of a body on a new spring."""
 
 TURNS = 1.0
-"""rad/s, how fast a new motor turns."""
+"""rad/s, the speed of a new motor."""
 
 
 class Pick(NamedTuple):
@@ -234,4 +234,4 @@ _MADE: Mapping[str, Callable[[list[Pick], Bodies], dict[str, Json]]] = {
     "spring": _spring,
     "wire": _wire,
 }
-"""What is not just two ends; a new kind of joint that is needs nothing here."""
+"""The kinds that are more than two ends; a new kind with just two ends needs no entry."""

@@ -26,16 +26,16 @@ LIGHT = 1e-3
 """The mass of a knot, as a share of that of the lighter body."""
 
 RATE = 480
-"""Hz, at which weights that run across the drum do not press knots into it."""
+"""Hz, at which weights that run across the drum press no knots into it."""
 
 HEMP = "#e9c46a"
-"""The colour of a rope, one for all of its knots."""
+"""The colour of all knots of a rope."""
 
 STEP = 7.5 * pi / 180
-"""rad, between two knots at the most."""
+"""rad, the largest angle between two knots."""
 
 DIGITS = 12
-"""Decimals of the position of a knot: far less than what bodies may overlap by."""
+"""Decimals of a knot's position: far less than the overlap that bodies may have."""
 
 
 def drum_of(level: Level, names: Sequence[str]) -> str | None:

@@ -12,10 +12,10 @@ from sandbox.editing.text_patches import put, value_at
 from sandbox.model.level import Level
 
 ROUND = ("disc", "hoop", "arc")
-"""What round bodies are."""
+"""The shapes that are round."""
 
 HALF_PIPE: Mapping[str, Json] = {"start": "180*deg", "end": "360*deg"}
-"""From where to where a new arc goes: open at its top."""
+"""The angles of a new arc, which is open at its top."""
 
 
 def rounded(text: str, level: Level, name: str, kind: str) -> Made:

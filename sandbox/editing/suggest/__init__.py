@@ -40,7 +40,7 @@ _KNOWN: tuple[Callable[[Scene], Iterator[Suggestion]], ...] = (
 
 
 MOST_MOVING = 12
-"""How many bodies may move where a set-up is looked for; those that are known have a few."""
+"""Up to how many moving bodies set-ups are looked for; known set-ups have a few."""
 
 
 def suggestions(level: Level) -> list[Suggestion]:

@@ -7,7 +7,7 @@ from sandbox.editing.suggest.scene import TOUCHING, Scene, Suggestion, check, sa
 from sandbox.model.shapes import Disc
 
 EXACT = 1e-10
-"""Of the closed form: impacts are exact to rounding."""
+"""The bound of the check: impacts are exact to rounding."""
 
 
 def suggestions(scene: Scene) -> Iterator[Suggestion]:

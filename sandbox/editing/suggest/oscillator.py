@@ -14,10 +14,10 @@ from sandbox.model.joints import End, Spring, body_of
 from sandbox.physics.geometry.distance import dot
 
 NEAR = 1e-4
-"""Of the closed form at the rate below: the leapfrog is second order."""
+"""The bound of the check at the rate below: leapfrog is of second order."""
 
 FEW = 40
-"""Steps of an oscillation at the least, however short the run."""
+"""The least number of steps of an oscillation, however short the run."""
 
 
 def suggestions(scene: Scene) -> Iterator[Suggestion]:

@@ -17,22 +17,22 @@ from sandbox.model.level import Level
 from sandbox.model.rules.faults import corners
 
 Check = Mapping[str, Any]
-"""As it stands in a level's file."""
+"""A check, as it stands in a level's file."""
 
 TOUCHING = 1e-6
-"""m, within which two bodies touch."""
+"""m, bodies closer than this touch."""
 
 RATES = (60.0, 120.0, 240.0, 480.0, 960.0, 1920.0, 3840.0)
-"""Hz, that levels have."""
+"""Hz, the rates that levels have."""
 
 SAFE = 0.9
-"""The share of the time until something is met, at which a check asks."""
+"""The time of a check, as a share of the time until the body meets something."""
 
 SAMPLES = 400
-"""At how many times it is looked for what is in the way."""
+"""At how many times obstacles are looked for."""
 
 MOST_CORNERS = 8
-"""How many ends of the parameters' ranges are tried."""
+"""How many corners of the parameters' ranges are tried."""
 
 
 Setup = Literal[

@@ -9,10 +9,10 @@ from sandbox.model.joint_ends import place
 from sandbox.model.joints import Spring, body_of
 
 NEAR = 1e-4
-"""Of the energy at the rate below: the leapfrog is second order."""
+"""The bound of the energy at the rate below: leapfrog is of second order."""
 
 STEPS = 200
-"""Of an oscillation."""
+"""Steps per oscillation."""
 
 
 def suggestions(scene: Scene) -> Iterator[Suggestion]:

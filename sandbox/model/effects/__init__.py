@@ -109,4 +109,4 @@ class Effects(Model):
 
 
 EFFECTS: Mapping[str, Effect] = register(Effects)
-"""What every effect says of itself, by its name; see `sandbox.model.effects.contract`."""
+"""Every effect's declaration by its name; see `sandbox.model.effects.contract`."""

@@ -25,14 +25,14 @@ from typing import Any, Literal
 from sandbox.model.expressions import Expression
 
 Book = Literal["potential", "loss", "work", "none"]
-"""What becomes of the energy that an effect takes: it is stored, lost for good, or was put in from
-outside; `none` if it does no work at all."""
+"""Where the energy goes that an effect takes: it is stored, lost for good, or was put in from
+outside; `none` if the effect does no work."""
 
 Sight = Literal["position", "angle", "velocity", "time"]
 """What a force depends on."""
 
 Settings = Mapping[str, object]
-"""What is said of an effect: its fields, as they would stand in a level's file."""
+"""The fields of an effect, as they would stand in a level's file."""
 
 
 class IncompleteError(TypeError):

@@ -24,14 +24,15 @@ from sandbox.model.rules.conditions.condition import Condition
 from sandbox.model.rules.consistency import contradictions, dangling, inconsistencies, too_much
 
 MAX_CORNERS = 256
-"""How many combinations of the parameters' bounds are tried at the most."""
+"""How many corners of the parameters' ranges are tried, at most."""
 
 FEWEST = 2
-"""How many are tried of whatever takes long: all parameters at their least, and at their most."""
+"""How many corners are tried of anything expensive: all parameters at their minimum, and all at
+their maximum."""
 
 PATIENCE = 5e5
-"""µs, about how long a level is looked at before fewer are tried; counted, not measured, so that
-the same is found everywhere."""
+"""µs, the work after which fewer corners are tried; it is counted, not timed, so that every machine
+finds the same."""
 
 
 def faults(level: Level) -> list[Fault]:

@@ -15,7 +15,7 @@ from sandbox.model.shorthand.expansion_notes import Notes
 Indices = Mapping[str, float]
 
 MOST_TIMES = 20_000
-"""How often one index may count: as many bodies as a level may have."""
+"""The most repetitions of an index: as many as a level may have bodies."""
 
 _BRACES = re.compile(r"\{([^{}]*)\}")
 _NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*")

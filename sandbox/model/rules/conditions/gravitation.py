@@ -15,7 +15,7 @@ from sandbox.model.rules.conditions.condition import Condition
 from sandbox.model.shapes import Point, evaluate
 
 NEAR = 1e-9
-"""m, within which two places are one."""
+"""m, places closer than this count as one."""
 
 
 def conditions(level: Level) -> Iterator[Condition]:

@@ -36,7 +36,7 @@ from sandbox.model.rules.conditions.condition import Condition
 from sandbox.model.shapes import evaluate
 
 NEAR = 1e-9
-"""How far apart two lengths may be that are meant to be the same, of the whole or in m."""
+"""How much two lengths that should be equal may differ, as a share or in m."""
 
 
 def conditions(level: Level) -> Iterator[Condition]:

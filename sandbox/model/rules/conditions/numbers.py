@@ -11,7 +11,7 @@ from sandbox.model.message import Message
 from sandbox.model.rules.conditions.condition import Condition
 
 MAX_STEPS = 10_000_000
-"""How long a run may be: some minutes of computing."""
+"""The most steps of a run: some minutes of computing."""
 
 
 def conditions(level: Level) -> Iterator[Condition]:

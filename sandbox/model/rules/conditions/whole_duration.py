@@ -17,19 +17,19 @@ from sandbox.model.message import Message
 from sandbox.model.rules.conditions.condition import Condition
 
 MOST = 1000
-"""Times at which a formula is looked at, at the most: those of the steps, if they are no more."""
+"""At how many times a formula is evaluated, at most: at every step, if there are fewer."""
 
 HALVINGS = 40
-"""How often a time is halved to see whether a length jumps in it."""
+"""How often an interval is halved to see whether a length jumps in it."""
 
 JUMP = 1e-6
-"""The share of its most by which what jumps still changes in a 10¹²th of a step."""
+"""A formula jumps if it still changes by this share of its range in a 10¹²th of a step."""
 
 LENGTH, MOTION = Message("the rod's length"), Message("the motion")
 """What may jump, in words."""
 
 STARTS = 1e-12
-"""The share of itself, or of a metre or radian, by which a motion may be off at the start."""
+"""By which share, or by how many metres or radians, a motion may be off at the start."""
 
 
 def conditions(level: Level) -> Iterator[Condition]:

@@ -18,22 +18,22 @@ from sandbox.model.shapes import Curve
 from sandbox.model.wires import NEAR, PIECES, Points, along, is_closed, places
 
 COARSE = 256
-"""How many pieces a wire or curve is cut into to look for crossings."""
+"""The number of pieces of a wire or curve between which crossings are looked for."""
 
 SHARPEST = 0.1
-"""rad, by which what is smooth may turn from one of its pieces to the next."""
+"""rad, the largest turn of a smooth course from one piece to the next."""
 
 ROUGH = 1e-8
-"""The share of its size by which a curve may be off what its points make of it, between them."""
+"""By which share of its size a curve may differ from its interpolation between points."""
 
 TIGHT = 1e-3
-"""The share of its size that the radius of curvature of a curve must have everywhere."""
+"""The least radius of curvature of a curve, as a share of its size."""
 
 WORK = 3500
-"""µs, about what it takes to look at a wire or curve."""
+"""µs, about, to check a wire or curve."""
 
 PARALLEL = 1e-9
-"""rad, between pieces that do not cross."""
+"""rad, pieces at a smaller angle are parallel."""
 
 ZOOMS = 6
 

@@ -11,17 +11,17 @@ from sandbox.model.quantities import ATTRIBUTES_OF_BODIES
 from sandbox.model.shapes import Area, Line, Polygon, Polyline, Shape
 
 MAX_SURFACES = 30_000
-"""How many surfaces may touch: of 40,000 in a heap pymunk takes more than 100 s to let go."""
+"""The most surfaces that may touch: pymunk takes more than 100 s to free 40,000 in a heap."""
 
 MAX_PAIRS_OF_EDGES = 10_000_000
-"""How many pairs of edges polygons may have: to look at so many takes a second."""
+"""The most pairs of polygon edges: checking so many takes a second."""
 
 _FORBIDDEN: Mapping[str, tuple[str, ...]] = {
     "dynamic": ("motion",),
     "kinematic": ("mass", "moment"),
     "static": ("mass", "moment", "velocity", "angular_velocity", "motion"),
 }
-"""The fields that a type of body cannot have."""
+"""The fields that bodies of each type cannot have."""
 
 
 def fields_fit(level: Level) -> Iterator[Fault]:

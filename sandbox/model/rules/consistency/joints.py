@@ -22,8 +22,8 @@ from sandbox.model.rules.consistency.mentions import bodies_of_flows
 from sandbox.model.shapes import Curve
 
 MAX_WIRES = 200
-"""How many wires and curves a level may have: to look at one takes 3 ms, at the defaults and at
-both ends."""
+"""The most wires and curves of a level: checking one takes 3 ms, at the defaults and at both
+ends."""
 
 
 NO_WIRE = Message(

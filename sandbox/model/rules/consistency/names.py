@@ -15,7 +15,7 @@ from sandbox.model.quantities import QuantityError, quantity
 from sandbox.model.rules.consistency.mentions import couples, named_bodies, named_quantities
 
 LONGEST_CIRCLE = 10
-"""How many constants of a circle are named; of a longer one only where it begins and ends."""
+"""Up to how many constants of a circle are named; of a longer one, only its two ends."""
 
 
 def parameters_fit(level: Level) -> Iterator[Fault]:

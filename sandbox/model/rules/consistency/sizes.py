@@ -7,12 +7,12 @@ from sandbox.model.level_parts import Fault
 from sandbox.model.message import Message
 
 MOST_PULLS = 4_000_000
-"""How many pulls there may be in a step, of bodies on each other and of centres on bodies: with so
-many one takes a quarter of a second."""
+"""The most attractions per step, between bodies and from centres: so many take a quarter of a
+second."""
 
 MOST_STICKING = 20_000
-"""How many pairs of bodies may stick more than they rub: pymunk asks for each, in 50 µs, who is to
-be called when they touch."""
+"""The most pairs with static above kinetic friction: pymunk looks up the callback of each in 50
+µs."""
 
 
 def not_too_many_pulls(level: Level) -> Iterator[Fault]:
