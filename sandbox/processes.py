@@ -21,11 +21,11 @@ Item = TypeVar("Item")
 Result = TypeVar("Result")
 
 AHEAD = 2
-"""How many items each process has at a time: the one it is at, and the next."""
+"""How many items each process has at a time: the current one, and the next."""
 
 METHOD = "forkserver" if "forkserver" in get_all_start_methods() else "spawn"
-"""How processes start: as copies of a server that does nothing but load modules, and so are there
-at once. On Windows each begins from nothing."""
+"""How processes start: as copies of a server that has only loaded modules, which is fast. On
+Windows each starts from nothing."""
 
 
 def prepare(*modules: str) -> None:

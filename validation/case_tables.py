@@ -53,7 +53,7 @@ NAMES: Mapping[str, object] = {
     "np": np,
     "rect": rect,
 }
-"""What a closed form may call, beside what Python has by itself and `own`."""
+"""The names that a closed form may use, besides Python's built-ins and `own`."""
 
 ORDERS = {2: SECOND_ORDER, 4: FOURTH_ORDER}
 

@@ -13,7 +13,7 @@ from sandbox.model.generated_files import generate
 from sandbox.model.loading import load
 
 PAGE = Path("docs") / "reference" / "chapter.md"
-"""In the project's sources."""
+"""The page that is written, within a checkout."""
 
 
 class Part(NamedTuple):

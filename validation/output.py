@@ -14,7 +14,7 @@ from rich.table import Table
 from sandbox.model.files import write_atomically
 
 WIDE = 160
-"""Characters of a line where no terminal says how many it has: room for whole names."""
+"""The width of a line [characters] if there is no terminal: room for whole names."""
 
 T = TypeVar("T")
 

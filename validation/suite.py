@@ -16,7 +16,7 @@ from validation.output import finite, progress
 HEADINGS = ("measured", "expected", "error", "bound", "order", "naive error", "step", "naive")
 
 WORTH = 8
-"""How many runs are worth the start of another process."""
+"""How many runs justify the start of another process."""
 
 
 def outcomes(cases: Sequence[Case], jobs: int | None = None) -> list[Outcome]:

@@ -18,10 +18,10 @@ from validation.compose.separation import body_of
 from validation.stability.scene import Document
 
 Numbers = NDArray[Any]
-"""Real, or complex for a slope."""
+"""Real numbers, or complex ones for a derivative."""
 
 STEP = 1e-30
-"""The imaginary step of a slope: its square is nothing beside 1."""
+"""The imaginary step of a derivative: its square vanishes beside 1."""
 
 
 class Places(NamedTuple):

@@ -11,8 +11,7 @@ SKIN = 1.1e-6
 """m: the overlap that the engine leaves alone is 1e-6 m, approached from above."""
 
 SOON = 0.25
-"""s, within which the overlap of an impact that was found late must be gone: what is taken back
-slower than that is seen."""
+"""s, within which the overlap of an impact that was found late must be gone."""
 
 SLOWLY = 0.2
 """The share of an overlap that a step takes back where it is left to pymunk and nothing bounces; of

@@ -22,13 +22,13 @@ from sandbox.physics.stepping.world import World
 from validation.compose.scenes import Scene
 
 MOST_STEPS = 720
-"""How many steps a run has at the most: one of a high rate is shorter."""
+"""The most steps of a run; a run with a high rate is shorter."""
 
 LIMIT = 20.0
-"""s of a processor that a run may take: 28 ms for each of the most steps that it may have."""
+"""s of processor time that a run may take: 28 ms for each of the most steps."""
 
 TRIES = 8
-"""How often a rate that is proposed is taken up."""
+"""How often a proposed rate is tried."""
 
 Pairs = frozenset[tuple[int, int]]
 

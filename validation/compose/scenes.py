@@ -11,10 +11,10 @@ from validation.stability.case import make
 from validation.stability.scene import Document
 
 TREES = 0.15
-"""The share of scenes that are random through and through."""
+"""The share of scenes that are random trees."""
 
 TREE = "tree"
-"""The family of those."""
+"""The name of their family."""
 
 
 @dataclass(frozen=True, slots=True)

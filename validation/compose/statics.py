@@ -21,13 +21,13 @@ from validation.compose.shapes import extent, is_dynamic, outline
 from validation.stability.scene import Document
 
 TOUCHING = 2e-6
-"""m, within which bodies touch: the skin that the engine leaves alone, twice."""
+"""m, bodies closer than this touch: twice the overlap that the engine tolerates."""
 
 UNIQUE = 1e-9
-"""The share of a force that may lie in the directions that equilibrium leaves open: rounding."""
+"""A force is determined if its undetermined share is below this: rounding."""
 
 Wrench = tuple[int, Array]
-"""What a unit of a force does to a body: its number, and (3,) [N, N, N m]."""
+"""The effect of a unit force on a body: the body's number, and (3,) [N, N, N m]."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -14,10 +14,10 @@ from sandbox.physics.run import build, simulate
 from validation.cost.run_error import Yardstick
 
 EXPENSIVE = 3.0
-"""How much more than the cheapest setting of the sweep a setting may cost."""
+"""How many times as much as the cheapest setting of the sweep a setting may cost."""
 
 LONGEST = 5.0
-"""s, how long a run may take to be looked at."""
+"""s, the longest run that is checked."""
 
 
 @dataclass(frozen=True, slots=True)

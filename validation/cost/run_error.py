@@ -19,10 +19,10 @@ from sandbox.physics.measuring.recording import Trace
 from sandbox.physics.state.errors import SimulationError
 
 ROUNDING = 1e-9
-"""An error below this, at a small step, is no approximation's."""
+"""An error below this at a small step is rounding, not an approximation."""
 
 FALLS = 0.5
-"""The share to which an error must fall, at least, as the step falls to an eighth."""
+"""The share to which an error must fall as the step falls to an eighth."""
 
 
 @dataclass(frozen=True, slots=True)

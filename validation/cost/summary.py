@@ -15,13 +15,13 @@ ROUNDING = 1e-11
 """An error below this is rounding, and shows no order."""
 
 LARGE = 0.1
-"""An error above this is no small one, whose order would show."""
+"""An error above this is too large to show an order."""
 
 SAME = 1.2
-"""Two costs are the same if neither is larger by more than this."""
+"""Two costs are the same if their ratio is below this."""
 
 LEAST = 1e-16
-"""An error of nothing counts as that of a float."""
+"""An error of zero counts as that of a float."""
 
 
 @dataclass(frozen=True, slots=True)

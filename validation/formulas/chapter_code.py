@@ -12,7 +12,8 @@ from numpy.typing import ArrayLike
 from validation.formulas.arrays import Array
 
 Step = Callable[[float, float, float, float, float], tuple[float, float]]
-"""From angle [rad], angular velocity [rad/s], dt [s], L [m] and g [m/s²] to the next two."""
+"""(angle [rad], angular velocity [rad/s], dt [s], L [m], g [m/s²]) -> the next angle and
+velocity."""
 
 DT = 0.01  # s
 STEPS = 5000

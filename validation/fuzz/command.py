@@ -25,7 +25,7 @@ from validation.fuzz.shrinking import shrunk
 from validation.fuzz.trial import Trial, Tried
 
 SAMPLES = Path("out") / "fuzz"
-"""Where levels that go wrong are kept, if nothing else is said."""
+"""The default folder of levels that go wrong."""
 
 
 @dataclass(slots=True)

@@ -15,10 +15,10 @@ from multiprocessing.connection import Connection
 from random import Random
 
 LONGEST = 4000
-"""Bytes of an input: a level takes some hundred choices."""
+"""The most bytes of an input: a level takes some hundred choices."""
 
 SLOWER = 3.0
-"""How many times as long code takes whose branches are counted."""
+"""How many times as long instrumented code takes."""
 
 
 class Choices(Random):

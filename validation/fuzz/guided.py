@@ -18,7 +18,7 @@ from validation.fuzz.explorer import LONGEST
 from validation.fuzz.trial import HANGS, STARTS, Outcome, Trial, Tried
 
 FIRST = 200
-"""How many random inputs it begins with: by itself it would begin with levels without choices."""
+"""The random inputs to begin with; by itself Atheris begins with empty ones."""
 
 
 def available() -> bool:

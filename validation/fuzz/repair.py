@@ -8,7 +8,7 @@ from typing import Any
 from validation.fuzz.trial import Outcome
 
 ROUNDS = 8
-"""How often a level is mended at the most."""
+"""How often a level is repaired, at most."""
 
 
 def answered(

@@ -18,25 +18,25 @@ from sandbox.physics.run import build
 from sandbox.physics.state.errors import BreakdownError
 
 SECONDS = 2.0
-"""Of computing, that an answer may take."""
+"""s of processor time that an answer may take."""
 
 HANGS = 30.0
-"""s, after which a process that does not compute has gone to sleep for good."""
+"""s, after which a process that computes nothing counts as hung."""
 
 BYTES = 500_000_000
-"""Of memory, beside what the libraries take, that an answer may take."""
+"""The memory that an answer may take, besides that of the libraries."""
 
 STARTS = 300.0
-"""s, that the process may take to begin, on a machine that others use."""
+"""s, that the process may take to start on a busy machine."""
 
 STEPS = 8
 
 RUNS, REFUSED, STOPPED = "runs", "refused", "stopped"
 ANSWERS = (RUNS, REFUSED, STOPPED)
-"""What may come of a level: it runs, is refused, or has to stop."""
+"""The good outcomes: the level runs, is refused, or has to stop."""
 
 SLOW, ENDED, UNTOLD = "slow", "ended", "not told"
-"""What must not: no answer in time, the process ended, or something else than our own errors."""
+"""The bad outcomes: no answer in time, a crash, or an error that is not one of ours."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -30,10 +30,10 @@ from validation.report.digest.requests import Requests
 from validation.stability import report as stability_report
 
 SHOWN = 4
-"""How many diagrams are in sight at once; the others fold away."""
+"""How many diagrams are visible at once; the others are folded away."""
 
 LARGE = 1e4
-"""A ratio from here on is told as a power of ten."""
+"""Ratios from here on are shown as powers of ten."""
 
 
 @dataclass(slots=True)

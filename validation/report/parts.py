@@ -35,7 +35,7 @@ SAMPLE = (
     "lagrange/simple-pendulum",
     "lagrange/double-pendulum",
 )
-"""The levels of which a quick report shows what accuracy costs."""
+"""The levels for which a quick report shows the cost of accuracy."""
 
 HARD = (
     "a cradle of five, 1 in, gap 0 m",
@@ -51,12 +51,12 @@ OPTIONAL = {
     "order", "stepping", "until",
     "beyond", "axis", "unit", "frontier", "naive_frontier", "previous", "rate", "naive_rate",
 }  # fmt: skip
-"""Figures that may be missing; others that JSON lacks are infinite or NaN."""
+"""Figures that may be missing; any other that JSON lacks is infinite or NaN."""
 
 T = TypeVar("T")
 
 Content = Mapping[str, Any]
-"""What a command writes as JSON."""
+"""The JSON that a command writes."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -18,10 +18,10 @@ from validation.stability.run_measures import Run
 from validation.stability.scene import Document
 
 Figure = Callable[[Run], float]
-"""What is read off a run."""
+"""A number that is read off a run."""
 
 LOOKS = 600
-"""How often a run is looked at, at least, if it has so many steps."""
+"""The observations of a run, at least, if it has so many steps."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -21,11 +21,11 @@ from validation.stability.history import last, moved_inward, read
 from validation.stability.run_measures import Run
 
 HALVINGS = 2
-"""How often the step is halved, down to the level's own, to see by which power the error falls."""
+"""How often the step is halved, down to the level's own, to measure the order."""
 
 
 LONG = 500_000
-"""How many steps of a case take longer than most frontiers."""
+"""A case with more steps takes longer than most frontiers."""
 
 
 @dataclass(frozen=True, slots=True)

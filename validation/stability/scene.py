@@ -17,7 +17,7 @@ SLOP = 0.01
 and what pushes rocks the pile. pymunk's own, 0.1, was made for pixels."""
 
 WATCHED = 4000
-"""Steps that a level of a high rate lasts: seconds of computing, in the app and in the tour."""
+"""The most steps of a level with a high rate, which takes seconds in the app and in the tour."""
 
 NEWTON = "4. Newton's laws: gravity, friction and the normal force"
 MOMENTUM = "7. Momentum, impulse, and collisions: elastic vs inelastic collisions"

@@ -32,14 +32,14 @@ from sandbox.physics.state.errors import SchemeError
 
 _SETTING = TypeAdapter(Setting)
 _ENTRY = TypeAdapter(tuple[str, str, Setting])
-"""A key, what was found for it, and before that a hash of both: an entry that a hand has changed is
-not what was found."""
+"""A hash, a key and the setting found for it. The hash covers both, so that an edited entry is
+ignored."""
 
 _unkept: dict[str, Setting] = {}
-"""What could not be written, for as long as this process lives."""
+"""The entries that could not be written, for as long as this process lives."""
 
 LARGEST = 10_000
-"""Bytes of a file: what is larger was not written here."""
+"""The largest file that is read [bytes]; a larger one was not written by this program."""
 
 
 def calibrated(

@@ -15,7 +15,7 @@ from sandbox.physics.accuracy.refinement_search import Progress
 from sandbox.physics.measuring.grading import applies
 
 BUDGET = 1.0
-"""s, for all runs of a calibration, as their work is counted."""
+"""s, for all runs of a calibration, by their counted work."""
 
 _ENERGY = Watched("system.energy")
 

@@ -13,13 +13,13 @@ from sandbox.physics.accuracy.refinement import PARTS, SLOWEST, Refinement, furt
 from sandbox.physics.measuring.recording import Trace
 
 REAL_TIME = 0.5
-"""s of computing for a second of the scene; the rest is for drawing it."""
+"""s of computing per second of the scene; the rest is for drawing."""
 
 CAUTION = 0.7
-"""The share of the accuracy that a setting may use up by what is only expected of it."""
+"""The share of the accuracy that a setting may use where its error is extrapolated."""
 
 NOT_SEEN = 1e-3
-"""By which share an error counts as above what is asked for, where too few finer runs were seen."""
+"""The share by which an error counts as above the accuracy where too few finer runs exist."""
 
 
 @dataclass(frozen=True, slots=True)

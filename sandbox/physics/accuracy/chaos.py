@@ -24,12 +24,12 @@ NUDGE = 1e-9
 """m, by which one body is moved at the start."""
 
 CHAOTIC = 1e4
-"""By how much a change has grown, at the least, before it is asked how."""
+"""The least growth of a disturbance for it to be examined."""
 
 STEADY = 0.75
-"""The share of the digits, at the most, that are lost in half of the time where a change grows by
-the same factor again and again; what a first touch makes of it all at once is more, and what grows
-in proportion to time loses but one more in twice the time."""
+"""The largest share of the lost digits that may be lost in half of the time, if growth is
+exponential. A first touch loses more of them at once; growth in proportion to time loses hardly
+any in the second half."""
 
 
 def chaotic(level: Level, values: Values, stepping: Stepping, stop: Stop) -> Message:

@@ -19,10 +19,10 @@ from sandbox.physics.accuracy.compared_runs import Watched, jumps, scale, size
 from sandbox.physics.measuring.recording import Trace
 
 BY_CHANCE = 0.1
-"""The share of what a force does between two looks by which it may do more, as it changes."""
+"""The share by which a force may do more between two observations without an event."""
 
 ROUNDING = 1e-12
-"""The share of the largest velocity by which none changes at once."""
+"""Changes below this share of the largest velocity are no jumps."""
 
 
 class Off(NamedTuple):

@@ -19,16 +19,16 @@ from sandbox.physics.measuring.recording import Trace
 from sandbox.physics.state.errors import SimulationError
 
 Progress = Callable[[float, str], None]
-"""Is told which share of the time is spent, and what comes next."""
+"""Is called with the share of the time that is spent, and what comes next."""
 
 FEWEST = 3
-"""Runs of a scheme before it tells how far it has to go."""
+"""The runs of a scheme before its remaining work is estimated."""
 
 DEARER = 2.0
-"""How many times as much work as another, as far as both tell what they need, is too much."""
+"""A scheme is dropped if it needs this many times the work of another."""
 
 PATIENCE = 6.0
-"""How many times as long as counted the runs may take."""
+"""How many times the counted work the runs may actually take."""
 
 
 @dataclass(slots=True)

@@ -10,13 +10,13 @@ from sandbox.physics.accuracy.richardson import extrapolated
 from sandbox.physics.measuring.recording import Trace
 
 SEEN = 1e-2
-"""The share of its largest value by which a quantity is seen to be off in a graph."""
+"""The share of its largest value from which an error of a quantity is visible in a graph."""
 
 MOST_DIGITS = 8
-"""There is no room for more in a column of numbers."""
+"""The most digits for which a column of numbers has room."""
 
 USUAL_DIGITS = 5
-"""Of a number that nothing is known to be off."""
+"""The digits of a number whose error is unknown."""
 
 
 @dataclass(frozen=True, slots=True)

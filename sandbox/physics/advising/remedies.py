@@ -24,19 +24,17 @@ from sandbox.physics.stepping.world import World
 DIRECT = Message('with "contact": {"solver": "direct"}')
 
 SECONDS = 2.0
-"""How long trying may take in all, of the processor [s]: on a busy machine the same is found.
-
-A step that is under way is not cut short.
-"""
+"""s of processor time for all trials, so that a busy machine finds the same; a step in progress is
+not cut short."""
 
 STEPS = 50_000
-"""How many steps a trial may take."""
+"""The most steps of a trial."""
 
 FINER = 4
-"""How many times the rate is tried where none is known."""
+"""The rate of a trial where no rate is known, as a multiple of the present one."""
 
 PAST = 1.5
-"""How many times as far as the run came a trial must come, to tell anything."""
+"""How many times as far as the failed run a trial must come to count as success."""
 
 
 class Advice(NamedTuple):

@@ -44,7 +44,7 @@ if TYPE_CHECKING:
     from sandbox.physics.forces.law import Law
 
 SEEN = 1e-12
-"""The share of a place, or of a metre, by which a body must have been moved to be seen to be."""
+"""The share of a position, or of a metre, by which a body must have moved to count as moved."""
 
 
 class Ledger:

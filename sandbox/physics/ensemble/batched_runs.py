@@ -23,17 +23,17 @@ from sandbox.physics.state.snapshot import Snapshot
 from sandbox.physics.stepping.world import World
 
 CHUNK = 500
-"""How many steps are taken between two looks at what was measured."""
+"""The steps between two looks at the measurements."""
 
 DOUBTED = 0.25
-"""The share of the energy there was that a run may gain before it is run alone: the watchdog stops
-it at once this energy, or more."""
+"""The share of its energy that a run may gain before it is run alone. The watchdog stops it at a
+gain of this, or more."""
 
 _UNKNOWN = ("tension", "push", "torque", "normal", "friction", "contact.normal", "contact.friction")
-"""What only a world of its own knows."""
+"""Quantities that only a world of its own can measure."""
 
 Stop = Callable[[Mapping[str, Array], Array, World], int | None]
-"""Returns from the columns of some instants at which a run is over; None if at none of them."""
+"""Returns the row, among some instants, at which a run is over; None if it goes on."""
 
 
 def suits(level: Level, stepping: Stepping, names: Sequence[str]) -> bool:

@@ -22,7 +22,7 @@ BISECTIONS = 60
 """A step halved this often is shorter than a float's rounding."""
 
 NEAR = 1e-6
-"""The share of a step before its end in which nothing happens: it waits for the next drift."""
+"""The share of a step before its end in which no event happens: it waits for the next drift."""
 
 
 class Part(NamedTuple):

@@ -24,7 +24,7 @@ from sandbox.physics.joints.exact.shake import ExactJoints
 from sandbox.physics.scene.scene import Scene
 
 TOUCHING = 1e-9
-"""m or rad, from which on a stop is touched."""
+"""m or rad, the distance at which a stop counts as touched."""
 
 
 class Bounces:

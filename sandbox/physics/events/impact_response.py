@@ -21,10 +21,10 @@ from sandbox.physics.scene.scene import Scene
 from sandbox.physics.state.motion import momentum
 
 ITERATIONS = 200
-"""How often the impulses at the points of an impact are gone through."""
+"""The most iterations over the impulses of an impact."""
 
 STILL = 1e-15
-"""The share of the impulses by which they may still change."""
+"""The relative change of the impulses at which the iteration has converged."""
 
 
 class Impact(NamedTuple):

@@ -20,12 +20,12 @@ from sandbox.physics.geometry.distance import surfaces
 from sandbox.physics.scene.scene import Scene
 
 TRIES = 16
-"""How often a kick is taken to be shorter, by `SHORTER`, until what slips before it does after."""
+"""How often a kick is shortened, by `SHORTER`, until what slips before it also slips after it."""
 
 SHORTER = 1 / 4
 
 PLACES = 1e-14
-"""How well places are known, of themselves: strings choose velocities by them."""
+"""The relative precision of positions, from which strings choose velocities."""
 
 Held = Callable[[], AbstractContextManager[None]]
 Kicker = Callable[[float, Array, float, float], Array]

@@ -12,10 +12,10 @@ from sandbox.physics.engine.batch import Contacts, Integers
 from sandbox.physics.state.motion import momentum
 
 ROUNDING = 1e-12
-"""A slip slower than this share of the speeds that it is the difference of is none;"""
+"""A slip slower than this share of the speeds whose difference it is counts as none;"""
 
 FAINT = 1e-9
-"""nor is one slower than this share of what a step adds to them."""
+"""so does one slower than this share of what a step adds to them."""
 
 
 class Slips(NamedTuple):

@@ -21,7 +21,7 @@ SIGHTS: Mapping[str, Sight] = {
     "vy": "velocity",
     "t": "time",
 }
-"""What a force depends on that has a variable in its formula."""
+"""What a force depends on if its formula contains a variable."""
 
 
 @dataclass(frozen=True, slots=True)

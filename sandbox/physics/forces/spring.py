@@ -18,10 +18,10 @@ if TYPE_CHECKING:
     from sandbox.physics.forces.switch import Switch
 
 NODES = 40
-"""At how many places a law is looked at to know what it stores."""
+"""At how many points a force law is evaluated to find its potential energy."""
 
 DAMPED = replace(ELASTIC, sees=(*ELASTIC.sees, "velocity"))
-"""What a spring with a damper says of itself as a force."""
+"""The declaration of a spring with a damper, as a force."""
 
 
 @cache

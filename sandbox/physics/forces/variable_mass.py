@@ -10,10 +10,8 @@ from sandbox.model.expressions import Array
 from sandbox.physics.engine.batch import Integers
 
 Share = Callable[[Array], Array | float]
-"""What the masses of n bodies are at a time, or at many, over those at the start: (..., n), or 1.
-
-Moments of inertia change with the mass: what leaves or comes is taken from all over the body.
-"""
+"""The masses of n bodies at a time, or at many, relative to the start: (..., n), or 1. Moments of
+inertia change with the mass: matter leaves or comes evenly over the body."""
 
 
 def steady(_t: Array) -> float:

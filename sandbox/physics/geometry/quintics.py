@@ -16,7 +16,8 @@ _BEFORE = np.array([6.0, -15.0, 20.0, -15.0, 6.0, -1.0])
 """What the quintic through six points is, one point earlier."""
 
 BETTER = 0.1
-"""The share of what equal steps are off by, at the most, that points closer at the ends may be."""
+"""Points that are closer at the ends are used if their error is less than this share of that of
+equal steps."""
 
 
 class Quintics:

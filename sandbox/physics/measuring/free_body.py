@@ -7,7 +7,7 @@ from typing import NamedTuple
 from sandbox.model.shapes import XY
 
 IMPACT, NORMAL, FRICTION, HAND = "impact", "normal force", "friction", "hand"
-"""The forces that neither an effect nor a joint gives."""
+"""The forces that come neither from an effect nor from a joint."""
 
 
 class Acting(NamedTuple):

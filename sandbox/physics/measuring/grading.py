@@ -22,10 +22,10 @@ from sandbox.physics.measuring.recording import Trace
 Verdict = Literal["passed", "failed", "waiting", "not applicable"]
 
 ROUNDING = 1e-12
-"""A last step that is earlier than the time of a check by this share of it is not too early."""
+"""A run that ends before the time of a check by less than this share of it reaches that time."""
 
 ZERO = 1e-9
-"""An expected value below this, in its SI unit, counts as zero: its error is absolute."""
+"""An expected value below this, in its SI unit, counts as zero: its error is then absolute."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -36,13 +36,13 @@ if TYPE_CHECKING:
 Met = TypeVar("Met")
 
 MANY = 1000
-"""How many snapshots are kept before they are measured, at the most."""
+"""The most snapshots that are collected before they are measured."""
 
 STATES = 1_000_000
-"""How many states of bodies these may hold together: some 100 MB."""
+"""The most states of bodies among them: some 100 MB."""
 
 LARGEST = 1e9
-"""Bytes of what is recorded of a run, at the most."""
+"""The most bytes that a recorded run may have."""
 
 
 class Meeting(NamedTuple):

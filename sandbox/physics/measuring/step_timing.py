@@ -13,13 +13,13 @@ from sandbox.physics.stepping.world import World
 Step = Callable[[], object]
 
 REPEATS = 5
-"""How often each is run from its start."""
+"""How often each run is timed from its start."""
 
 STEPS = 120
-"""How many steps are taken at the most, in blocks of `BLOCK`."""
+"""The most steps of a timed run, in blocks of `BLOCK`."""
 
 BLOCK = 10
-"""How many steps are timed together: long against the clock, short against what disturbs it."""
+"""The steps that are timed together: long against the clock, short against disturbances."""
 
 
 def step_seconds(

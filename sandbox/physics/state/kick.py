@@ -67,4 +67,4 @@ class Kick:
 
 
 Work = Callable[[Kick], None]
-"""What is done in a kick, and told which it is."""
+"""A part of a kick; it is called with the kick."""

@@ -5,7 +5,7 @@ from math import cos, hypot, pi, sin
 from validation.compose.scene_builder import Draft, held
 
 ROOM = 0.05
-"""m, that is left between bodies at the start."""
+"""m, the least distance between bodies at the start."""
 
 
 def tree(draft: Draft) -> None:

@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterable
 from typing import Protocol, TypeVar
 
 TITLES = {"newton": "Newton's laws", "lagrange": "Lagrangian mechanics"}
-"""Of chapters that are not called as their folders are."""
+"""The titles of chapters that differ from the names of their folders."""
 
 T = TypeVar("T")
 

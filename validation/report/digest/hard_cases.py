@@ -12,7 +12,7 @@ GROUPS = {
     "C": "standing, holding together, or keeping their energy",
     "D": "beyond pymunk's own solver",
 }
-"""What is claimed of the hard cases."""
+"""The claims of the groups of hard cases."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -32,7 +32,7 @@ from validation.stability.scene import (
 FAMILY = "oscillators"
 
 SECOND = 1.9
-"""The power of the step by which an error of second order is seen to fall, at the least."""
+"""The least power of the step with which an error of second order must fall."""
 
 NEAR, ECCENTRICITY, PULL = 1.5, 0.5, 8.0  # m, 1, m³/s²
 YEAR = kepler_period(NEAR / (1 - ECCENTRICITY), PULL)  # s
