@@ -137,7 +137,7 @@ def _cleared(level: Level, found: list[Fault], effect: str) -> Level:
 
 
 def including(level: Level, effect: str, settings: Settings) -> Level:
-    """Return a level with an effect more, or with another setting of one that it declares.
+    """Return a level with one more effect, or with other settings of an effect that it declares.
 
     Parameters
     ----------
@@ -172,6 +172,11 @@ def including(level: Level, effect: str, settings: Settings) -> Level:
     changed = level.model_copy(update={"effects": _declaring(level, effect, fields)})
     if coefficient is not None:
         changed = _with_coefficient(changed, effect, coefficient)
+    _require_no_new_fault(level, changed, effect)
+    return changed
+
+
+def _require_no_new_fault(level: Level, changed: Level, effect: str) -> None:
     known = set(faults(level))
     for fault in faults(changed):
         if fault not in known and fault.path[0] not in TOLD:
@@ -184,7 +189,6 @@ def including(level: Level, effect: str, settings: Settings) -> Level:
                     rule=fault.rule,
                 )
             )
-    return changed
 
 
 def vary(

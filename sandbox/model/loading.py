@@ -182,47 +182,24 @@ def digest(level: Level) -> str:
 def choose(
     level: Level, settings: Mapping[str, float], among: Iterable[Condition] | None = None
 ) -> Values:
-    """Return the level's parameters, with some set to other values than their defaults.
+    """Return the values of a level's parameters, with some of them changed from their defaults.
 
     Parameters
     ----------
     level, settings
-        Whose parameters, and the values of those that are set.
+        The level, and the changed values by name.
     among
-        What `faults.depending` says of the level, where it is known already.
+        The result of `faults.depending` for the level, if it is known already.
 
     Raises
     ------
     ValueRangeError
-        If the level has no such parameter, or the value is not finite, or out of the parameter's
+        If the level has no such parameter, or a value is not finite, or out of the parameter's
         range, or makes a part of the level impossible.
     """
     for name, value in settings.items():
-        if name not in level.parameters:
-            known = joined((_described(*item) for item in level.parameters.items()), "; ")
-            hint = meant(name, level.parameters)
-            raise ValueRangeError(
-                Message(
-                    "unknown parameter '{name}'{hint} (there are: {known})",
-                    name=brief(name),
-                    hint=hint,
-                    known=known or Message("none"),
-                )
-            )
-        parameter = level.parameters[name]
-        if not isfinite(value):
-            raise ValueRangeError(
-                Message("'{name}' is {value}, not a finite number", name=name, value=value)
-            )
-        if not parameter.min <= value <= parameter.max:
-            raise ValueRangeError(
-                Message(
-                    "'{name}' is {value:g}, but must lie {range}",
-                    name=name,
-                    value=value,
-                    range=_range(parameter),
-                )
-            )
+        if wrong := _wrong_value(level, name, value):
+            raise ValueRangeError(wrong)
     values = {**level.defaults, **settings}
     held = faults.depending(level) if among is None and settings else among or ()
     if fault := next(faults.broken(held, values), None):
@@ -237,6 +214,29 @@ def choose(
             )
         )
     return values
+
+
+def _wrong_value(level: Level, name: str, value: float) -> Message | None:
+    """Say why a parameter cannot have a value by itself, if so."""
+    if name not in level.parameters:
+        known = joined((_described(*item) for item in level.parameters.items()), "; ")
+        return Message(
+            "unknown parameter '{name}'{hint} (there are: {known})",
+            name=brief(name),
+            hint=meant(name, level.parameters),
+            known=known or Message("none"),
+        )
+    if not isfinite(value):
+        return Message("'{name}' is {value}, not a finite number", name=name, value=value)
+    parameter = level.parameters[name]
+    if not parameter.min <= value <= parameter.max:
+        return Message(
+            "'{name}' is {value:g}, but must lie {range}",
+            name=name,
+            value=value,
+            range=_range(parameter),
+        )
+    return None
 
 
 def _described(name: str, parameter: Parameter) -> Message:
