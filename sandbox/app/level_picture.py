@@ -161,7 +161,7 @@ def _write(picture: pygame.Surface, session: Session, pen: Pen) -> None:
 
 
 def _judged(session: Session, pen: Pen, width: int, room: int) -> pygame.Surface:
-    """Draw what a page tells of the runs beside this one, or the checks."""
+    """Draw a page's comparison of the runs, or the checks."""
     page, _ = runs_beside(session)
     if page is not None and page.card is not None:
         return page.card(pen, width, session)

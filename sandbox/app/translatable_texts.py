@@ -32,7 +32,7 @@ same in every language."""
 
 
 def words() -> Iterator[str]:
-    """Yield all of them but for keys, some more than once."""
+    """Yield all texts except keys, some more than once."""
     every = (*_of_the_window(), *_of_the_physics(), *_of_the_format())
     return filter(has_words, every)
 
@@ -69,7 +69,7 @@ def _of_the_window() -> Iterator[str]:
 
 
 def _of_the_physics() -> Iterator[str]:
-    """Yield the names of effects, joints, forces and accounts, and what studies tell of."""
+    """Yield the names of effects, joints, forces and accounts, and of the studies' results."""
     for name, effect in EFFECTS.items():
         yield from (name, effect.called, effect.booked)
         yield from effect.trial or ()
@@ -85,7 +85,7 @@ def _of_the_physics() -> Iterator[str]:
 
 
 def _of_the_format() -> Iterator[str]:
-    """Yield the fields of a level, what is said of them, and what there is to choose from."""
+    """Yield the fields of a level, their descriptions, and their options."""
     for model in _models(Level, set()):
         yield fields.first_of(model)
         for name, field in model.model_fields.items():
@@ -95,7 +95,7 @@ def _of_the_format() -> Iterator[str]:
 
 
 def _models(kind: Any, known: set[type[Model]]) -> Iterator[type[Model]]:  # noqa: ANN401
-    """Yield the models that a type is made of, but for those that are known by then."""
+    """Yield the models that a type consists of, except those that are known already."""
     kind = fields.bare(kind)
     parts: Iterable[Any] = get_args(kind)
     if isinstance(kind, type) and issubclass(kind, Model):

@@ -82,7 +82,7 @@ class Window(Workspace):
         return playing or self._quiet < QUIET or self.workers.running or self.advising.running
 
     def frame(self, seconds: float) -> None:
-        """Handle what has happened, let time pass [s], and draw."""
+        """Handle events, let time pass [s], and draw."""
         begun, side, self._stepped = perf_counter(), self.panels.side, 0.0
         kind = side.coming(seconds) if side is not None else ""
         with self.hold_up.watched():
@@ -92,7 +92,7 @@ class Window(Workspace):
             self._allowance.note(kind, perf_counter() - begun - self._stepped)
 
     def _pass(self, seconds: float, allowed: float) -> None:
-        """Handle what has happened, and let time pass [s], for which steps are allowed some [s]."""
+        """Handle events, and let time pass [s]; its steps may take some time [s]."""
         events = self.hold_up.events()
         self._quiet = 0.0 if events else self._quiet + seconds
         for event in events:

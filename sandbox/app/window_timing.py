@@ -70,7 +70,7 @@ class Timing:
 
 
 def time_window(name: str, size: tuple[int, int], seconds: float) -> Timing:
-    """Start the program on a level, switch to it in a window that nobody sees, and play it there.
+    """Start the program on a level, open the level in a hidden window, and play it there.
 
     It plays as long as it goes on, or begins again. The program has a window of its usual size.
 
@@ -128,7 +128,7 @@ def _settle(window: Window) -> None:
 
 
 def _cost(session: Session, most: float) -> float:
-    """Return what a second of a level takes to be run and observed [s], in so much computing [s].
+    """Return the time to run and observe a second of a level [s], within a time limit [s].
 
     It runs twice, and of each step the quicker counts: what disturbs one only adds to it.
     """
@@ -138,7 +138,7 @@ def _cost(session: Session, most: float) -> float:
 
 
 def _steps(session: Session, most: float) -> Iterator[float]:
-    """Yield what each step of a run takes [s], for so much computing [s] or to its end."""
+    """Yield the time of each step of a run [s], within a time limit [s] or to the end."""
     begun = begin(session.begun_as, session.values, (), patient=False)
     run, first = LiveRun(session.original, begun), thread_time()
     before = first

@@ -136,7 +136,7 @@ class Workspace:
         self.lay_out()
 
     def lay_out(self) -> None:
-        """Build everything around the stage for the window as large as it is now."""
+        """Build everything around the stage for the present size of the window."""
         size = self.surface.size
         self.panels.build(size, self.files.entries, self.path, self.session, self._refused)
         self.stage.resize(self.panels.layout.stage.size)
@@ -204,7 +204,7 @@ class Workspace:
         return Session(level, choose(level, self._settings), rate, patient=False)
 
     def _tell_of(self, session: Session, path: Path, *, ran: bool) -> None:
-        """Say what there is to know of what was opened; keep a person's own file in mind."""
+        """Announce what was opened, and remember the user's own files."""
         self.banner.tell("")
         if ran:  # it is no level's file, to be watched or written to
             self.path = None
@@ -258,7 +258,7 @@ class Workspace:
             self.banner.tell(say(message, rate=rate))
 
     def follow(self, session: Session) -> None:
-        """Show the session's world, if it has been built anew, maybe from another file."""
+        """Show the session's world if it was rebuilt, perhaps from another file."""
         if session.shown is self._world:
             return
         self._world = session.shown

@@ -77,7 +77,7 @@ class Editor:
         return self.applying.pending
 
     def follow(self, session: Session, seconds: float, *, watched: bool) -> str | None:
-        """Keep to the level that is shown, and let the session play what was changed."""
+        """Take up the level that is shown, and let the session play its changes."""
         if not watched:
             self.complete = bool  # or a page that is gone would stay, with its session
         self.applying.follow(session, seconds, watched=watched)
@@ -101,7 +101,7 @@ class Editor:
         self.applying.apply(session)
 
     def new(self, session: Session) -> None:
-        """Begin an empty scene; what was built before is kept as it is."""
+        """Begin an empty scene; the level edited before keeps its changes."""
         self.begin(session, Draft.empty())
 
     def keep_run(self, session: Session) -> None:
@@ -118,7 +118,7 @@ class Editor:
     # keys, mouse and stage
 
     def command(self, command: str, session: Session) -> bool:
-        """Refuse to run what cannot; read a file again without losing what was changed."""
+        """Refuse to run a level with mistakes; reload a file without losing the changes."""
         if command in ("play", "step") and not self.trying.is_shown(session):
             return not self.trying.begin(session)
         if command == "next field":

@@ -118,5 +118,5 @@ def dragged(body: Drawn, index: int, to: XY) -> list[XY]:
 
 
 def _stretched(half: float, side: int, to: float) -> tuple[float, float]:
-    """Return both ends of a box's side, of which the one on a side is elsewhere [m]."""
+    """Return both ends of a box's side after one of them was moved [m]."""
     return (to if side < 0 else -half), (to if side > 0 else half)

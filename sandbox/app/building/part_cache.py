@@ -9,7 +9,7 @@ Part = TypeVar("Part")
 
 
 class Readings(Generic[Part]):
-    """Reads parts; what is the same in the next scene is not read again, what has gone is let go.
+    """Reads parts, and reuses those that are the same in the next scene.
 
     Parameters
     ----------
@@ -26,7 +26,7 @@ class Readings(Generic[Part]):
         return len(self._now.keys() | self._before.keys())
 
     def begin(self) -> None:
-        """Go on to the next scene; what is not in it will be let go by the one after it."""
+        """Begin the next scene; parts that are not in it are dropped after it."""
         self._before, self._now = self._now, {}
 
     def __call__(self, text: str) -> Part | None:

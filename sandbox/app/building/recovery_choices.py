@@ -26,7 +26,7 @@ class Offer(NamedTuple):
 
 
 def offers(editor: Editor, session: Session) -> list[Offer]:
-    """Return what there is to choose now."""
+    """Return the choices that are open now."""
     found = [_recovering(left, editor, session) for left in (editor.drafts.left or ())[:1]]
     if others := editor.drafts.unsaved(editor.work.draft)[:MOST]:
         ways = tuple(_going_on(draft, editor, session) for draft in others)
@@ -41,7 +41,7 @@ def offers(editor: Editor, session: Session) -> list[Offer]:
 
 
 def _going_on(draft: Draft, editor: Editor, session: Session) -> Act:
-    """Return what goes on with a draft that another one hides."""
+    """Return the button that opens another draft."""
     level = draft.level
     title = say("a level with mistakes")
     if level is not None:
@@ -55,7 +55,7 @@ def _going_on(draft: Draft, editor: Editor, session: Session) -> Act:
 
 
 def _called(level: Level) -> str:
-    """Return what a level is called; one without a title after what was drawn last."""
+    """Return the name of a level; without a title, it is named after its latest body."""
     if is_untitled({"title": level.title}):
         return say("Untitled, with {body}", body=list(level.bodies)[-1])
     return level_words.of(level)(level.title)

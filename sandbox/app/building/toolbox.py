@@ -47,12 +47,12 @@ class Toolbox:
         self.bench.show()
 
     def cancel(self) -> None:
-        """Give up what was begun."""
+        """Cancel what was begun."""
         while self.hand.busy:
             self.hand.cancel()
 
     def give_up(self) -> None:
-        """Give up what was begun; if nothing is, select nothing; then take up the first tool."""
+        """Cancel what was begun; else deselect everything; else take the first tool."""
         if self.hand.busy:
             self.hand.cancel()
         elif self.bench.selected:

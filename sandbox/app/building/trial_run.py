@@ -61,7 +61,7 @@ class Trial:
         session.resume(run.actions, run.steps, run.values)
 
     def is_undone(self, text: str) -> bool:
-        """Whether to do again what was undone last is to come back to the run."""
+        """Whether the next redo returns to the run."""
         return self._latest == text and text in self._left
 
     @staticmethod

@@ -1,4 +1,4 @@
-"""Trying the level out: the run is begun, left for building, come back to, and undone."""
+"""Switching between building the level and running it, with undo across both."""
 
 from sandbox.app.building.applying_changes import Applying
 from sandbox.app.building.edited_level import Work
@@ -88,7 +88,7 @@ class TryingOut:
             self._work.tell(say("Undone: the run; Ctrl Y comes back to it"))
 
     def redo(self, session: Session) -> None:
-        """Do again what was undone last: a change of the run, the run, or a change of the level."""
+        """Redo the last undone change of the run, the run itself, or a change of the level."""
         if self.is_shown(session):
             self._change_again(session)
         elif self._trial.is_undone(self._work.draft.text):

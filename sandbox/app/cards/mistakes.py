@@ -90,7 +90,7 @@ class _Sheet:
             self._line(number, text)
 
     def _line(self, number: int, text: str, column: int = -1) -> None:
-        """Put a line, so far on in it that a wrong place is in view, if there is one."""
+        """Add a line of the text, scrolled so that the mistake is visible."""
         wrong = column >= 0
         hidden = wrong and column > self._wide - AHEAD
         self._begin = max(column - self._wide // 2, 0) if hidden else 0

@@ -89,7 +89,7 @@ class Camera:
 
     @property
     def bounds(self) -> tuple[float, float, float, float]:
-        """Left, bottom, right and top of what is shown [m]."""
+        """Left, bottom, right and top of the visible part of the plane [m]."""
         left, top = self.to_world((0, 0))
         right, bottom = self.to_world(self.size)
         return left, bottom, right, top

@@ -1,4 +1,4 @@
-"""Signs and dashes beside colours, for people who cannot tell the colours apart."""
+"""Signs and dashes that tell lines apart without their colours."""
 
 from collections.abc import Callable
 

@@ -58,7 +58,7 @@ _used = DARK
 
 
 def use(name: Name) -> None:
-    """Let the colours be those of another theme from now on; what was drawn stays as it is."""
+    """Use another theme's colours from now on; what is drawn already stays as it is."""
     global _used
     _used = name
     globals().update({key.upper(): value for key, value in palette(name).items()})

@@ -10,7 +10,7 @@ from sandbox.app.words.language import say
 
 
 class Texts(NamedTuple):
-    """What a level's file says of it."""
+    """The texts in a level's file."""
 
     title: str
     summary: str = ""
@@ -40,7 +40,7 @@ class Entry(NamedTuple):
     words: str
 
     def said_anew(self) -> "Entry":
-        """Return the same in the language that is in use now."""
+        """Return the entry in the present language."""
         return _entry(self.path, self.chapter, self.original)
 
 

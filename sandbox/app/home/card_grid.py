@@ -94,7 +94,7 @@ def lay_out(
 
 
 def sections(found: Sequence[Entry], sought: str) -> list[tuple[str, Sequence[Entry]]]:
-    """Part levels by chapter; what was sought for stays together, the likeliest first."""
+    """Group levels by chapter; search results stay together, the best first."""
     if not sought.strip():
         chapters = groupby(found, key=lambda level: level.chapter)
         return [(say(chapter.capitalize()), list(levels)) for chapter, levels in chapters]

@@ -1,4 +1,4 @@
-"""The strip above the cards: drafts that were not saved, to go on with."""
+"""The strip above the cards: unsaved drafts that can be continued."""
 
 from collections.abc import Sequence
 from time import localtime, strftime
@@ -19,7 +19,7 @@ PADDING = 12  # px, beside its words
 
 
 class Strip:
-    """Rows of drafts, each of which can be clicked on.
+    """Rows of drafts that can be clicked.
 
     Attributes
     ----------

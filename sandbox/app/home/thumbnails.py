@@ -31,7 +31,7 @@ class Thumbnails:
         self._size = SIZE
 
     def forget(self) -> None:
-        """Look at all files anew, as they may have changed."""
+        """Check all files again, since they may have changed."""
         for known in (self._pictures, self._lacking, self._kept, self._hopeless):
             known.clear()
 
@@ -58,7 +58,7 @@ class Thumbnails:
         return self._work.running
 
     def follow(self, seen: Sequence[Path], others: Sequence[Path]) -> None:
-        """Take in what has been drawn, and go on: what is seen comes first, then the others."""
+        """Take in finished pictures, and request more: visible cards first, then the others."""
         for made in self._work.found():
             self._drawing.remove(made.path)
             self._take(made.path, made.png, seen=made.path in seen)
@@ -74,7 +74,7 @@ class Thumbnails:
             self._draw(seen, others)
 
     def _unknown(self, path: Path) -> bool:
-        """Whether it is not known yet whether there is a picture of what is seen."""
+        """Whether a visible card has not been looked up yet."""
         known = path in self._pictures or path in self._lacking or path in self._hopeless
         return not known and path not in self._drawing
 

@@ -91,7 +91,7 @@ def _near(view: View, history: History, pixel: XY) -> Iterator[Found]:
 
 
 def draw(surface: pygame.Surface, view: View, session: Session, pixel: XY) -> None:
-    """Mark what the mouse points at on a trail, and tell it."""
+    """Mark the point of a trail under the mouse, and describe it."""
     over = surface.get_rect().collidepoint(pixel)
     found = find(view, session, pixel) if over else None
     if found is None:

@@ -54,7 +54,7 @@ class Earlier(NamedTuple):
     world: World
 
     def label(self, now: Values) -> str:
-        """Say what it is, beside a run with some parameters: all in which they differ."""
+        """Label it by the parameters in which it differs from another run."""
         told = self.changed | _differing(self.world.values, now)
         values = ", ".join(f"{n} = {v:.6g}" for n, v in self.world.values.items() if n in told)
         if self.left is None:

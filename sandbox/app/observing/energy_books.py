@@ -79,7 +79,7 @@ class Books:
         return self._ledger is not None
 
     def _open(self) -> None:
-        """Begin to book steps, with none so far."""
+        """Start books without any steps."""
         self._ledger = Ledger(self._world)
         self._since = self._world.t if self._world.steps else None
 
@@ -99,14 +99,14 @@ class Books:
         return ", ".join(told)
 
     def hand_over(self) -> None:
-        """Let energies be compared with those of now: a hand has worked, and lets go.
+        """Compare energies with the present ones from now on: a hand has done work, and lets go.
 
         Half of its last pull is still to come, so those after the next step count.
         """
         self.start, self._let_go = self.energies, True
 
     def restart(self) -> None:
-        """Begin anew, as after a hand has put a body elsewhere; the start stays."""
+        """Start again, as after a hand has moved a body; the start of the run stays."""
         if self.kept:
             self._open()
         self._history.restart(self._world.snapshot)

@@ -26,7 +26,7 @@ class ImpactMarks:
             self._at[hardest.steps] = hardest
 
     def forget_after(self, steps: int) -> None:
-        """Forget those that came after so many steps: something else comes now."""
+        """Forget impacts after some step, since the run takes another course there."""
         self._at = {step: blow for step, blow in self._at.items() if step <= steps}
 
     @property

@@ -90,7 +90,7 @@ class ImpactLog:
             )  # fmt: skip
 
     def since(self, steps: int) -> Sequence[Blow]:
-        """Return those that came after so many steps, the latest first."""
+        """Return the impacts after some step, the latest first."""
         return list(takewhile(lambda blow: blow.steps > steps, reversed(self._last)))
 
     def flashes(self, lasting: float) -> Sequence[Flash]:

@@ -49,7 +49,7 @@ class Looking:
         self._full: dict[str, float] = {}
 
     def body(self, level: Level) -> str | None:
-        """Return the body of a level that is looked at: the one that was chosen, if it is there.
+        """Return the selected body of a level, if it exists.
 
         Else it is the first that forces can move; None if there is none.
         """
@@ -58,7 +58,7 @@ class Looking:
         return next((n for n, body in level.bodies.items() if body.type == "dynamic"), None)
 
     def at(self, world: World) -> FreeBody | None:
-        """Return the forces on the body; None if there are none to be told, see `FreeBodies.of`."""
+        """Return the forces on the body; None if they are unknown, see `FreeBodies.of`."""
         body = self.body(world.level)
         if body is None:
             return None

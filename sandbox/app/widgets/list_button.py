@@ -1,4 +1,4 @@
-"""Buttons of a long list, of which only those in sight take time."""
+"""Buttons of a long list, which cost time only while they are visible."""
 
 from pygame_gui.elements import UIButton
 

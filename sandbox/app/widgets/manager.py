@@ -32,7 +32,7 @@ class Manager(UIManager):
         self.get_sprite_group().lostsprites.clear()
 
     def _handle_hovering(self, time_delta: float) -> None:
-        """Tell the widgets under the mouse so, of which the uppermost is hovered, and no other.
+        """Find the uppermost widget under the mouse, the only one that is hovered.
 
         pygame_gui goes through all of them by layers, and asks each. A plain one that the mouse is
         far from, and was, has nothing to say; there are some hundred.

@@ -90,7 +90,7 @@ class Parameters:
         return Row(parameter, slider, field, text)
 
     def show(self, values: Values) -> None:
-        """Show other values; what has none any more stays as it was shown."""
+        """Show other values; parameters that no longer exist keep theirs."""
         for name, row in self._rows.items():
             if name not in values:
                 continue
@@ -114,7 +114,7 @@ class Parameters:
         return None
 
     def left(self) -> Change | None:
-        """Return what was typed into a field that the keyboard has left since."""
+        """Return the text of a field that has lost the focus."""
         for name, row in self._rows.items():
             if not row.field.is_focused and row.field.get_text() != row.shown:
                 return self._typed(name, row)

@@ -67,7 +67,7 @@ class Scale(NamedTuple):
         return self._replace(low=degrees(self.low), high=degrees(self.high))
 
     def ticks(self, most: int) -> Iterator[float]:
-        """Yield round numbers along it, about so many at the most."""
+        """Yield round numbers along the axis, at most so many."""
         step = formatting.nice((self.high - self.low) / most)
         for i in range(ceil(self.low / step), floor(self.high / step) + 1):
             yield i * step
@@ -199,7 +199,7 @@ def _ticks_apart(pen: Pen, span: Scale) -> Sequence[float]:
 
 
 def _offset(up: Scale) -> float:
-    """Return what numbers are told beyond, where they differ by less than a thousandth; else 0."""
+    """Return the offset that numbers are written without if they are nearly equal; else 0."""
     middle = (up.low + up.high) / 2
     return middle if up.high - up.low < 1e-3 * abs(middle) else 0.0
 

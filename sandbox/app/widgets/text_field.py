@@ -11,7 +11,7 @@ LONGEST = 100
 
 
 class Field(UITextEntryLine):
-    """A line of text that takes whatever is typed or pasted, but for what cannot be drawn.
+    """A line of text that accepts every character that can be drawn.
 
     pygame_gui keeps a letter without width, and ends when it comes to draw it. It also refuses all
     that is pasted for one letter that it does not take; here that one is left out. The click that

@@ -37,7 +37,7 @@ _used = ENGLISH
 
 
 def use(name: Name) -> None:
-    """Speak another language from now on; what was said stays as it is."""
+    """Use another language from now on; texts that were made before stay as they are."""
     global _used
     _used = name
 
@@ -100,7 +100,7 @@ def say_in(context: str, message: str) -> str:
 
 
 def plural(one: str, more: str, count: int, **values: object) -> str:
-    """Return a message of which the form depends on a count, which it has as `{count}`."""
+    """Return a message whose form depends on a count, which it contains as `{count}`."""
     return catalogue(_used).ngettext(one, more, count).format(count=count, **values)
 
 
@@ -124,7 +124,7 @@ class _Unknown(NullTranslations):
 
 @cache
 def catalogue(name: Name, domain: Domain = "window") -> NullTranslations:
-    """Return the catalogue of a language; that of English hands back what it is asked.
+    """Return the catalogue of a language; that of English returns its input.
 
     Asked for what it does not have, one of the levels raises a `LookupError`: nobody but a level
     that comes with the project says what is in it.

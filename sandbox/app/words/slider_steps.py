@@ -1,11 +1,11 @@
-"""Rounding to numbers that a person would choose."""
+"""The steps of sliders: round numbers that a person would choose."""
 
 from sandbox.app.words.formatting import nice
 from sandbox.model.level import Parameter
 
 
 def step(parameter: Parameter) -> float:
-    """Return a round step, of which the parameter's range has a hundred or more."""
+    """Return a round step, of which there are a hundred or more in the parameter's range."""
     span = parameter.max - parameter.min
     return nice(span / 100) if span > 0 else 1.0
 

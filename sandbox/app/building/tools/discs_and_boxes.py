@@ -21,7 +21,7 @@ FINER = 10
 
 
 class Stretching(ABC):
-    """Press, drag and let go; or click twice."""
+    """Draws by pressing, dragging and releasing, or by two clicks."""
 
     begins = ""
     """what the first point is"""

@@ -41,7 +41,7 @@ class Axis(NamedTuple):
         return self.start + share * (self.end - self.start)
 
     def powers(self, most: int) -> Iterator[int]:
-        """Yield exponents to be written, at most so many."""
+        """Yield exponents to label, at most so many."""
         every = max(ceil((self.high - self.low + 1) / most), 1)
         return iter(range(self.low, self.high + 1, every))
 

@@ -103,7 +103,7 @@ class Column:
         return button
 
     def buttons(self, acts: Sequence[Act], x: int = 0) -> list[UIButton]:
-        """Put buttons beside each other, and go on below them."""
+        """Put buttons in a row, and continue below it."""
         places = beside(self._sheet.pen, [act.caption for act in acts], self._sheet.width - x)
         made = [
             self.button(place.move(x, 0), act.caption, act.tip)

@@ -64,7 +64,7 @@ class BuildPage:
     # what is asked for
 
     def process(self, event: pygame.event.Event) -> str | None:
-        """Do what was clicked on or typed; the editor shows the message for it."""
+        """Handle a click or a typed text; the editor shows the message for it."""
         for line in self.inspector.left():
             self._set(line)
         if event.type == UI_BUTTON_PRESSED:
@@ -107,7 +107,7 @@ class BuildPage:
         self._assign(line, means)
 
     def _enter(self, element: object) -> bool:
-        """Take what was typed; a field that is done with leaves the keys to the tools."""
+        """Apply a typed text; a field that is finished returns the keys to the tools."""
         if element is self._name:
             self._save_here()
             return True
@@ -229,7 +229,7 @@ class BuildPage:
             self._sheet.manager.set_focus_set(self._name.get_focus_set())
 
     def _refresh(self, blocks: Blocks) -> None:
-        """Let the buttons do what they say of the level as it is now."""
+        """Connect the buttons to the present level."""
         shown = [block for part in blocks for block in part]
         acts = [act for block in shown for act in block.acts]
         pressed = [act.caption in block.pressed for block in shown for act in block.acts]

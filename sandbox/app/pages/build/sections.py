@@ -31,7 +31,7 @@ CHECKS = later("Recognised: a click adds the checks of its closed form.")
 
 
 class Block(NamedTuple):
-    """A heading or a text, and buttons below it, some of which are pressed."""
+    """A heading or a text, with buttons below it, some of them pressed."""
 
     text: str
     color: Color | None = None
@@ -42,12 +42,12 @@ class Block(NamedTuple):
 
     @property
     def shape(self) -> tuple[object, ...]:
-        """What must be built anew if it changes."""
+        """Return everything that requires new widgets when it changes."""
         return self.text, self.color, self.heading, tuple(act.caption for act in self.acts)
 
 
 def above(editor: Editor, session: Session) -> list[Block]:
-    """Return what comes first: what is wrong, and what there is to decide."""
+    """Return the top section: mistakes, and pending decisions."""
     found = []
     if editor.trying.is_shown(session):
         keep = Act(

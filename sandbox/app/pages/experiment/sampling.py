@@ -18,7 +18,7 @@ COUNT = 65
 
 
 class Point(NamedTuple):
-    """What came of one run."""
+    """The result of one run."""
 
     at: float
     """the parameter's value"""
@@ -35,7 +35,7 @@ class Refused(NamedTuple):
 
 
 def sample(level: Level, values: Values, parameter: str, measure: str) -> Iterator[Point | Refused]:
-    """Yield the points of a curve, those that tell most of its form first.
+    """Yield the points of a curve, those that reveal most of its form first.
 
     Parameters
     ----------

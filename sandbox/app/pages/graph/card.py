@@ -42,7 +42,7 @@ def graphs(
     pen: Pen, width: int, session: Session, up: Sequence[str], across: str, cursor: float | None,
     trust: Mapping[str, Trust] = NOT_KNOWN, zoom: Zoom = WHOLE,
 ) -> Graphs:  # fmt: skip
-    """Draw quantities of the run so far against another; fainter, what is known to come.
+    """Draw quantities of the run so far against another; fainter, the known future.
 
     Parameters
     ----------
@@ -100,7 +100,7 @@ def _put(
 def _other_runs(
     session: Session, names: Sequence[str]
 ) -> tuple[Sequence[Mapping[str, Array]], Mapping[str, Array] | None]:
-    """Return quantities of the earlier runs, and of what the present one comes to, if known."""
+    """Return quantities of earlier runs, and of the known future of the present one."""
     earlier = [measured(run.world, run.history, names)[0] for run in session.earlier]
     run = session.later
     return earlier, measured(run.world, run.history, names)[0] if run else None
@@ -189,7 +189,7 @@ def _faint(
 def _ahead(
     later: Mapping[str, Array] | None, these: Sequence[str], up: Sequence[str], across: str
 ) -> Iterator[Series]:
-    """Yield the lines of what the run comes to after what is shown, as far as that is known."""
+    """Yield the lines of the run after the shown step, as far as it is known."""
     for name in these if later else ():
         assert later is not None
         yield Series(theme.faded(_color(name, up), 0.5), later[across], later[name])
@@ -207,7 +207,7 @@ def _closed(
 def closed_forms(
     session: Session, columns: Mapping[str, Array], these: Sequence[str], across: str
 ) -> Iterator[tuple[str, Array, Array]]:
-    """Yield the closed forms of what holds at every step, where they still describe the run.
+    """Yield the closed forms of checks at every step, where they still describe the run.
 
     Each is the name of its quantity, what it is drawn against, and its values: (k,). The columns
     have the time.

@@ -16,7 +16,7 @@ MOST = 400
 
 
 def offered(level: Level) -> list[str]:
-    """Return the quantities that can be drawn: all that a state tells by itself.
+    """Return the quantities that can be drawn: all that follow from a state alone.
 
     Those of bodies that never move come last.
     """
@@ -27,7 +27,7 @@ def offered(level: Level) -> list[str]:
 
 
 class Choice:
-    """Remembers what was chosen, and draws it for a file.
+    """Remembers the chosen quantities, and draws them into a file.
 
     Attributes
     ----------

@@ -1,4 +1,4 @@
-"""Arrows: the velocities of what moves, and the given forces."""
+"""Arrows of the velocities of moving bodies, and of the given forces."""
 
 import pygame
 
