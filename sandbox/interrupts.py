@@ -18,7 +18,7 @@ _RETRY = 0.001  # s
 
 
 def install() -> None:
-    """Let Ctrl-C or a request to end do so, whatever goes on, without a traceback."""
+    """End the process on Ctrl-C or a request to end, without a traceback."""
     for number in (signal.SIGINT, signal.SIGTERM):
         signal.signal(number, _interrupt)
     sys.unraisablehook = _lost

@@ -89,7 +89,7 @@ class ClosedForm:
         return found
 
     def unknown(self, parameters: Sequence[str]) -> list[str]:
-        """Return the names that it uses and nobody knows."""
+        """Return the unknown names that it uses."""
         local = set(self.code.co_names) - {"p", "t", *self.names, *parameters, *vars(builtins)}
         return sorted(name for name in local if f".{name}" not in self.source)
 
@@ -183,7 +183,7 @@ def _case(path: Path, level: str, parameters: Parameters, said: Mapping[str, Any
 
 @cache
 def _formula(phenomenon: str, level: str, source: str) -> tuple[ClosedForm, list[str]]:
-    """Return a formula, and the names in it that nobody knows."""
+    """Return a formula, and the unknown names in it."""
     formula = ClosedForm(source, _names(phenomenon))
     return formula, formula.unknown(list(textbook(level).parameters))
 

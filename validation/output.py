@@ -20,7 +20,7 @@ T = TypeVar("T")
 
 
 def progress(things: Iterable[T], label: str, total: int) -> list[T]:
-    """Take in things one by one, and show on a terminal how far that is."""
+    """Iterate over things, and show the progress on a terminal."""
     console = Console(stderr=True)
     hidden = not console.is_terminal
     return list(track(things, label, total, console=console, transient=True, disable=hidden))

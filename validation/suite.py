@@ -63,7 +63,7 @@ def _by_name() -> dict[tuple[str, str], Case]:
 
 
 def named(case: Case) -> str:
-    """Return a case's name with what was chosen for it."""
+    """Return a case's name with its parameters."""
     chosen = ", ".join(f"{name}={value:g}" for name, value in case.parameters.items())
     return f"{case.name} ({chosen})" if chosen else case.name
 

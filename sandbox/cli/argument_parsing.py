@@ -17,7 +17,7 @@ from sandbox.model.rules.conditions.numbers import MAX_STEPS
 
 
 class UsageError(SandboxError):
-    """Something typed on the command line that cannot be meant; told in English there."""
+    """An argument of the command line that makes no sense; its message is English only."""
 
     def __init__(self, message: str) -> None:
         super().__init__(Message("{message}", message=message))
@@ -31,7 +31,7 @@ MISUSES = (UsageError, TakenError, QuantityError, ValueRangeError, EffectError, 
 
 
 def open_level(argument: str) -> tuple[str, Level]:
-    """Return a level and what it is called: its name if it is one of the catalog's, or its path.
+    """Return a level and its name: that in the catalog, or its path.
 
     Raises
     ------
@@ -74,7 +74,7 @@ def positive(value: float, option: str) -> None:
 
 
 def payable(seconds: float, stepping: Stepping, option: str) -> None:
-    """Refuse the value of an option for which a run would take all but for ever."""
+    """Refuse the value of an option for which a run would practically never end."""
     if (steps := seconds * stepping.rate) > MAX_STEPS:
         rule = f"that takes {steps:.1g} steps at {stepping.rate:g} Hz; {MAX_STEPS:,} are allowed"
         raise UsageError(f"{option} {seconds:g}: {rule}")

@@ -179,7 +179,7 @@ def all_quantities() -> str:
 
 
 def _of_bodies() -> Iterator[tuple[str, str, str]]:
-    """Yield what there is of bodies, of two of them, and of the system."""
+    """Yield the quantities of bodies, of pairs of bodies, and of the system."""
     level = parse(SAMPLE, "the sample")
     every = [*quantities.quantities(level), *quantities.mutual(level)]
     vectors = {one.name.removesuffix(".x") for one in every if one.component == "x"}

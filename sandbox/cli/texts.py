@@ -82,7 +82,7 @@ def of_the_window() -> "Catalog":
 
 
 def said_in(sandbox: Path) -> list[Path]:
-    """Return the modules of which the window shows what they say."""
+    """Return the modules whose messages the window shows."""
     every = (path.relative_to(sandbox) for path in sandbox.rglob("*.py"))
     return [sandbox / path for path in sorted(every) if path.parts[0] not in UNSAID]
 

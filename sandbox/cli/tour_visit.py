@@ -82,7 +82,7 @@ def _fill(found: Visit, folder: Path) -> None:
 
 
 def _run(level: Level) -> Trace:
-    """Run a level with books; if it has to stop, say what was found to help."""
+    """Run a level with books; if it has to stop, print the remedies."""
     try:
         return simulate(level, books=True)
     except SimulationError as error:

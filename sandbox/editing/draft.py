@@ -110,7 +110,7 @@ class Draft:
         return self.changed or bool(self._done or self._undone)
 
     def rest(self) -> None:
-        """Let go of what can be had again from its text."""
+        """Drop everything that can be recomputed from the text."""
         self._loaded = None
 
     def change(self, text: str, said: str, merge: str | None = None) -> None:
@@ -136,7 +136,7 @@ class Draft:
         self.text, self._merge = text, merge if text != before else None
 
     def undo(self) -> str | None:
-        """Take the last step back; return what it was, None if there is none."""
+        """Undo the last step; return it, None if there is none."""
         self._merge = None
         if not self._done:
             return None
@@ -146,7 +146,7 @@ class Draft:
         return last.said
 
     def redo(self) -> str | None:
-        """Take the step again that was taken back last; return what it was, None if none was."""
+        """Redo the step that was undone last; return it, None if there is none."""
         self._merge = None
         if not self._undone:
             return None
@@ -156,7 +156,7 @@ class Draft:
         return following.said
 
     def save(self, path: Path | None = None, *, overwrite: bool = False) -> None:
-        """Write its file; what was never changed is written byte for byte as it was read.
+        """Write the file; a draft without changes is written byte for byte as it was read.
 
         Parameters
         ----------
@@ -182,7 +182,7 @@ class Draft:
         self._merge = self._loaded = None
 
     def changed_outside(self) -> bool:
-        """Whether somebody else has written its file since it was read; one that is gone is not."""
+        """Whether another program has written the file since it was read."""
         if self.path is None or not os.path.lexists(self.path):
             return False
         try:

@@ -1,4 +1,4 @@
-"""Changes of numbers and formulas that keep what was typed readable."""
+"""Changes of numbers and formulas that keep the typed text readable."""
 
 import ast
 import re
@@ -18,7 +18,7 @@ ROUND = 10
 
 
 def shifted(expression: Expression, by: float) -> float | str:
-    """Return a number that is larger by so much, or a formula: `r` becomes `r + 0.5`.
+    """Return a number or formula plus a constant: `r` becomes `r + 0.5`.
 
     A number that the formula ends with takes it up: `r + 0.5` becomes `r + 0.7`.
     """
@@ -33,7 +33,7 @@ def shifted(expression: Expression, by: float) -> float | str:
 
 
 def scaled(expression: Expression, by: float) -> float | str:
-    """Return a number that is so many times as large, or a formula: `r` becomes `1.5*r`."""
+    """Return a number or formula times a factor: `r` becomes `1.5*r`."""
     source = expression.source
     if by == 1:
         return source
@@ -70,7 +70,7 @@ def towards(expression: Expression, value: float, values: Values) -> float | str
 
 
 def turned(angle: Expression, by: float) -> float | str:
-    """Return an angle that is larger by so much [rad], as a formula of degrees."""
+    """Return an angle plus a constant [rad], as a formula in degrees."""
     if angle.names:
         return shifted(angle, by)
     told = plain(round(degrees(angle({}) + by), ROUND))

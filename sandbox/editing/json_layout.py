@@ -1,4 +1,4 @@
-"""The layout of what is inserted into a level's text: the one that `format` leaves alone."""
+"""The layout of new values in a level's text, which `format` leaves unchanged."""
 
 import json
 from collections.abc import Iterator, Mapping, Sequence

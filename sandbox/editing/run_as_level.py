@@ -103,7 +103,7 @@ def _without_unused(text: str, level: Level) -> str:
 
 
 def _refuse(world: World) -> None:
-    """Refuse what has happened to masses, to what has stuck, and to a slack string on a wheel."""
+    """Refuse masses that have changed, bodies that have stuck, and a slack string on a wheel."""
     level = world.level
     flows = [e for e, _, _ in level.effects.said if e.changes_mass]
     if flows:
@@ -165,7 +165,7 @@ def _put(
 
 
 def _said(said: Expression | tuple[Expression, Expression], values: Values) -> list[float] | float:
-    """Return what a level says of a field."""
+    """Return a field of a level."""
     return list(evaluate(said, values)) if isinstance(said, tuple) else said(values)
 
 

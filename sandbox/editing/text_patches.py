@@ -126,7 +126,7 @@ def _at(found: Spans, path: Path) -> Span:
 
 
 def shown(path: Path) -> str:
-    """Return a path as messages tell it."""
+    """Return a path as messages show it."""
     return ".".join(map(str, path)) or "the root"
 
 

@@ -19,7 +19,7 @@ QUANTILES = (0.025, 0.5, 0.975)
 
 @dataclass(frozen=True, slots=True)
 class Summary:
-    """The distribution of an outcome, over the rows that are looked at.
+    """The distribution of an outcome over the examined rows.
 
     Attributes
     ----------

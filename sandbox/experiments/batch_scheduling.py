@@ -58,7 +58,7 @@ class Pace:
         self._even = -(-rows // (jobs * rounds)) if together > 1 and rows else 0
 
     def note(self, done: Done) -> None:
-        """Take note of what a batch has cost."""
+        """Note the cost of a batch."""
         rows = done.stop - done.start
         cost = max(done.seconds / rows, 1e-9)
         self._cost = cost if rows > 2 * self._largest else (self._cost + cost) / 2

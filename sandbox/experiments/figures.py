@@ -159,7 +159,7 @@ def _heat_map(
 
 
 def _cells(value: Array, at: Sequence[NDArray[np.intp]], shape: tuple[int, ...]) -> Array:
-    """Return the mean of what fell into each cell: (Y, X); not a number where nothing did."""
+    """Return the mean of each cell: (Y, X); NaN for empty cells."""
     known = np.isfinite(value)
     where = at[0][known], at[1][known]
     sums, counts = np.zeros(shape), np.zeros(shape)

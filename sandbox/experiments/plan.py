@@ -110,7 +110,7 @@ class Plan:
         return list(dict.fromkeys(["t", *(self.until.quantities if self.until else ()), *names]))
 
     def __reduce__(self) -> tuple[type["Plan"], tuple[Experiment, str, Level]]:
-        """Send to other processes what it is made of, and not what was made of that."""
+        """Pickle only the source of the plan, from which the rest is rebuilt."""
         return Plan, (self.experiment, self.source, self.level)
 
     def rows(self, start: int, stop: int) -> Iterator[Row]:

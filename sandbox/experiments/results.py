@@ -43,7 +43,7 @@ class Results:
 
 
 def read(path: Path, names: Sequence[str]) -> Results:
-    """Return some columns of a table, from as many rows as are looked at."""
+    """Return some columns of a table, from at most a number of rows."""
     import pyarrow.parquet as pq
 
     file = pq.ParquetFile(path)

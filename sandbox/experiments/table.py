@@ -56,7 +56,7 @@ def schema(plan: Plan) -> "pa.Schema":
 
 
 def axis_unit(plan: Plan, name: str) -> str:
-    """Return the unit of what is varied; empty if it has none."""
+    """Return the unit of an axis; empty if it has none."""
     if name in plan.level.parameters:
         return plan.level.parameters[name].unit
     return "Hz" if name == "rate" else ""

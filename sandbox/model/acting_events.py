@@ -79,7 +79,7 @@ class Happening(NamedTuple):
 def happenings(
     events: Mapping[str, Event], joints: Mapping[str, Joint], values: Values
 ) -> dict[str, Happening]:
-    """Return what happens in a level by itself: its events, and the joints that break."""
+    """Return all that happens in a level by itself: its events, and joints that break."""
     found = {
         name: Happening(_crossing(event.at, values), *(getattr(event, a) for a in ACTIONS))
         for name, event in events.items()
@@ -90,7 +90,7 @@ def happenings(
 
 
 def breaking(joint: str) -> str:
-    """Return what it is called that a joint breaks; no event has such a name."""
+    """Return the name of the event that a joint breaks; no other event can have it."""
     return f"{joint} breaks"
 
 

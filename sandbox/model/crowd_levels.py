@@ -165,7 +165,7 @@ just in real time."""
 
 
 def crowd(kind: str, bodies: int) -> Document:
-    """Return a level with so many bodies that move.
+    """Return a level with a number of moving bodies.
 
     Raises
     ------

@@ -63,7 +63,7 @@ def derivative(source: str, variable: str) -> str:
 
 
 def is_smooth(source: str) -> bool:
-    """Whether an expression that is allowed is made of what has neither jumps nor corners."""
+    """Whether an expression has no functions that jump or have a kink."""
     nodes = list(ast.walk(ast.parse(source.strip(), mode="eval")))
     names = {node.id for node in nodes if isinstance(node, ast.Name)}
     return not (names & CORNERS or any(isinstance(node, _CORNERS) for node in nodes))

@@ -67,7 +67,7 @@ class Mistake:
 
     @property
     def told(self) -> Message:
-        """The same without its place in a file."""
+        """The same mistake without its place in a file."""
         told = Message("{rule} (found {value})", rule=self.rule, value=self.value)
         told = told if self.value else self.rule
         return Message("{path}: {told}", path=self.path, told=told) if self.path else told

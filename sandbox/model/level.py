@@ -129,7 +129,7 @@ class Stepping(Model):
         return Stepping.model_validate({**self.model_dump(), "accuracy": None, "rate": rate})
 
     def steps(self, duration: float) -> int:
-        """Return how many steps reach a duration [s]; what is one but for rounding is no more."""
+        """Return the number of steps that reach a duration [s], apart from rounding."""
         return ceil(duration * self.rate * (1 - ROUNDING))
 
     @model_serializer(mode="wrap")

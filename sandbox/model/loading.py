@@ -174,7 +174,7 @@ def _formulas_length(data: object) -> int:
 
 
 def digest(level: Level) -> str:
-    """Return a hash of what a level says, whatever its layout."""
+    """Return a hash of a level's content, whatever its layout."""
     data = level.model_dump(mode="json", exclude={"schema_"})
     return hashlib.sha256(json.dumps(data, sort_keys=True).encode()).hexdigest()[:16]
 
@@ -262,7 +262,7 @@ def _content(path: Path, source: str) -> bytes:
 
 
 def _faults(document: Document, data: Any, details: list[ErrorDetails]) -> Iterator[Fault]:  # noqa: ANN401 (whatever JSON holds)
-    """Yield pydantic's errors as they stand in the text, and what can be told in spite of them."""
+    """Yield pydantic's errors in their places, and the mistakes found in spite of them."""
     paths = [parse_messages.path_of(detail, document.has) for detail in details]
     placed = [
         (path, detail)

@@ -70,7 +70,7 @@ class LandingEvent(Model):
 
 
 def kind_of(at: object) -> str | None:
-    """Return which kind of instant is said, None if that is not told."""
+    """Return the kind of an instant, None if it is unclear."""
     if isinstance(at, Mapping):
         return str(at["event"]) if "event" in at else None
     return str(getattr(at, "event", "a number"))

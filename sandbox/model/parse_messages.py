@@ -130,7 +130,7 @@ def rule(detail: ErrorDetails) -> Message:
 
 
 def _choice(detail: ErrorDetails) -> Message:
-    """Say that something is none of what there is to choose from."""
+    """Say that a value is none of the possible ones."""
     context = detail["ctx"]
     if detail["type"] == "union_tag_not_found":
         if "_end_kind" in context["discriminator"]:

@@ -133,12 +133,12 @@ class Quantity:
 
     @property
     def between(self) -> bool:
-        """Whether it is a force of two bodies that touch, which no state tells."""
+        """Whether it is a force between two touching bodies, which no single state determines."""
         return bool(self.other) and self.attribute in _OF_CONTACT
 
     @property
     def momentary(self) -> bool:
-        """Whether one state of the bodies and joints tells it."""
+        """Yield the quantities that follow from a state alone, without the time."""
         return not (self.booked or self.adds_up or self.between or self.over_time)
 
 
@@ -150,7 +150,7 @@ class QuantityError(SandboxError, ValueError):
 
 
 def quantities(level: Level) -> Iterator[Quantity]:
-    """Yield every quantity of a level that can be measured, but for those that go on without end.
+    """Yield every quantity of a level that can be measured, except the unlimited families.
 
     These are what two bodies have together, see `mutual`, and what becomes of others over time.
     """
@@ -161,7 +161,7 @@ def quantities(level: Level) -> Iterator[Quantity]:
 
 
 def momentary(level: Level) -> Iterator[Quantity]:
-    """Yield those that a state tells by itself, without what went before; the time is none."""
+    """Whether it follows from a single state of the bodies and joints."""
     for found in chain(quantities(level), mutual(level)):
         if found.momentary and found is not TIME:
             yield found
@@ -206,7 +206,7 @@ def quantity(name: str, level: Level) -> Quantity:
 
 
 def base(quantity: Quantity) -> str:
-    """Return the name of what is followed over time."""
+    """Return the name of the quantity that is aggregated over time."""
     return quantity.name.removesuffix(f".{quantity.over_time}")
 
 
@@ -221,7 +221,7 @@ def mutual(level: Level) -> Iterator[Quantity]:
 
 
 def _over_time(quantity: Quantity, what: str) -> Quantity:
-    """Return what becomes of a quantity from the start on."""
+    """Return the aggregates of a quantity since the start."""
     name = f"{quantity.name}.{what}"
     if quantity.over_time or quantity.owner == "time":
         raise _timeless(name, quantity.name, what)

@@ -73,7 +73,7 @@ def text(document: Mapping[str, Any]) -> str:
 
 
 def formatted(typed: str) -> str:
-    """Return the JSON text of a level in its proper layout; what has that layout stays as it is.
+    """Return a level's JSON text in its proper layout; a proper text stays as it is.
 
     Parameters
     ----------
@@ -129,7 +129,7 @@ def _written(level: _Part) -> str:
 
 
 def _said(part: _Part, depth: int) -> str:
-    """Return the text of a part whose first line is indented so many times."""
+    """Return the text of a part, with its first line indented to some depth."""
     if _is_short(part, depth):
         return part.line
     if not part.spread:

@@ -132,7 +132,7 @@ def runs(case: Case) -> Iterator[Judgement]:
 
 
 def statics(case: Case) -> Iterator[Judgement]:
-    """Ask that what is at rest stays, and is held by forces that can hold it."""
+    """Require that bodies at rest stay so, held by forces that can hold them."""
     course = case.course
     if not course.scene.rests:
         return

@@ -47,7 +47,7 @@ def excess(course: Course, couple: Couple, extents: Array) -> float:
 
 
 def _left(course: Course) -> float:
-    """Return which share of an overlap a step leaves; 0 where it shall soon be gone."""
+    """Return the share of an overlap that a step leaves; 0 where it must soon be gone."""
     if is_direct(course.level):
         return 0.0
     return 1.0 if course.level.effects.restitution else 1 - SLOWLY

@@ -58,7 +58,7 @@ class Scene:
 
 
 def seeds(seed: int, count: int) -> list[int]:
-    """Return a seed for each of so many scenes: the first of them are the same for any count."""
+    """Return a seed for each scene; the first ones are the same for any number of scenes."""
     return [int(np.random.SeedSequence((seed, i)).generate_state(1)[0]) for i in range(count)]
 
 

@@ -181,13 +181,13 @@ class Statics:
         return columns
 
     def stands(self, share: float = 1.0) -> bool:
-        """Return whether forces exist that hold it, with a share of the friction there is."""
+        """Return whether forces exist that hold it with a share of the available friction."""
         count = self._matrix.shape[1]
         found = self._solve(np.zeros((0, count)), np.zeros(0), share)
         return found is not None
 
     def error(self, measured: Measured) -> float:
-        """Return by how much measured forces miss any that hold it, of all weights together.
+        """Return by how much measured forces miss equilibrium, relative to all weights.
 
         Infinite where none do.
         """
@@ -219,7 +219,7 @@ class Statics:
         return float(found.x[-1]) if found.status == 0 else None
 
     def _unknowns(self, measured: Measured) -> tuple[Array, Array, float]:
-        """Return what is measured as rows over the unknowns, and the error of what is unique."""
+        """Return measured forces as rows over the unknowns, and the error of the unique ones."""
         contacts, unknowns = len(self.contacts), self._matrix.shape[1]
         rows, values = [], []
         for row, body in enumerate(self._bodies):

@@ -25,7 +25,7 @@ EACH = 6
 def measure(
     names: Sequence[str], json_file: Path | None, folder: Path | None, *, quick: bool
 ) -> list[str]:
-    """Sweep levels, print the table, write what was asked for, and return the levels that failed.
+    """Sweep levels, print the table, write the requested files, and return the failed levels.
 
     Without names these are all levels; quickly, a sample of them.
 

@@ -62,7 +62,7 @@ class Request:
 def ask(
     name: str, level: Level, stick: Yardstick, targets: Iterable[float], budget: float
 ) -> Iterator[Request]:
-    """Ask for accuracies, and hold what is delivered against the closed forms.
+    """Request accuracies, and compare the results with the closed forms.
 
     A level without one is not asked: nothing else knows the digits that are wanted.
     """

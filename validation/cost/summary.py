@@ -57,7 +57,7 @@ def order(points: Iterable[Point], scheme: Scheme) -> float | None:
 
 
 def pareto(points: Sequence[Point]) -> list[int]:
-    """Return the indices of the points of which none is both cheaper and closer, cheapest first."""
+    """Return the indices of the points on the Pareto front of cost and error, cheapest first."""
     found: list[int] = []
     least = inf
     for i in sorted(range(len(points)), key=lambda i: _by_cost(points[i])):
@@ -73,7 +73,7 @@ def _by_cost(point: Point) -> tuple[float, float]:
 
 
 def cost_to_reach(points: Iterable[Point], target: float) -> float | None:
-    """Return the least seconds a second with an error of at most so much; None if there is none."""
+    """Return the least cost [s/s] with an error up to a bound; None if there is none."""
     costs = [p.seconds_per_second for p in points if p.error <= target]
     return min(costs, default=None)
 

@@ -190,7 +190,7 @@ def effect_costs(counts: Sequence[int] = COUNTS, repeats: int = 5) -> list[Effec
 
 
 def _measurable(count: int) -> dict[str, tuple[str, ...]]:
-    """Return what may act on so many bodies."""
+    """Return the effects that can act on a number of bodies."""
     ranges = {name: ALL_PAIRS.get(name, (1, count)) for name in EFFECTS}
     return {n: EFFECTS[n] for n, (least, most) in ranges.items() if least <= count <= most}
 

@@ -38,7 +38,7 @@ class Choices(Random):
 
 
 def main() -> None:
-    """Explore until nobody listens: the arguments are a pipe, a seed and a folder of inputs."""
+    """Explore until the pipe closes: the arguments are a pipe, a seed and a folder of inputs."""
     pipe, seed, folder = sys.argv[1:]
     line = Connection(int(pipe))
     atheris = importlib.import_module("atheris")

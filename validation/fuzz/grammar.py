@@ -37,7 +37,7 @@ def _schema() -> dict[str, Any]:
 
 
 class Grammar:
-    """Makes levels at random, of which most are well formed."""
+    """Makes random levels, most of them well formed."""
 
     def __init__(self, random: Random) -> None:
         self._schema = _schema()
@@ -45,7 +45,7 @@ class Grammar:
         self._bodies = BODIES[: random.choice((1, 2, 2, 3, 5))]
 
     def level(self) -> dict[str, Any]:
-        """Return a level as its file would hold it."""
+        """Return a level as it would stand in its file."""
         fields: Mapping[str, Part] = self._schema["properties"]
         random = self._random
         made: dict[str, Any] = {"format": 1, "title": "fuzz"}

@@ -41,7 +41,7 @@ SLOW, ENDED, UNTOLD = "slow", "ended", "not told"
 
 @dataclass(frozen=True, slots=True)
 class Outcome:
-    """What came of a level.
+    """The outcome of a level.
 
     Attributes
     ----------
@@ -64,7 +64,7 @@ class Outcome:
 
 
 class Tried(NamedTuple):
-    """A level, which of those that were made it comes from, and what came of it."""
+    """A level, its origin, and its outcome."""
 
     number: int
     data: dict[str, Any]
@@ -123,7 +123,7 @@ class Trial:
         self._line: Connection | None = None
 
     def run(self, text: str) -> Outcome:
-        """Return what comes of a level; one without an answer is asked again.
+        """Return the outcome of a level; a level without an answer is tried twice.
 
         On a machine that others use, a process may get no time to compute for that long.
         """
@@ -171,7 +171,7 @@ class Trial:
 
 
 def _serve(line: Connection, seconds: float) -> None:
-    """Answer, in the other process, until nobody asks any more."""
+    """Answer requests, in the other process, until the pipe closes."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     sys.stderr = open(os.devnull, "w", encoding="utf-8")  # noqa: SIM115 (as long as it lives)
     attempt("{}")
@@ -194,7 +194,7 @@ def attempt_within(seconds: float, text: str) -> Outcome:
 
 
 def _limit_time(seconds: float) -> None:
-    """Let this process end after so much computing; never, after 0."""
+    """End this process after some processor time; never, for 0."""
     if hasattr(signal, "ITIMER_PROF"):
         signal.setitimer(signal.ITIMER_PROF, seconds)
 

@@ -45,7 +45,7 @@ SWEPT = tuple(15.0 * 2**i for i in range(13))
 
 @dataclass(frozen=True, slots=True)
 class Trial:
-    """What was asked for, and what came of it.
+    """A request, and its outcome.
 
     Attributes
     ----------
@@ -73,7 +73,7 @@ class Trial:
 
     @property
     def looked_at(self) -> bool:
-        """Whether there was time to see what was delivered."""
+        """Whether there was time to verify the result."""
         return not isnan(self.delivered)
 
     @property
@@ -83,7 +83,7 @@ class Trial:
 
     @property
     def honest(self) -> bool:
-        """Whether it was not told better than it is."""
+        """Whether the reported error is not too small."""
         return self.delivered <= max(BETTER * self.estimated, ROUNDING)
 
 

@@ -124,7 +124,7 @@ class Frontier:
 
 
 def watch(level: Level, world: World, duration: float, *, every_step: bool = False) -> Run:
-    """Run a world, look at it now and then, and say what was seen.
+    """Run a world, sample it now and then, and return the samples.
 
     Raises
     ------

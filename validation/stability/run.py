@@ -80,7 +80,7 @@ class Outcome:
 
 
 def outcomes(*, quick: bool) -> Iterator[Outcome]:
-    """Yield the outcomes of all cases and frontiers as they come in; the long ones begin first."""
+    """Yield the outcomes of all cases and frontiers as they come in; the long ones start first."""
     steps = {case.name: _steps(case, quick=quick) for case in all_cases()}
     frontiers = [frontier.name for frontier in all_frontiers()]
     long = [name for name in steps if steps[name] >= LONG]
@@ -142,7 +142,7 @@ def scene(case: HardCase) -> Level:
 def _figure(
     case: HardCase, level: Level, duration: float, coarser: float = 1.0
 ) -> tuple[float, Run | None, str]:
-    """Return the figure of a run whose step is so many times as long, the run, and a failure."""
+    """Return the figure of a run with a longer step, the run, and a failure."""
     assert case.figure
     rate = (case.rate or level.stepping.rate) / coarser
     stepping = level.stepping.model_copy(update={"rate": rate})

@@ -63,7 +63,7 @@ def block(place: Place, width: float, height: float, **rest: object) -> Document
 
 
 def ground(half: float, friction: float = 0.6, **rest: object) -> Document:
-    """Return a static floor, its surface at y = 0, that reaches so far to either side [m]."""
+    """Return a static floor with its surface at y = 0, and its extent to either side [m]."""
     return block((0, -0.5), 2 * half, 1, friction=friction, **rest)
 
 

@@ -16,7 +16,7 @@ LONG = 1e3
 
 
 def naive(level: Level, rate: float) -> World:
-    """Return a world in which pymunk does everything by itself, with its default iterations.
+    """Return a world in which pymunk does everything itself, with its default iterations.
 
     Parameters
     ----------

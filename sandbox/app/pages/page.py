@@ -34,7 +34,7 @@ class Worker(Protocol):
         ...
 
     def follow(self, session: Session, seconds: float, *, watched: bool) -> str | None:
-        """Let some time pass [s], every frame; return what is to be told, None if nothing is.
+        """Let some time pass [s], every frame; return a message, None if there is none.
 
         `watched` says whether its page is the one that is chosen.
         """
@@ -252,7 +252,7 @@ class CardPanel:
         return None
 
     def update(self) -> None:
-        """Draw the card anew."""
+        """Draw the card again."""
         self._sheet.replace(self._image, self._drawn())
         self._sheet.end(below(self._image) + 2)
 

@@ -165,7 +165,7 @@ class LevelList:
         self._make(level for level, y in self._tops.items() if above < y < top + height)
 
     def complete(self) -> None:
-        """Make all rows of what is found."""
+        """Make all rows of the search result."""
         self._make(self._tops)
 
     def _make(self, levels: Iterable[Entry]) -> None:
@@ -241,7 +241,7 @@ class LevelList:
         return sorted(found, key=lambda e: rank(e, words)) if words else found
 
     def clear(self) -> None:
-        """Look for nothing any more."""
+        """End the search."""
         if self.sought:
             self.field.set_text("")
             self._show()

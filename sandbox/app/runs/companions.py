@@ -124,7 +124,7 @@ class Companion:
 
     @property
     def trace(self) -> Trace:
-        """What was recorded of it so far."""
+        """Everything recorded so far."""
         return self._recorder.trace
 
 

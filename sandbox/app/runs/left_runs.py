@@ -1,4 +1,4 @@
-"""What was recorded of a run, which is shown while the run is taken again."""
+"""Recorded runs that were left; they are shown while the present run is computed again."""
 
 from collections.abc import Sequence
 from typing import NamedTuple
@@ -25,7 +25,7 @@ class Record(NamedTuple):
     actions: Sequence[Action]
 
     def covers(self, step: int, actions: Sequence[Action]) -> bool:
-        """Whether a run to which this was done comes to the same state after so many steps."""
+        """Whether a run with these actions comes to the same state after some step."""
         known, done = (
             [action for action in each if action.step <= step] for each in (self.actions, actions)
         )

@@ -15,7 +15,7 @@ class Pace:
         self._frames: deque[tuple[float, float, int]] = deque()
 
     def note(self, seconds: float, simulated: float, dropped: int) -> None:
-        """Note a frame: how long it was, what was simulated [s], how many steps were dropped."""
+        """Note a frame: its length and the simulated time [s], and the number of dropped steps."""
         self._frames.append((seconds, simulated, dropped))
         while sum(frame[0] for frame in self._frames) > MEMORY and len(self._frames) > 1:
             self._frames.popleft()

@@ -105,23 +105,23 @@ class Playback(RunView, ABC):
 
     @property
     def shown(self) -> World:
-        """The world that is shown: the present one, or that of what is `recalled`."""
+        """The world that is shown: the present one, or a recorded one."""
         return self.recalled.world if self.recalled else self.world
 
     def _recall(self) -> None:
-        """Show what was recorded of the step that is sought, or nothing if nobody knows it."""
+        """Show the recorded state of the step that is sought, if there is one."""
         if self.sought is not None:
             self._recalled = self._records.show(self.sought, self.run.all_actions)
 
     def toggle(self) -> None:
-        """Play, or pause; go on with a run that had to stop, if it can."""
+        """Play or pause; continue a run that had to stop, if that is possible."""
         if self.doubted:
             self.run.go_on()
         self.run.limits.bear()
         self.playing = not self.playing and self.failure is None
 
     def pause(self) -> None:
-        """Let no more time pass by itself."""
+        """Stop the time."""
         self.playing = False
 
     def step(self) -> None:
@@ -133,7 +133,7 @@ class Playback(RunView, ABC):
             self.go_to(self.sought + 1)
 
     def go_to(self, step: int, *, undone: bool = False) -> None:
-        """Go to another step of the run, back or ahead; to the level's end at the most.
+        """Go to another step of the run, backwards or forwards, up to the level's end.
 
         A way back begins at the start: the run is taken again, with all that a hand did to it, and
         so is the same to the last bit. What was done later is done again when its step comes,
@@ -169,12 +169,12 @@ class Playback(RunView, ABC):
         self._take_again(actions, steps, inf)
 
     def _take_again(self, actions: Sequence[Action], steps: int, budget: float = AT_ONCE) -> None:
-        """Take a run from its start; what there is no time for is left to later frames [s]."""
+        """Compute a run from its start for some time [s]; later frames do the rest."""
         self.run.script, self.sought = actions, steps
         self._seek(budget)
 
     def _begin_again(self, sought: int, *, undone: bool = False) -> None:
-        """Start anew with the same parameters, to do again what was done."""
+        """Restart with the same parameters, to repeat the recorded actions."""
         before, actions = self.run, self.run.all_actions
         here = Observed(before.trail, before.history, before.world)
         records = self._records.having(here, before.actions)
@@ -295,5 +295,5 @@ class Playback(RunView, ABC):
         return self.run.readings(hurried=self.playing)
 
     def milestones(self) -> tuple[Milestone, ...]:
-        """Return what has happened; nothing that counts once a hand has touched the run."""
+        """Return the events so far; those after a hand touched the run do not count."""
         return self.run.milestones(hurried=self.playing)

@@ -39,7 +39,7 @@ class RunView:
 
     @property
     def level(self) -> Level:
-        """What is played: what the run began as, or what it was altered to on the way."""
+        """The level that is played, with the alterations of the run so far."""
         return self.world.level
 
     @property
@@ -94,12 +94,12 @@ class RunView:
 
     @property
     def setting(self) -> Setting | None:
-        """What reaches the accuracy that the level asks for; None as long as nobody knows."""
+        """The setting that reaches the accuracy of the level; None while it is unknown."""
         return self.run.setting
 
     @property
     def actions(self) -> Sequence[Action]:
-        """What a person has done to the run so far."""
+        """The user's actions on the run so far."""
         return self.run.actions
 
     @property
@@ -119,7 +119,7 @@ class RunView:
 
     @property
     def t(self) -> float:
-        """The time of what is shown [s]."""
+        """The time that is shown [s]."""
         return self.run.t
 
     @property
@@ -151,7 +151,7 @@ class RunView:
 
     @property
     def doubted(self) -> bool:
-        """Whether a run had to stop that could go on, though it is no longer to be trusted."""
+        """Whether the run had to stop, but could go on without being reliable."""
         return self.failure is not None and self.world.doubted
 
     @property
@@ -161,5 +161,5 @@ class RunView:
 
     @property
     def trace(self) -> Trace:
-        """What was recorded of the run so far."""
+        """Everything recorded of the run so far."""
         return self.run.trace

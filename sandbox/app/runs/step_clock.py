@@ -13,7 +13,7 @@ MEMORY = 300  # steps
 
 
 class Clock:
-    """Times steps. What disturbs one only adds to it: the lower quartile of the last is told."""
+    """Times steps. Disturbances only add to a time, so the lower quartile of the last counts."""
 
     def __init__(self) -> None:
         self._last: deque[float] = deque(maxlen=MEMORY)

@@ -89,7 +89,7 @@ class Forces:
         return LONGEST * camera.size[0] / self._strongest if self._strongest else 0.0
 
     def arrows(self, world: World) -> Iterator[Arrow]:
-        """Yield the forces as they are now, but for those that are switched off."""
+        """Yield the present forces, except those that are switched off."""
         snapshot = world.snapshot
         for force, row, handles in zip(self._forces, self._rows, self._handles, strict=True):
             if not _acts(force, world):

@@ -156,7 +156,7 @@ def draw_milestones(
     surface: pygame.Surface, camera: Camera, pen: Pen, milestones: Sequence[Milestone],
     words: Say, labels: Labels, avoid: Sequence[pygame.Rect] = (),
 ) -> None:  # fmt: skip
-    """Mark where something has happened, with what was measured then written beside it.
+    """Mark the places of events, with the values measured there.
 
     The words rather do not cover some places [px], such as those of bodies.
     """

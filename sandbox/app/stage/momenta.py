@@ -21,7 +21,7 @@ _scales: WeakKeyDictionary[object, "_Kept"] = WeakKeyDictionary()
 
 
 class _Kept(NamedTuple):
-    """The scale of a run, and what it is the run of."""
+    """The scale of a run, with the run that it belongs to."""
 
     level: Level
     values: object

@@ -111,7 +111,7 @@ def outlines(level: Level, values: Values) -> Mapping[str, Outline]:
 
 
 def outlined(name: str, row: int, spec: Body, values: Values, moving: int) -> Outline:
-    """Return the outline of a body, before which so many move."""
+    """Return the outline of a body, given how many moving bodies come before it."""
     shape = spec.shape
     radius = shape.radius(values) if isinstance(shape, Disc | Hoop) else None
     line = shape if isinstance(shape, Segment | Polyline | Arc | Curve) else None

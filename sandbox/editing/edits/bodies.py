@@ -128,7 +128,7 @@ def _add_dynamic(text: str, level: Level, kind: str, shape: Json, center: XY, ar
 
 
 def drawn_mass(area: float) -> float:
-    """Return the mass of what is drawn so large [kg], to three digits."""
+    """Return the mass of a drawn area [kg], to three digits."""
     return plain(float(f"{DENSITY * area:.3g}"))
 
 

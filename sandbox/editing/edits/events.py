@@ -11,7 +11,7 @@ SOON = 1.0
 
 
 def cut(text: str, level: Level, joint: str) -> str:
-    """Return a level in which a joint lets go on the way.
+    """Return a level in which an event cuts a joint.
 
     Raises
     ------

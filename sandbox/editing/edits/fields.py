@@ -36,7 +36,7 @@ _DEGREES = re.compile(r"\s*(-?[\d.]+)\s*\*\s*deg\s*")
 
 
 def set_field(text: str, path: Path, typed: str) -> str:
-    """Return a level in which a field says what was typed; nothing typed leaves the field out.
+    """Return a level with a field set to a typed text; an empty text removes the field.
 
     A parameter that only this field used goes with what it said. What only an effect gives a
     meaning, such as a body's friction, declares that effect. A body that is made dynamic gets a

@@ -63,7 +63,7 @@ def drag_handle(text: str, level: Level, name: str, index: int, to: XY) -> str:
 
 
 def scale(text: str, level: Level, name: str, factor: float) -> str:
-    """Return a level in which a body is so many times as large, about its centre.
+    """Return a level in which a body is scaled about its centre.
 
     Raises
     ------
@@ -161,7 +161,7 @@ def _size(value: float) -> float:
 
 
 def _scaled(body: Placed, factor: float) -> Changes:
-    """Return what makes a body so many times as large."""
+    """Return the changes that scale a body."""
     path = ("bodies", body.name, "shape")
     match body.body.shape:
         case Disc(radius=radius) | Hoop(radius=radius) | Arc(radius=radius):

@@ -1,4 +1,4 @@
-"""Adding joints of every kind, from what was picked on the stage.
+"""Adding joints of every kind between the places that were picked on the stage.
 
 How long a joint is, it is left to the level, which takes the distance at the start.
 """
@@ -113,7 +113,7 @@ def _apart(text: str, level: Level, chosen: Sequence[Pick], where: Bodies) -> st
 
 
 def end(pick: Pick, where: Bodies) -> Json:
-    """Return what a level's file says of an end: a body, a point of one, or a point [x, y]."""
+    """Return an end as it stands in a file: a body, a point of one, or a point [x, y]."""
     if pick.body is None:
         return list(pick.point)
     at = where[pick.body].inside(complex(*pick.point))
@@ -148,7 +148,7 @@ def _rail(chosen: list[Pick], where: Bodies) -> dict[str, Json]:
 
 
 def _stop(chosen: list[Pick], where: Bodies) -> dict[str, Json]:
-    """Return stops between which the first may go on as far as it is from the second, and back."""
+    """Return stops between which the first body may move by its distance from the second."""
     line = _rail(chosen, where)
     far = abs(complex(*chosen[1].point) - complex(*chosen[0].point)) or 1.0
     return {**line, "range": [plain(-far), plain(far)]}

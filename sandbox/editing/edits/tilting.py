@@ -57,7 +57,7 @@ class _Tilt(NamedTuple):
         return [_sum(x), _sum(y)]
 
     def turned(self, angle: float) -> str:
-        """Return the angle of what turns with the slope, and has an angle now [rad]."""
+        """Return the angle of a body that turns with the slope [rad]."""
         more = _rounded(degrees(angle - self.angle))
         if abs(more) < FLAT:
             return self.formula

@@ -62,7 +62,7 @@ def _recognised(level: Level, *, thorough: bool = False) -> list[Suggestion]:
 
 
 def followed(before: Level, text: str) -> str:
-    """Return a changed level whose suggested checks are about what it is now.
+    """Return a changed level with its suggested checks updated.
 
     Those that were just as they would be suggested become as they would be suggested now, and go
     where their quantity no longer has a closed form; others stay as somebody made them.

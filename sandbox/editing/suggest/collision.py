@@ -61,7 +61,7 @@ def _of(scene: Scene, one: str, other: str) -> Suggestion:
 
 
 def _restitution(scene: Scene, one: str, other: str) -> str:
-    """Return the coefficient of the pair: what the level says of it, else the product."""
+    """Return the coefficient of the pair: the level's own, or else the product."""
     effect = scene.level.effects.restitution
     if effect is None:
         return "0"

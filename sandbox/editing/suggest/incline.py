@@ -70,7 +70,7 @@ def _lies_on(scene: Scene, block: Placed, slope: str) -> Iterator[complex]:
 
 
 def side(own: Core, core: Core, radius: float) -> Gap:
-    """Return the gap with both ends of the side, which are told only of what does not overlap.
+    """Return the gap and both ends of the side; the ends are known only without an overlap.
 
     Where a line is touched exactly, the normal may point to either side of it.
     """

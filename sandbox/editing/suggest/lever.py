@@ -182,7 +182,7 @@ def _stay(scene: Scene, joint: Joint, weights: Sequence[Weight], form: str) -> b
 
 
 def _stays(scene: Scene, weight: Weight, plank: str, alpha: float) -> bool:
-    """Whether a plank that begins to turn presses on a weight, within its side, and holds it."""
+    """Whether a plank that begins to turn keeps a weight pressed within its side."""
     assert scene.fall is not None
     formulas = weight.mass, weight.across, weight.up, weight.moment
     mass, across, up, moment = (Expression(formula)(scene.known) for formula in formulas)

@@ -43,7 +43,7 @@ Setup = Literal[
 
 @dataclass(frozen=True)
 class Suggestion:
-    """A known set-up, and the checks that hold it against its closed form.
+    """A known set-up, and the checks that compare it with its closed form.
 
     Attributes
     ----------
@@ -87,7 +87,7 @@ class Scene:
 
     @cached_property
     def known(self) -> Values:
-        """The values of parameters and constants, for formulas that are put together anew."""
+        """The values of parameters and constants, for composing new formulas."""
         return {**self.values, **{name: c(self.values) for name, c in self.level.constants.items()}}
 
     @cached_property

@@ -16,7 +16,7 @@ STEPS = 200
 
 
 def suggestions(scene: Scene) -> Iterator[Suggestion]:
-    """Yield the energies of the bodies that are let go, alone, on a spring as long as it is."""
+    """Yield the energies of single bodies that are let go on an unstretched spring."""
     effects = ("gravity", "contact", "friction", "restitution", "rotation")
     if scene.fall is None or not scene.only(*effects) or len(scene.dynamic) != 1:
         return
@@ -33,7 +33,7 @@ def suggestions(scene: Scene) -> Iterator[Suggestion]:
 
 
 def _swings(scene: Scene, joint: Spring, bob: str) -> bool:
-    """Whether it is let go beside its peg, and nothing is in the reach of its energy.
+    """Whether it is let go beside its peg, with nothing in its reach.
 
     At a distance r from the peg, k (r - L)²/2 ≤ m g (r + h), where it begins h above the peg.
     """

@@ -36,12 +36,12 @@ Settings = Mapping[str, object]
 
 
 class IncompleteError(TypeError):
-    """An effect or a joint that has not been told in full; the message says what is missing."""
+    """An effect or a joint whose declaration is incomplete; the message says what is missing."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Effect:
-    """What an effect says of itself.
+    """The declaration of an effect.
 
     Attributes
     ----------
@@ -135,5 +135,5 @@ class Effect:
         return self.name == name and self.book == "potential"
 
     def book_of(self, said: object) -> Book:
-        """Return what becomes of the energy that it takes, by what a level says of it."""
+        """Return where the energy goes that the effect takes, given its settings."""
         return "work" if self.drives and self.drives(said) else self.book

@@ -8,7 +8,7 @@ from sandbox.model.effects.contract import Effect, IncompleteError
 
 
 def register(manifest: type[Model]) -> Mapping[str, Effect]:
-    """Return what the effects of a manifest say of themselves, by name, in its order.
+    """Return the declarations of a manifest's effects, by name and in its order.
 
     Raises
     ------
@@ -20,7 +20,7 @@ def register(manifest: type[Model]) -> Mapping[str, Effect]:
 
 
 def _declared(name: str, kind: Any) -> Effect:  # noqa: ANN401 (a type is any object)
-    """Return what an effect says of itself, if it is whole."""
+    """Return the declaration of an effect, if it is complete."""
     model = next(_models(kind))
     place = f"the class {model.__name__} in {model.__module__.replace('.', '/')}.py"
     effect = getattr(model, "effect", None)

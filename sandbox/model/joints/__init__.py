@@ -1,4 +1,4 @@
-"""What ties bodies together; `contract` says what a kind of joint says of itself.
+"""The joints that connect bodies; see `contract` for the declaration of a kind.
 
 All but the spring are exact: they hold to rounding at every step, whatever they carry; unless a
 level asks for pymunk's own. A spring is a force.

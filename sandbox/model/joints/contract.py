@@ -27,7 +27,7 @@ def _of_a_line() -> Mapping[str, str]:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Kind:
-    """What a kind of joint says of itself.
+    """The declaration of a kind of joint.
 
     Attributes
     ----------
@@ -60,7 +60,7 @@ class Kind:
 
 
 def kinds(joints: Iterable[type[Model]]) -> Mapping[str, Kind]:
-    """Return what kinds of joints say of themselves, by their type in a level's file.
+    """Return the declarations of all kinds of joints, by their type in a level's file.
 
     Raises
     ------

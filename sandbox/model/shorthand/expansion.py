@@ -68,7 +68,7 @@ def _has(part: Any, step: str | int) -> bool:  # noqa: ANN401 (whatever JSON hol
 
 
 def write_out(data: Any, text: str) -> WrittenOut:  # noqa: ANN401 (whatever JSON holds)
-    """Return what a level stands for; without shorthand, what it is.
+    """Return a level with its shorthand expanded; without shorthand, the level itself.
 
     Parameters
     ----------

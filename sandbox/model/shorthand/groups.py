@@ -178,7 +178,7 @@ class _Placing:
         self._notes.refuse(followed(path, self._notes.typed), rule)
 
     def refuse_unused(self) -> None:
-        """Tell which groups nobody has placed: what they hold would never be looked at."""
+        """Refuse groups that are never placed, since their members would never be checked."""
         for name in sorted(self._unused):
             rule = Message(
                 'nothing places this group; a body {{"{copy}": "{name}"}} does',

@@ -144,7 +144,7 @@ def _path(key: str) -> Path:
 
 
 def _read(path: Path, key: str, level: Level) -> Setting | None:
-    """Return what a file holds; None if it is not what was written there."""
+    """Return the setting in a file; None if the file was not written by `_write`."""
     try:
         if _link(path.parent) or (content := read_ordinary(path, LARGEST)) is None:
             return None

@@ -53,7 +53,7 @@ class Setting:
 
     @property
     def playable(self) -> Offer:
-        """What is taken where somebody looks on."""
+        """The setting for a run that somebody watches."""
         return self.in_real_time or self.chosen
 
     def __str__(self) -> str:
@@ -145,7 +145,7 @@ def _predictable(found: Found, target: float) -> Message:
 
 
 def _setting(found: Found, judged_by: str) -> Setting:
-    """Return what was found, at its cost."""
+    """Return the result of a search as a setting."""
     offer = found.timed()
     affordable = None if offer.cost <= REAL_TIME else found.in_real_time()
     verified = found.chosen.trace is not None

@@ -102,7 +102,7 @@ def _parting(first: World, other: World, stop: Stop) -> tuple[Array, Array]:
 
 
 def foretold(refinements: Sequence[Refinement], wanted: Sequence[Watched], error: float) -> float:
-    """Return until when the two finest runs of the best refinement tell where things are [s].
+    """Return until when the two finest runs of the best refinement agree on positions [s].
 
     That is as long as they agree to an error, and nothing is found so late that it leaves a larger.
     """

@@ -42,7 +42,7 @@ MORE_SWEEPS = 4
 
 @dataclass(frozen=True, slots=True)
 class Found:
-    """The cheapest setting that was found, or the most accurate, and what it was found by."""
+    """The cheapest setting, or the most accurate, and the runs from which it follows."""
 
     level: Level
     values: Values

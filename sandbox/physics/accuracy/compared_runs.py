@@ -51,7 +51,7 @@ RATES = {
 
 @dataclass(frozen=True, slots=True)
 class Watched:
-    """A quantity of which the error is estimated, at every step or at an instant.
+    """A quantity whose error is estimated, at every step or at an instant.
 
     Its error is relative to its largest value, or to a scale if that is larger.
 
@@ -145,7 +145,7 @@ def lasting(level: Level, values: Values, duration: float | None) -> Level:
 
 
 def never() -> bool:
-    """Return that nobody has lost patience."""
+    """Return that there is no need to give up."""
     return False
 
 
@@ -278,7 +278,7 @@ def jumps(values: Array) -> Array:
 
 
 def size(trace: Trace, item: Watched) -> float:
-    """Return what the errors of what is watched are relative to: its largest value, or its scale.
+    """Return the scale of a quantity's errors: its largest value, or a given scale.
 
     In its unit; 0 if it has neither.
     """

@@ -101,7 +101,7 @@ class Refinement:
         return ORDERS[self.traces[-1].stepping.scheme]
 
     def believable(self, target: float) -> bool:
-        """Whether it tells how far there is to go to an error.
+        """Whether it shows how much finer the step must be for an error.
 
         It has to show the order of its scheme: a lower one would ask for far too many steps.
         """
@@ -137,7 +137,7 @@ def step_durations(level: Level, values: Values, *steppings: Stepping) -> tuple[
 
 
 def judged(traces: Sequence[Trace], wanted: Sequence[Watched]) -> Refinement:
-    """Return runs with their errors, as far as they tell them themselves."""
+    """Return runs with their errors, as far as these follow from the runs."""
     parts = [errors for item in wanted if (errors := extrapolated(traces, item))]
     late = lateness(traces[-1], wanted).error
     worst = tuple(

@@ -93,7 +93,7 @@ class Refiner:
 
     @property
     def needed(self) -> float:
-        """The rate from which on its errors are as small as asked for, as far as it tells [Hz]."""
+        """The rate from which its errors are small enough, as far as it shows [Hz]."""
         refinement = self.refinement
         if not refinement or len(self._traces) < FEWEST:
             return inf
@@ -101,7 +101,7 @@ class Refiner:
         return max(rate, SLOWEST) if rate <= HIGHEST_RATE else inf
 
     def lags(self, enough: float) -> bool:
-        """Whether it does not tell yet how far it has to go, and may be cheaper than enough [s]."""
+        """Whether its remaining work is still unknown, and may be less than some work [s]."""
         return self.needed == inf and self.step * self.stepping.rate <= enough
 
     @property
@@ -142,7 +142,7 @@ def refine(
 
 
 def held(refiners: Sequence[Refiner]) -> list[Refinement]:
-    """Return what has been found, each refinement with its errors against the best, that first.
+    """Return all refinements with their errors against the best, the best first.
 
     None as long as there is but stock pymunk, which agrees with itself on what is wrong.
     """

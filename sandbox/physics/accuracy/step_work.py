@@ -32,7 +32,7 @@ LOOK = 40e-6
 
 
 def step_work(level: Level, values: Values, stepping: Stepping) -> float:
-    """Return how long a step takes [s], as far as counting tells; 0 if there is none.
+    """Return the counted work of a step [s]; 0 if there is none.
 
     Parameters
     ----------

@@ -45,7 +45,7 @@ class Trust:
 
 
 def surviving(value: float, off: float) -> int:
-    """Return how many significant digits of a value survive if it may be off by so much.
+    """Return how many significant digits of a value are certain, given its error.
 
     Half a unit of the last of them is no less than that; none survives in a value that is no
     larger.

@@ -86,7 +86,7 @@ def tried(
     stepping: Stepping,
     duration: float | None = None,
 ) -> SimulationError:
-    """Return the same error with what was found to help, for somebody to be told.
+    """Return the same error with the remedies that worked.
 
     Parameters
     ----------
@@ -113,7 +113,7 @@ def advise(
     duration: float | None = None,
     seconds: float = SECONDS,
 ) -> Advice:
-    """Try what may help, for so long [s], and return what does; for the others, see `tried`."""
+    """Try remedies for some time [s], and return those that work; for the others, see `tried`."""
     if stepping.accuracy is not None:
         return Advice(NOTHING)
     end = level.duration(values) if duration is None else duration
@@ -159,7 +159,7 @@ def _found(failed: list[_Trial], trial: _Trial) -> Message:
 
 
 def leaning(level: Level, values: Values, stepping: Stepping) -> str:
-    """Say of a level whose start did not settle what may come of it, and what was seen to help."""
+    """Say that a level's outcome is not determined by its start, and what helps."""
     text = "sweeps of the solver did not settle what rests at the start, so it may lean or fall"
     try:
         build(solved_directly(level), values, stepping)
@@ -220,7 +220,7 @@ def _attempt(
     end: float,
     until: float,
 ) -> _Trial | None:
-    """Run a remedy to the end, or as far as it comes; None if that tells nothing."""
+    """Run a remedy to the end, or as far as it comes; None if that proves nothing."""
     try:
         world = build(level, values, stepping)
     except SandboxError:
@@ -236,7 +236,7 @@ def _attempt(
 
 
 def _run(world: World, steps: int, until: float) -> bool:
-    """Observe so many steps, if time is left; return whether it was."""
+    """Observe a number of steps, if time is left; return whether it was."""
     for _ in range(steps):
         world.advance()
         if process_time() > until:

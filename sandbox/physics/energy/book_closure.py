@@ -74,7 +74,7 @@ class Closing(NamedTuple):
 
     @property
     def share(self) -> float:
-        """What is unexplained, over what was turned over; 0 if nothing was."""
+        """The unexplained energy over the turnover; 0 if there was none."""
         return self.unexplained / self.turned if self._turns else 0.0
 
     @property

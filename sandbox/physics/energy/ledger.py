@@ -196,7 +196,7 @@ class Ledger:
         )
 
     def _middle(self, ahead: float, velocity: Array) -> Instant:
-        """Return the motion so many steps after (or before) the last, all drifting like that."""
+        """Return the motion a number of steps after (or before) the last, at constant velocity."""
         now, later = self._step.snapshot, ahead * self._step.dt
         return Instant(
             np.asarray(self._step.t + later),

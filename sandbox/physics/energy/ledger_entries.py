@@ -12,7 +12,7 @@ from sandbox.physics.state.motion import momentum
 
 
 class Entries:
-    """What is booked so far, by what did it.
+    """The entries so far, by account.
 
     Attributes
     ----------

@@ -89,7 +89,7 @@ class StepRecord(NamedTuple):
 
 
 class Recorded(Protocol):
-    """A run of which books can be kept."""
+    """A run whose books can be kept."""
 
     @property
     def level(self) -> Level:
@@ -105,7 +105,7 @@ class Recorded(Protocol):
 
     @property
     def scene(self) -> Scene:
-        """The masses, the laws and the joints of what moves."""
+        """The masses, laws and joints of the bodies."""
 
     @property
     def last(self) -> StepRecord:

@@ -37,7 +37,7 @@ class Hand:
             self._grip.anchor_a = point
 
     def release(self) -> None:
-        """Let go of what is held."""
+        """Release the body."""
         if self._grip:
             self._space.remove(self._grip)
             self._grip = None

@@ -37,7 +37,7 @@ Stop = Callable[[Mapping[str, Array], Array, World], int | None]
 
 
 def suits(level: Level, stepping: Stepping, names: Sequence[str]) -> bool:
-    """Whether runs of a level may be taken together, as far as its text tells.
+    """Whether runs of a level may share a batch, as far as its text shows.
 
     Parameters
     ----------
@@ -81,7 +81,7 @@ class Flown:
 
 
 class Flight:
-    """N worlds of one level, right after their start, that go on together.
+    """N worlds of one level, right after their start, that are stepped together.
 
     Parameters
     ----------
@@ -147,7 +147,7 @@ class Flight:
         return doubted
 
     def _step(self) -> Booleans | bool:
-        """Take a step, and return which runs must be looked at alone: (N,)."""
+        """Take a step, and return which runs must be repeated alone: (N,)."""
         self._place = self._place + self._velocity * self._dt
         velocity = self._velocity.copy()
         velocity[:, :, :2] = velocity[:, :, :2] + self._kick
@@ -158,7 +158,7 @@ class Flight:
         return doubted
 
     def _sort_out(self, taken: int, doubted: Booleans | None) -> None:
-        """Take note of the runs that are over, and go on with the others."""
+        """Record the runs that are over, and keep the others."""
         going = np.ones(len(self._flying), dtype=bool)
         for at, run in enumerate(self._flying):
             if doubted is not None and doubted[at]:
@@ -174,7 +174,7 @@ class Flight:
             self._joints.keep(going)
 
     def _ended(self, run: int, taken: int) -> Flown | None:
-        """Return how a run has ended; None if it goes on."""
+        """Return how a run has ended; None if it has not."""
         parts, world = self._columns[run], self._worlds[run]
         if self._stop and len(parts) > 1:
             last = parts[-1]

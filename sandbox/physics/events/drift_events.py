@@ -46,17 +46,17 @@ class Part(NamedTuple):
     smooth: Array
 
     def at(self, time: float) -> Instant:
-        """Return the motion so long after its beginning [s]."""
+        """Return the motion some time after its beginning [s]."""
         return Instant.at(self.t + time, *self.state(time))
 
     def state(self, time: float) -> tuple[Array, Array]:
-        """Return places and velocities so long after its beginning [s]: (n, 3) each."""
+        """Return positions and velocities some time after its beginning [s]: (n, 3) each."""
         velocity = self.velocity + self.acceleration * time
         return self.place + (self.velocity + velocity) * (time / 2), velocity
 
 
 class Acted(NamedTuple):
-    """What books kept in the middle of a drift must know of what happened in it; n bodies.
+    """What the books must know of an event within a drift, for n bodies.
 
     They take the kick before the drift to go on for half of it, and that after it to begin there.
 

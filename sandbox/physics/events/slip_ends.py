@@ -222,7 +222,7 @@ class Stops:
         self._next, self._quiet = begun, 0
 
     def cut(self) -> Cut | None:
-        """Let slipping end in the coming drift; return what came of it, if it does."""
+        """Let slipping end in the coming drift; return the result, if it does."""
         due, self._due, self.last = self._due, None, None
         if due is None:
             return None

@@ -107,7 +107,7 @@ class Phase(NamedTuple):
     forces: Contacts
 
     def at(self, time: float) -> tuple[Array, Array]:
-        """Return places and velocities so long after its beginning [s]."""
+        """Return positions and velocities some time after its beginning [s]."""
         velocity = self.velocity + self.acceleration * time
         return self.place + (self.velocity + velocity) * (time / 2), velocity
 

@@ -30,7 +30,7 @@ def gravity(effects: Effects, values: Values, mass: Array, share: Share) -> Grav
 
 
 def laws(effects: Effects, given: Given) -> tuple[tuple[Law, ...], tuple[Turn, ...]]:
-    """Return the declared laws that pymunk does not apply by itself: forces, and what turns.
+    """Return the laws that pymunk does not apply by itself: forces, and turns of velocities.
 
     Raises
     ------
@@ -89,7 +89,7 @@ def part_of(effect: Effect, function: str) -> Callable[..., Iterable[Any]]:
 
 
 def _require(effect: Effect, law: Law | Turn) -> None:
-    """Refuse a law that is not what its effect says of itself."""
+    """Refuse a law that contradicts its effect's declaration."""
     needed = ("rate",) if effect.turns else ("add", "potential_energy")
     if lacking := [name for name in needed if not hasattr(law, name)]:
         kind = "does no work ('book' is 'none'), so it is a Turn" if effect.turns else "is a Law"

@@ -34,7 +34,7 @@ class Weight:
 
     @classmethod
     def of(cls, bodies: Sequence[str] | None, per: str, given: Given) -> "Weight":
-        """Return what a level says of it; all bodies that move if it names none."""
+        """Return the named bodies; all moving bodies if none are named."""
         rows = in_place(given.rows(bodies))
         return cls(rows, given.mass if per == "mass" else None, given.share)
 

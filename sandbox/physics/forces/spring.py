@@ -76,7 +76,7 @@ class SpringForce:
 
     @property
     def effect(self) -> Effect:
-        """What it says of itself as a force."""
+        """Its declaration as a force."""
         return DAMPED if self.damping > 0 else ELASTIC
 
     @property
@@ -86,7 +86,7 @@ class SpringForce:
 
     @property
     def steepness(self) -> float:
-        """How much more it pulls for a little more stretch, at the most [N/m]."""
+        """The largest slope of the force over the stretch [N/m]."""
         return self.stiffness + self.slope
 
     def tension(self, motion: Motion) -> Array:

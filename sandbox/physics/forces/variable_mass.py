@@ -29,7 +29,7 @@ class Flow:
     effect: str = ""  # what lets it flow
 
     def gained(self, t: Array) -> Array:
-        """Return what has come up to a time [kg]; as if it had always flowed before the start."""
+        """Return the matter gained up to a time [kg], as if it had flowed before the start, too."""
         gained: Array = self.rate * np.minimum(t, self.until)
         return gained
 
@@ -58,7 +58,7 @@ class MassFlows:
         return share
 
     def carriers(self) -> dict[str, list[int]]:
-        """Return the bodies that lose or gain matter, by the effect that lets them."""
+        """Return the bodies that lose or gain matter, by effect."""
         found: dict[str, list[int]] = {}
         for flow in self.flows:
             bodies = found.setdefault(flow.effect, [])

@@ -158,7 +158,7 @@ Verdict = Touch | bool
 
 
 def verdict(one: Piece, other: Piece, at: Placed, there: Placed) -> Verdict:
-    """Return how two shapes touch, of which pymunk says that they overlap.
+    """Return how two shapes touch that overlap according to pymunk.
 
     Parameters
     ----------
@@ -247,7 +247,7 @@ def _at_side(side: Piece, other: Piece, at: Placed, there: Placed) -> Verdict:
 def _inside(
     arc: Arc, center: complex, body: int, point: complex, radius: float, way: complex
 ) -> Touch:
-    """Return how a point that is thickened, so far from an arc's centre, is to its inner side."""
+    """Return how a thickened point at a distance from an arc's centre meets its inner side."""
     out = way / abs(way)
     on_arc, on_other = center + arc.inner * out, center + way + radius * out
     depth = abs(way) + radius - arc.inner

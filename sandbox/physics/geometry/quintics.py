@@ -76,7 +76,7 @@ def course(wire: Wire, values: Values) -> Points:
 
 
 def _off(points: Points, between: Points) -> float:
-    """Return how far quintics through points are from those half-way between, at the most [m]."""
+    """Return the largest distance of quintics through points from those half-way between [m]."""
     halves = _quintics(points, is_closed(points)) @ 0.5 ** np.arange(6)
     off = np.abs(halves - between)
     return float(off.max()) if np.isfinite(off).all() else np.inf

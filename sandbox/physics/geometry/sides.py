@@ -145,7 +145,7 @@ def _across(line: Line, point: complex) -> float:
 
 
 def _is_on(line: Line, corner: complex, hand: int, radii: float) -> bool:
-    """Whether a corner of what touches a line is on one side of it, or beyond its ends."""
+    """Whether a corner of a body that touches a line is on one side of it, or beyond its ends."""
     beside = line.beside(corner)
     way = corner - beside.point
     across = dot(way, beside.left)

@@ -52,7 +52,7 @@ class Difference:
 
 
 def watched(level: Level) -> list[str]:
-    """Return what tells two runs of a level apart: its checks' quantities, and where bodies are."""
+    """Return the quantities by which runs are compared: those of checks, and positions."""
     dynamic = [name for name, body in level.bodies.items() if body.type == "dynamic"]
     parts = ["position.x", "position.y", *(["angle"] if level.effects.rotation else [])]
     places = [f"{name}.{part}" for name in dynamic for part in parts]

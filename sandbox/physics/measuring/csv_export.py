@@ -61,7 +61,7 @@ def to_csv(
     disturbed: bool = False,
     change: Change | None = None,
 ) -> str:
-    """Return a run as CSV: comments that tell how to get it again, a header, a line an instant.
+    """Return a run as CSV: comments that say how to repeat it, a header, and a line per instant.
 
     Every number has the digits that give back its exact bits.
 

@@ -105,7 +105,7 @@ def grade_check(check: Check, trace: Trace) -> Result:
 
 
 def least_scale(check: Check, values: Values) -> float:
-    """Return what the errors of a check are relative to at the least; 0 if it does not say."""
+    """Return the least scale of a check's errors; 0 if it gives none."""
     return check.scale(values) if check.scale else 0.0
 
 
@@ -120,7 +120,7 @@ def applies(check: Check, values: Values) -> bool:
 
 
 def samples(trace: Trace, quantity: str, at: Instant | None) -> tuple[Array, Array] | None:
-    """Return the times that count and what was measured there; None if they have not come.
+    """Return the times that count and the values there; None if the run has not come so far.
 
     Parameters
     ----------

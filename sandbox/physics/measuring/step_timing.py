@@ -84,5 +84,5 @@ def _stepping(first: World, start: Callable[[], World]) -> Callable[[], Step]:
 
 
 def brief_costs(*starts: Callable[[], World]) -> tuple[float, ...]:
-    """Return what a step of some worlds costs [s], where somebody waits for the answer."""
+    """Return the cost of a step of some worlds [s], measured quickly."""
     return step_costs(*starts, most=60, repeats=3)

@@ -33,7 +33,7 @@ class Measured(Protocol):
 
     @property
     def scene(self) -> Scene:
-        """The masses, the laws and the joints of what moves."""
+        """The masses, laws and joints of the bodies."""
 
 
 class Meter:

@@ -14,7 +14,7 @@ from sandbox.physics.state.snapshot import Snapshot
 
 
 def sensing(row: int, sensor: int, spec: Body, values: Values) -> Callable[[Snapshot], Array]:
-    """Return what tells how deep a body is in a sensor [m], from snapshots.
+    """Return a function from snapshots to the depth of a body in a sensor [m].
 
     Parameters
     ----------

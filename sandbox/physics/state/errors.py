@@ -78,7 +78,7 @@ class SimulationError(SandboxError):
         return SimulationError(self.subject, self.time, reason, self.rate, self._path, self.hint)
 
     def advised(self, hint: Message, rate: float | None) -> "SimulationError":
-        """Return the same with what was found to help, and a rate that holds [Hz]."""
+        """Return the same error with remedies, and a rate that works [Hz]."""
         found = SimulationError(self.subject, self.time, self.reason, rate, self._path, hint)
         found.place = self.place
         return found
@@ -94,7 +94,7 @@ class SimulationError(SandboxError):
 
 
 class BreakdownError(SimulationError):
-    """A run that ended for a reason that nothing has foreseen: a defect, told as well as can be.
+    """A run that ended for an unforeseen reason: a defect of the program.
 
     What was raised is its cause.
     """

@@ -14,7 +14,7 @@ class Clock:
     steps: int = 0
 
     def after(self, ahead: float) -> float:
-        """Return the time [s] so many steps on."""
+        """Return the time [s] a number of steps later."""
         return (self.steps + ahead) * self.dt
 
 

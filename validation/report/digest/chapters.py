@@ -24,7 +24,7 @@ class OfLevel(Protocol):
 
 
 def by_chapter(things: Iterable[T], whose: Callable[[T], OfLevel]) -> list[tuple[str, list[T]]]:
-    """Return things chapter by chapter, each by the level of what it is about."""
+    """Group things by chapter, given the level of each."""
     groups: dict[str, list[T]] = {}
     for thing in things:
         groups.setdefault(chapter(whose(thing).level), []).append(thing)

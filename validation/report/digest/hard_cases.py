@@ -1,4 +1,4 @@
-"""The outcome of the hard cases, and how hard they can be made."""
+"""The outcome of the hard cases, and their frontiers."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass

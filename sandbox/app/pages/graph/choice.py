@@ -74,7 +74,7 @@ class Choice:
         self.look(session, WHOLE)
 
     def zoom(self, session: Session) -> Zoom:
-        """Return which part of them is looked at: all, at first."""
+        """Return the visible part of the graphs: at first, all of them."""
         return self._zooms.get(session.original.title, WHOLE)
 
     def look(self, session: Session, zoom: Zoom) -> None:

@@ -24,7 +24,7 @@ FAINT = 0.45
 
 
 class Curve(NamedTuple):
-    """A line: what it is called, which colour it has among the quantities, and its points."""
+    """A line: its name, its index among the colours of quantities, and its points."""
 
     label: str
     kind: Literal["run", "closed", "earlier"]

@@ -41,7 +41,7 @@ class Graph(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Zoom:
-    """What is looked at: an interval along each axis; all of it where none is said.
+    """The visible part of the graphs: an interval along each axis, or all of it.
 
     Attributes
     ----------
@@ -58,7 +58,7 @@ class Zoom:
         return self.across is not None or bool(self.up)
 
     def on(self, scale: Scale, unit: str | None = None) -> Scale:
-        """Return the part of a scale that is looked at: the shared one if there is no unit."""
+        """Return the visible interval of a scale; without a unit, of the shared axis."""
         interval = self.across if unit is None else self.up.get(unit)
         return scale if interval is None else scale._replace(low=interval[0], high=interval[1])
 
@@ -75,7 +75,7 @@ WHOLE = Zoom()
 
 
 def about(scale: Scale, value: float, factor: float) -> Interval:
-    """Return so many times as much of an axis, with a value where it is."""
+    """Scale an axis' interval about a value that stays in place."""
     return value - (value - scale.low) * factor, value + (scale.high - value) * factor
 
 
@@ -157,7 +157,7 @@ class Zooming:
         return box.clip(field)
 
     def release(self) -> bool:
-        """Look at what was marked; return whether a button was held over a graph."""
+        """Zoom to the marked part; return whether a button was held over a graph."""
         graph, box, self.box, self._on = self._on, self.box, None, None
         self.clicked = None
         if graph is None:
@@ -187,7 +187,7 @@ class Zooming:
         return True
 
     def step(self, factor: float = 1.0, shift: float = 0.0) -> None:
-        """Zoom about the middle, and move on by a part of what is seen, along the shared axis."""
+        """Zoom about the middle, or shift by a part of what is visible, along the shared axis."""
         if self.graphs:
             scale = self.graphs[0].across
             middle, spread = (scale.low + scale.high) / 2, scale.high - scale.low

@@ -61,7 +61,7 @@ def given(session: Session) -> list[Momentum]:
 
 
 def momentum(pen: Pen, width: int, session: Session) -> pygame.Surface:
-    """Draw momenta as bars, along x and along y, above what has become of their sum."""
+    """Draw momenta as bars, along x and along y, above the books of their sum."""
     card, world = Card(pen, width), session.world
     scale = momenta.scale(session, world, session.history.snapshots)
     card.heading(say("Momentum"))

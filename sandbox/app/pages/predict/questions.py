@@ -70,7 +70,7 @@ def _again(nth: int) -> str:
 
 
 def unit_of(check: Check, level: Level) -> str:
-    """Return the SI unit of what is asked for; empty if it has none."""
+    """Return the SI unit of the predicted quantity; empty if it has none."""
     return quantity(check.quantity, level).unit
 
 

@@ -37,7 +37,7 @@ def standing(pen: Pen, width: int, session: Session) -> pygame.Surface:
 
 
 def _lanes(pen: Pen, width: int, found: Sequence[Lane], rate: float) -> pygame.Surface:
-    """Draw how a race stands: for every scheme its error so far, and its clock."""
+    """Draw the standings of a race: each scheme's error so far, and its computing time."""
     card = Card(pen, width)
     if not found:
         return card.drawn()

@@ -44,7 +44,7 @@ def racing(session: Session) -> bool:
 
 
 def toggle(session: Session) -> None:
-    """Start the race anew with every scheme that the level can use, or end it.
+    """Start the race again with every scheme that the level can use, or end it.
 
     Raises
     ------

@@ -68,7 +68,7 @@ class SharePage:
         return next(button for button in self._actions if button.text == caption)
 
     def process(self, event: pygame.event.Event) -> str | None:
-        """Save what was asked for, and return where it is, or why it cannot be."""
+        """Save what a button names, and return where it is, or why that failed."""
         if event.type != UI_BUTTON_PRESSED or event.ui_element not in self._actions:
             return None
         try:

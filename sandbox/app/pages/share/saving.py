@@ -22,7 +22,7 @@ from sandbox.physics.quantities.meter import Meter
 
 
 def path_for(session: Session, suffix: str) -> Path:
-    """Return a name for a file that nobody has yet: the level's title and the time.
+    """Return an unused file name: the level's title and the time.
 
     Raises
     ------
@@ -52,7 +52,7 @@ def screenshot(session: Session) -> Path:
 
 
 def run(session: Session) -> Path:
-    """Save the run so far, to be replayed."""
+    """Save the run so far, so that it can be replayed."""
     path = path_for(session, runfile.SUFFIX)
     runfile.save(runfile.run_of(session), path)
     return path

@@ -21,7 +21,7 @@ class Condition(NamedTuple):
     """µs, about what it takes to look: so that what a whole level takes can be bounded."""
 
     def fault(self, values: Values) -> Message | None:
-        """Say what is wrong; an expression without a value has a condition of its own to tell."""
+        """Return what is wrong; expressions without a value are reported by their own condition."""
         try:
             return self.broken(values)
         except ExpressionError:

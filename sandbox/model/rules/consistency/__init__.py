@@ -107,7 +107,7 @@ _SIZES: tuple[Callable[[Level], Iterator[Fault]], ...] = (
 
 
 def too_much(level: Level) -> Iterator[Fault]:
-    """Yield of what there is too much in a level to look at it any further."""
+    """Yield whatever a level has too much of to be checked further."""
     for rule in _SIZES:
         yield from rule(level)
 

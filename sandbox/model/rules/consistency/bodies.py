@@ -43,7 +43,7 @@ def fields_fit(level: Level) -> Iterator[Fault]:
 
 
 def motions_fit(level: Level) -> Iterator[Fault]:
-    """Refuse a motion that is told twice, or in which nothing else moves."""
+    """Refuse a motion that is given twice, or with which nothing else moves."""
     dynamic = any(body.type == "dynamic" for body in level.bodies.values())
     for name, body in level.bodies.items():
         if body.motion is None:
@@ -60,7 +60,7 @@ def motions_fit(level: Level) -> Iterator[Fault]:
 
 
 def rise_and_fall(level: Level) -> Iterator[Fault]:
-    """Refuse to wait for the apex of what keeps its velocity, or the landing of what stands."""
+    """Refuse apexes of bodies with constant velocity, and landings of bodies at rest."""
     still: Mapping[str, tuple[str, ...]] = {"apex": ("static", "kinematic"), "landing": ("static",)}
     for path, at in instants(level):
         if isinstance(at, ApexEvent | LandingEvent):
@@ -76,7 +76,7 @@ def rise_and_fall(level: Level) -> Iterator[Fault]:
 
 
 def sensors_fit(level: Level) -> Iterator[Fault]:
-    """Sensors are areas, have no surface, and move at the most by themselves."""
+    """Sensors are areas, have no surface, and move only along given paths."""
     for name, body in level.bodies.items():
         if not body.sensor:
             continue
@@ -96,7 +96,7 @@ def sensors_fit(level: Level) -> Iterator[Fault]:
 
 
 def one_way_fits(level: Level) -> Iterator[Fault]:
-    """One-way surfaces are lines, and hold what can touch them, if anything moves."""
+    """One-way surfaces are lines, and something can move and touch them."""
     moves = any(body.type == "dynamic" for body in level.bodies.values())
     for name, body in level.bodies.items():
         if body.one_way is None:
@@ -168,7 +168,7 @@ def not_too_many(level: Level) -> Iterator[Fault]:
 
 
 def _pieces(shape: Shape) -> int:
-    """Return of how many convex pieces a shape is made at the most."""
+    """Return the most convex pieces of which a shape may be made."""
     match shape:
         case Polyline(points=corners):
             return len(corners) - 1

@@ -86,7 +86,7 @@ def own_apart(level: Level) -> Iterator[Fault]:
 
 
 def ties_fit(level: Level) -> Iterator[Fault]:
-    """Joints that an event ties hold what they find: nothing else is said of it."""
+    """Joints that an event ties take the length they find, and declare none."""
     names = sorted(tied(level.events) & level.joints.keys())
     for name in names:
         for field, rule in _untied(level.joints[name]):
@@ -126,7 +126,7 @@ def _untied(joint: Joint) -> Iterator[tuple[str, Message]]:
 
 
 def not_too_many_wires(level: Level) -> Iterator[Fault]:
-    """Wires and curves are no more than can be looked at for corners and crossings."""
+    """There are not too many wires and curves to check for corners and crossings."""
     wires, curves = _wires_and_curves(level)
     if wires + curves > MAX_WIRES:
         have = Message("{count:,} wires and curves", count=wires + curves)

@@ -80,7 +80,7 @@ def _is_taken(name: str) -> bool:
 
 
 def _used(level: Level, *, scene: bool) -> set[str]:
-    """Return the names that the scene uses, or that only tell what it should do."""
+    """Return the names that the scene uses, or that only its checks use."""
     beside = ("checks", "ghosts", "view", "challenge")
     known = not circle(level.constants)
     used = (
@@ -135,7 +135,7 @@ def no_circle(level: Level) -> Iterator[Fault]:
 
 
 def variables_apart(level: Level) -> Iterator[Fault]:
-    """No parameter and no constant has the name of what a formula of the scene is over."""
+    """No parameter or constant has the name of a variable in a formula of the scene."""
     for part in ("effects", "joints"):
         for path, formula in expressions(getattr(level, part), (part,)):
             own = () if isinstance(formula, Curve) else formula.variables

@@ -138,7 +138,7 @@ def apart_fits(level: Level) -> Iterator[Fault]:
 
 
 def sticking_fits(level: Level) -> Iterator[Fault]:
-    """Sticking: of bodies that touch, one of which can move."""
+    """Bodies that stick can touch, and at least one of them can move."""
     sticking = level.effects.sticking
     if sticking is None:
         return
