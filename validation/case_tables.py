@@ -22,9 +22,11 @@ import numpy as np
 from numpy.typing import ArrayLike
 from pydantic import TypeAdapter
 
+from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Instant
 from sandbox.model.level_parts import names_in
+from sandbox.model.message import Message
 from validation.case import FOURTH_ORDER, SECOND_ORDER, Case, Parameters, ends, textbook
 from validation.formulas import (
     chapter_code,
@@ -64,8 +66,11 @@ FREE = ("at", "duration", "misses", "order")
 _INSTANT: TypeAdapter[Instant] = TypeAdapter(Instant)
 
 
-class TableError(Exception):
-    """A table that says something that cannot be meant: its file, its case, and why."""
+class TableError(SandboxError):
+    """A mistake in a table: its file, its case, and why."""
+
+    def __init__(self, text: str) -> None:
+        super().__init__(Message("{text}", text=text))
 
 
 @dataclass(frozen=True, slots=True)
@@ -101,10 +106,15 @@ def read(phenomenon: str) -> tuple[Case, ...]:
     Raises
     ------
     TableError
-        If something in its file cannot be meant.
+        If its file has a mistake.
     """
     path = FOLDER / f"{phenomenon}.toml"
-    tables = tomllib.loads(path.read_text(encoding="utf-8"))["table"]
+    try:
+        tables = tomllib.loads(path.read_text(encoding="utf-8")).get("table", ())
+    except tomllib.TOMLDecodeError as error:
+        raise TableError(f"{path}: is not TOML: {error}") from error
+    if not tables:
+        raise TableError(f"{path}: has no [[table]]")
     return tuple(case for table in tables for case in _expanded(path, table))
 
 

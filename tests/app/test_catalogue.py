@@ -91,7 +91,7 @@ def test_what_a_level_says_keeps_its_numbers_and_formulas_in_translation(name: s
     """1,000 may be 1000 or 1 000: a comma is a decimal one elsewhere."""
     for message in messages(of("levels", name)):
         text, form = forms(message.id)[0], forms(message.string)[0]
-        assert signs(form) == signs(text), form
+        assert signs(form) == signs(text), f"translate in levels, {name}.po: {text!r}, not {form!r}"
 
 
 @EACH

@@ -4,9 +4,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from typer.testing import CliRunner
 
 from sandbox.model.level import ContactEvent
-from validation import case_tables, cases
+from validation import case_tables, cases, cli
 from validation.case import Case
 from validation.case_tables import TableError
 from validation.cases import PHENOMENA
@@ -97,3 +98,25 @@ def test_what_cannot_be_meant_is_told_with_its_file_and_case(
         written(folder, TABLE.replace(said, instead))
 
     assert str(caught.value).startswith(f"{folder}/made_up.toml")
+
+
+@pytest.mark.parametrize(
+    ("text", "told"),
+    [("[[table]", r"made_up\.toml: is not TOML: .*line 1"), ("# empty", r"has no \[\[table\]\]")],
+)
+def test_a_file_that_is_no_table_is_named(folder: Path, text: str, told: str) -> None:
+    with pytest.raises(TableError, match=told):
+        written(folder, text)
+
+
+def test_a_mistake_in_a_table_is_told_without_a_traceback(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    unknown = TABLE.replace("radians(angle)", "math.radians(angle)")
+    monkeypatch.setattr(cli.run, "all_cases", lambda: written(folder, unknown))
+
+    result = CliRunner().invoke(cli.app, ["run"])
+
+    assert result.exit_code == 2
+    assert "unknown name: math" in result.stderr
+    assert "Traceback" not in result.stderr
