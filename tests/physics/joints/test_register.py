@@ -15,6 +15,7 @@ from sandbox.model.level import Level
 from sandbox.model.quantities import quantities
 from sandbox.model.reference_fields import NAMES
 from sandbox.model.schemes import unsmooth
+from sandbox.physics.joints.joint_equations import _rows
 from sandbox.physics.joints.joint_forces import pulls_of
 from sandbox.physics.quantities.meter import Meter
 from sandbox.physics.run import build
@@ -122,6 +123,13 @@ def test_a_joint_that_nothing_makes_is_told_when_its_level_is_built() -> None:
         build(this)
 
     assert "numbers" not in str(told.value)  # they are not to blame
+
+
+def test_a_joint_in_a_union_without_a_case_is_told() -> None:
+    unmade: Any = Whole(type="whole", ends=("a", "b"))
+
+    with pytest.raises(IncompleteError, match="a joint is made by nothing: take up Whole in"):
+        _rows("tie", unmade, (), 1.0, {})
 
 
 def test_a_joint_that_says_nothing_of_itself_is_told_with_its_place() -> None:
