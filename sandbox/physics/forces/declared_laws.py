@@ -101,11 +101,8 @@ def _require(effect: Effect, law: Law | Turn) -> None:
 
 
 def _message(effect: Effect, rule: str) -> str:
-    return f"the effect '{effect.name}' is declared in {_declaration(effect)}, but {rule}"
-
-
-def _declaration(effect: Effect) -> str:
-    return f"sandbox/model/effects/{effect.name}.py"
+    declared = f"sandbox/model/effects/{effect.name}.py"
+    return f"the effect '{effect.name}' is declared in {declared}, but {rule}"
 
 
 def _file(effect: Effect) -> str:
