@@ -87,7 +87,7 @@ def without(level: Level, effect: str) -> tuple[Level, tuple[str, ...]]:
             changed = silenced
         else:
             changed = _cleared(changed, found, effect)
-    return changed, tuple(gone[1:])
+    return changed, tuple(name for name in level.effects.declared if name in gone[1:])
 
 
 def _scene_faults(level: Level) -> Iterator[Fault]:
