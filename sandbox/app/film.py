@@ -28,11 +28,11 @@ def film(run: Run, path: Path, kind: Kind) -> Iterator[float | str]:
     Parameters
     ----------
     run
-        What is filmed.
+        The run to film.
     path
         The file that is written, whole or not at all.
     kind
-        What it is.
+        The format.
 
     Yields
     ------

@@ -62,7 +62,7 @@ def render(
     level
         What to draw.
     values
-        Its parameters.
+        The parameters of the level.
     at
         When [s]; a telling moment if left out. The last step is the first not before it.
     size

@@ -37,7 +37,7 @@ class Timing:
     Attributes
     ----------
     level
-        Its name.
+        The name of the level.
     first_picture
         From the start of a program that plays it to its first picture [s].
     switch

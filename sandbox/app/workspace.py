@@ -46,7 +46,7 @@ class Workspace:
     Attributes
     ----------
     surface
-        What is shown.
+        The surface on which everything is drawn.
     session
         The level that is played; None if it cannot be opened.
     path
@@ -58,7 +58,7 @@ class Workspace:
     panels
         What stands around it.
     banner
-        What is told at the top of the stage.
+        The message at the top of the stage.
     help, sheets
         Which sheet of the help is shown, 0 for none, and how many there are.
     open

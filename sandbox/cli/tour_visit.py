@@ -25,7 +25,7 @@ class Visit:
     Attributes
     ----------
     name
-        What was visited.
+        The level that was visited.
     level
         None if it could not be read.
     results

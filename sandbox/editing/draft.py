@@ -26,20 +26,20 @@ class Draft:
     Parameters
     ----------
     text
-        Its JSON, which may have mistakes.
+        The JSON text, which may have mistakes.
     path
-        Its file, if it has one.
+        The file, if there is one.
     held
         What the file holds, if it has one.
 
     Attributes
     ----------
     text
-        As it is now.
+        The present text.
     path
-        Its file, None if it has none yet.
+        The file, None if there is none yet.
     saved
-        What its file holds, or what it began with.
+        The text in its file, or its first text.
     """
 
     def __init__(self, text: str, path: Path | None = None, held: bytes = b"") -> None:
@@ -121,7 +121,7 @@ class Draft:
         text
             The new text.
         said
-            What was done, in words.
+            The edit, in words.
         merge
             Changes that follow each other with the same key are one step: those of a drag, say.
         """

@@ -78,9 +78,9 @@ def snap_point(
     Parameters
     ----------
     level
-        In which it is.
+        The level around it.
     point
-        As it was pointed at [m].
+        The position of the pointer [m].
     reach
         How far it may be drawn [m]: 10 pixels, say.
     step
@@ -153,7 +153,7 @@ def snap_body(
     Parameters
     ----------
     level
-        In which they are.
+        The level around them.
     names
         Those that are moved together.
     way

@@ -24,7 +24,7 @@ class Summary:
     Attributes
     ----------
     measure, unit
-        What was measured.
+        The outcome.
     count, missing
         In how many rows there is a number, and in how many there is none.
     mean, deviation, least, most

@@ -66,13 +66,13 @@ class Measure:
     Attributes
     ----------
     text
-        As it was written, and as its column is called.
+        The text of the measure, which is also the name of its column.
     of
-        What is looked at; None for the error of a check.
+        The measured quantity; None for the error of a check.
     at
         When: an event or a time; None with a reduction.
     reduction
-        What is made of all instants; empty at an instant, `error` of a check.
+        The aggregate over all instants; empty at an instant, `error` for a check.
     check
         The check whose closed form says what is to be expected; None if there is none.
     """

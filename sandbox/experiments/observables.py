@@ -26,7 +26,7 @@ class Observable:
     Attributes
     ----------
     text
-        As it was written.
+        The text of the observable.
     unit
         In SI; empty where several quantities are put together.
     quantities

@@ -51,11 +51,11 @@ class Plan:
     Attributes
     ----------
     experiment
-        As it was written.
+        The experiment as it was written.
     source
         What the level is called.
     level
-        As it is in its file.
+        The level as it is in its file.
     """
 
     experiment: Experiment

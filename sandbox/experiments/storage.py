@@ -38,7 +38,7 @@ class Store:
     folder
         Made if it is not there.
     plan
-        What is kept in it.
+        The plan whose results are stored.
 
     Raises
     ------

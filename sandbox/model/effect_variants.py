@@ -144,7 +144,7 @@ def including(level: Level, effect: str, settings: Settings) -> Level:
     level
         Any level.
     effect
-        Its name in the manifest.
+        The name of the effect.
     settings
         Its fields, as in a file; of an effect that is a list, those of each entry. For `friction`
         and `restitution` the `coefficient` of every pair. `DEFAULTS` if empty.

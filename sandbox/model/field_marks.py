@@ -25,7 +25,7 @@ def marked(part: Model, kind: type, path: Path = ()) -> Iterator[Marked]:
     Parameters
     ----------
     part
-        What is searched.
+        The value to search.
     kind
         The class of the mark.
     path

@@ -39,9 +39,9 @@ def write_atomically(
     Parameters
     ----------
     path
-        Where it belongs.
+        The path of the file.
     data
-        What it holds.
+        The content.
     follow
         Whether it belongs where a link leads that has its name; else it takes the link's place.
     new

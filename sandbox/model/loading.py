@@ -108,7 +108,7 @@ def parse(text: str, source: str = "<text>") -> Level:
     text
         The JSON.
     source
-        Where it came from, for the messages.
+        The origin of the text, for the messages.
 
     Raises
     ------

@@ -78,7 +78,7 @@ def formatted(typed: str) -> str:
     Parameters
     ----------
     typed
-        What is known to be a well-formed level.
+        The content of a well-formed level.
     """
     proper = _written(_read(typed))
     return proper.replace("\n", "\r\n") if "\r\n" in typed else proper

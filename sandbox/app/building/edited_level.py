@@ -41,7 +41,7 @@ class Work:
     sketch
         The same as it is drawn.
     camera
-        From where the stage is seen.
+        The camera of the stage.
     selected
         The parts that are selected, the last one chosen at the end.
     ignored

@@ -14,10 +14,10 @@ from sandbox.app.building.drafts import Drafts
 from sandbox.app.building.edited_level import Work
 from sandbox.app.building.editor_on_stage import EditorOnStage
 from sandbox.app.building.live_edits import KEPT
+from sandbox.app.building.mode_switch import ModeSwitch
 from sandbox.app.building.saving import Saving
 from sandbox.app.building.toolbox import FIRST, Toolbox
 from sandbox.app.building.trial_run import Trial
-from sandbox.app.building.trying_out import TryingOut
 from sandbox.app.drawing.text import Pen
 from sandbox.app.runs.session import Session
 from sandbox.app.stage.stage import Stage
@@ -37,7 +37,7 @@ class Editor:
     work
         The level under edit.
     trial
-        Its runs.
+        The runs of the level.
     drafts
         The other levels that were edited.
     tools
@@ -56,7 +56,7 @@ class Editor:
         self.work, self.drafts, self.trial = Work(), Drafts(), Trial()
         self.tools = Toolbox(self.work, self.trial.live)
         self.applying = Applying(self.work, self.drafts, self.tools)
-        self.trying = TryingOut(self.work, self.trial, self.tools, self.applying)
+        self.trying = ModeSwitch(self.work, self.trial, self.tools, self.applying)
         self.saving = Saving(self.work, self.drafts, self.tools)
         self.complete: Callable[[], bool] = bool
         self._on_stage = EditorOnStage(self.work, self.trial.live, self.tools, self.applying)

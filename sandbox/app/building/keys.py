@@ -7,10 +7,10 @@ from typing import Protocol
 import pygame
 
 from sandbox.app.building.edited_level import Work
+from sandbox.app.building.mode_switch import ModeSwitch
 from sandbox.app.building.saving import Saving
 from sandbox.app.building.toolbox import FIRST, Toolbox
 from sandbox.app.building.tools.register import TOOLS
-from sandbox.app.building.trying_out import TryingOut
 from sandbox.app.keys import CONTROL
 from sandbox.app.runs.session import Session
 
@@ -52,7 +52,7 @@ class Keyed(Protocol):
     """What keys act on: the editor."""
 
     tools: Toolbox
-    trying: TryingOut
+    trying: ModeSwitch
     saving: Saving
 
     @property

@@ -24,7 +24,7 @@ class Live(Work):
     Attributes
     ----------
     session
-        Whose run it is.
+        The session of the run.
     stands
         Whether time stands until what is being drawn into the run is done.
     """

@@ -15,7 +15,7 @@ class Toolbox:
     Attributes
     ----------
     bench
-        What is on the stage, and tools change: the level, or its run.
+        What the tools change: the level, or its run.
     tool
         The name of the tool in hand.
     """

@@ -23,13 +23,13 @@ class Entry(NamedTuple):
     Attributes
     ----------
     path, chapter
-        Its file, and what it is listed under.
+        The file, and the heading under which it is listed.
     original
         What the file says, in the language of its author.
     title, summary
-        What is shown of that.
+        The same as it is shown, in the present language.
     words
-        By which it is found, in small letters: those that are shown, and those of the file.
+        The words that a search finds, in lower case: those shown, and those in the file.
     """
 
     path: Path

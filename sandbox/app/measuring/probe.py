@@ -27,7 +27,7 @@ class Found(NamedTuple):
     Attributes
     ----------
     body
-        Whose trail it is.
+        The body of the trail.
     t, place, speed
         When, where, and how fast it was there [s, m, m/s].
     distance
@@ -61,9 +61,9 @@ def find(view: View, session: Session, pixel: XY) -> Found | None:
     Parameters
     ----------
     view
-        What is looked at, from where.
+        The world and the camera.
     session
-        Whose runs.
+        The session of the runs.
     pixel
         The mouse, from the stage's corner [px].
     """

@@ -33,7 +33,7 @@ class Hand:
     Attributes
     ----------
     tape
-        What was measured last, a distance or an angle; None after a click elsewhere.
+        The last measurement, a distance or an angle; None after a click elsewhere.
     """
 
     def __init__(self, stage: Stage) -> None:

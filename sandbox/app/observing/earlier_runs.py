@@ -20,9 +20,9 @@ class Observed(NamedTuple):
     Attributes
     ----------
     trail, history
-        Where its bodies have been, and all else that was observed.
+        The paths of its bodies, and everything else that was observed.
     world
-        What it was observed of.
+        The world that was observed.
     """
 
     trail: Trail
@@ -83,7 +83,7 @@ def kept(
     earlier
         Those that there are; the newest is last.
     run
-        What has been seen of the one that is left.
+        The observations of the run that is left.
     values
         The parameters of what comes after it.
     left

@@ -43,7 +43,7 @@ class Books:
     Parameters
     ----------
     world
-        What is watched.
+        The world to watch.
     steps
         How many steps reach the end of its duration.
     """

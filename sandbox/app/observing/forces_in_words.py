@@ -23,7 +23,7 @@ def forces(world: World) -> Iterator[str]:
     Parameters
     ----------
     world
-        As it is at the moment that is described.
+        The world, at the moment to describe.
     """
     bodies = FreeBodies(world)
     for name, body in world.level.bodies.items():

@@ -44,7 +44,7 @@ class Ration(Generic[T]):
     Attributes
     ----------
     found
-        What was found when last looked.
+        The last result.
     """
 
     def __init__(self, look: Callable[[], T], nothing: T) -> None:

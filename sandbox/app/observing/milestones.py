@@ -31,11 +31,11 @@ class Milestone:
     Attributes
     ----------
     body
-        To which.
+        The body that it happened to.
     place
-        Where its centre was [m].
+        The position of its centre [m].
     measured
-        What was measured then: the check, and the value.
+        The measurements then: the check, and the value.
     passed
         Whether all of it was as expected.
     """

@@ -27,7 +27,7 @@ def describe(
     Parameters
     ----------
     world
-        As it is at the moment that is described.
+        The world, at the moment to describe.
     results
         How its level's checks stand.
     with_forces

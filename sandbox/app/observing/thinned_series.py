@@ -1,4 +1,4 @@
-"""The past of a run in bounded memory: where bodies were, and what energies they had."""
+"""A series of arrays in bounded memory, thinned when it is full: paths of bodies, energies."""
 
 import numpy as np
 

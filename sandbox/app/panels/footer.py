@@ -48,9 +48,9 @@ class Foot:
     Attributes
     ----------
     top
-        Where it begins [px].
+        Its upper edge [px].
     view
-        What it shows of the energy.
+        How it shows the energy.
     switch
         The button that leads to the next view of the energy.
     books

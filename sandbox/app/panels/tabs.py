@@ -27,7 +27,7 @@ class Tabs:
     Attributes
     ----------
     bottom
-        Where they end [px].
+        Their lower edge [px].
     """
 
     def __init__(

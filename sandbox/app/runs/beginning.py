@@ -38,7 +38,7 @@ def begin(level: Level, values: Values, beside: Sequence[Variant], *, patient: b
     Parameters
     ----------
     level, values
-        What is built.
+        The level to build.
     beside
         The variants that run beside it.
     patient

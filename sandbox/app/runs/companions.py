@@ -74,11 +74,11 @@ class Companion:
     variant
         What runs.
     world
-        Its world.
+        The world of the run.
     trail
-        Where its bodies have been.
+        The paths of its bodies.
     clock
-        What its steps take.
+        The computing time of its steps.
     failure
         Why it had to stop; None if it did not.
 

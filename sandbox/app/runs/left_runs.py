@@ -16,7 +16,7 @@ class Record(NamedTuple):
     Attributes
     ----------
     run
-        What was seen of it.
+        The observations of the run.
     actions
         What a person did to it.
     """

@@ -21,7 +21,7 @@ class Limits:
     message
         Why the run is to pause; empty while nothing is the matter.
     recorder
-        What is recorded of the run.
+        The recorder of the run.
     """
 
     recorder: Recorder

@@ -38,7 +38,7 @@ class LiveRun:
     Attributes
     ----------
     world
-        Its world; another one after it has branched off.
+        The world of the run; a new one after the run has branched.
     companions
         Other runs beside it, in lockstep.
     setting
@@ -63,7 +63,7 @@ class LiveRun:
     books
         What energies there were, and where they came from.
     blows
-        Its impacts, as they are seen and heard.
+        Its impacts, for flashes and tones.
     marks
         The impacts that are marked on the bar of the time, also those that are still to come again.
     contacts
@@ -85,7 +85,7 @@ class LiveRun:
     original
         The level as its file declares it.
     begun
-        What it begins with.
+        The world at the start.
     earlier
         The runs that were there before.
     """
@@ -181,7 +181,7 @@ class LiveRun:
     def act(self, kind: Literal["grab", "drag", "release", "place"], body: str, point: XY) -> None:
         """Do to a body what a hand does, at a point [m], and note it.
 
-        What was recorded of later steps becomes an earlier run: what comes now is another one.
+        The record of later steps becomes an earlier run, since the run takes another course now.
         """
         self._begin_new_future(self.world.values)
         self._do(Action(step=self.world.steps, kind=kind, body=body, point=point))

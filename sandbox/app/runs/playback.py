@@ -48,7 +48,7 @@ class Playback(RunView, ABC):
     Parameters
     ----------
     run
-        What is played.
+        The run that is played.
     watched
         Whether a person waits for each step, and is asked where one takes long.
     """

@@ -198,7 +198,7 @@ class Session(Playback):
         Parameters
         ----------
         actions
-            What was done to it.
+            The actions on it.
         steps
             How far.
         values
@@ -256,7 +256,7 @@ class Session(Playback):
         changes
             The effects in which it differs from the original.
         values
-            Its parameters; the present ones if left out.
+            The parameters; the present ones if left out.
 
         Raises
         ------

@@ -48,11 +48,11 @@ class Arrow:
     tail
         The point that it acts on [m].
     newtons
-        Its components [N].
+        The components [N].
     handles
         The parameters that its components are, by axis; none for those that a hand cannot change.
     name
-        What it is called, empty if it has no name.
+        Its name, empty if it has none.
     """
 
     row: int

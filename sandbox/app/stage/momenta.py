@@ -72,11 +72,11 @@ def scale(owner: object, world: World, observed: Snapshot) -> float:
     Parameters
     ----------
     owner
-        What is kept while its scale is, such as a session.
+        The owner of the scale, such as a session: the scale is kept as long as it is.
     world
-        Whose momenta are drawn.
+        The world whose momenta are drawn.
     observed
-        What has been seen of it: one snapshot, or a stack.
+        The states so far: one snapshot, or a stack.
     """
     kept = _scales.get(owner)
     values, disturbed = dict(world.values), world.disturbed

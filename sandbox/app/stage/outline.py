@@ -58,7 +58,7 @@ class Outline:
     hidden
         Whether it is left out of the picture.
     layer
-        What has a higher one is drawn over what has a lower one.
+        Bodies with a higher value are drawn over those with a lower one.
     """
 
     name: str

@@ -35,12 +35,12 @@ class View:
     Attributes
     ----------
     world, camera, pen
-        What is looked at, from where, and what writes on it.
+        The world, the camera, and the pen.
     outlines, moving, still
         The outlines of all bodies by name, and those of the bodies that move, and that do not, but
         for hidden ones; the lowest layer first.
     in_front
-        What is drawn anew in every frame: what moves, and what is raised above it.
+        The outlines drawn in every frame: moving bodies, and those above them.
     few
         Whether so few bodies move that each can be explained.
     duration
@@ -52,7 +52,7 @@ class View:
     trail
         Where the bodies have been; None if nobody keeps it.
     looking
-        At which body a person looks; None if nobody does.
+        The selected body; None if there is none.
     flashes
         Of the impacts that have just been.
     labels

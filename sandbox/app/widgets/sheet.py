@@ -29,7 +29,7 @@ class Sheet:
     Attributes
     ----------
     width
-        Of what is put on it [px].
+        The width of its contents [px].
     margin
         Left of that, and twice what is above it [px].
     container

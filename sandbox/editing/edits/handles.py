@@ -49,7 +49,7 @@ def drag_handle(text: str, level: Level, name: str, index: int, to: XY) -> str:
     index
         Of the handle, as in `handles`.
     to
-        Where it is dragged [m].
+        The position to which it is dragged [m].
 
     Raises
     ------

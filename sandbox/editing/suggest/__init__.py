@@ -72,7 +72,7 @@ def followed(before: Level, text: str) -> str:
     before
         The level as it was.
     text
-        As it was changed to, which may have mistakes.
+        The changed text, which may have mistakes.
     """
     if not before.checks:
         return text

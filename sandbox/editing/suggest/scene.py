@@ -48,11 +48,11 @@ class Suggestion:
     Attributes
     ----------
     setup
-        What it is.
+        The name of the set-up.
     about
         The bodies that it is made of.
     checks
-        As they stand in a level's file.
+        The checks, as they stand in a level's file.
     rate
         Hz, that they need at the least.
     """

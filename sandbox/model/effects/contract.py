@@ -60,7 +60,7 @@ class Effect:
     drives
         Whether one that says something is booked as `work` after all; never if left out.
     account
-        What its energy is booked as; its name if left out.
+        The account of its energy; its name if left out.
     inside
         Whether it acts between bodies only, so that all of them together get no momentum from it.
     strength
@@ -76,7 +76,7 @@ class Effect:
     twists
         Whether it turns bodies by itself, so that `rotation` is of use with it.
     pull
-        What its force is called in a free-body diagram; its name if left out.
+        The name of its force in a free-body diagram; its own name if left out.
     """
 
     name: str

@@ -32,7 +32,7 @@ class Kind:
     Attributes
     ----------
     force
-        What it says of itself as a force; None if it holds exactly.
+        Its declaration as a force; None if it holds exactly.
     goes_slack
         Whether it pulls and never pushes, so that it can go slack, and be jerked taut.
     drives
@@ -46,7 +46,7 @@ class Kind:
     quantities
         What can be measured of it, and the units of that.
     pull
-        What its force is called in a free-body diagram.
+        The name of its force in a free-body diagram.
     """
 
     force: Effect | None = None

@@ -68,7 +68,7 @@ def corners(
     Parameters
     ----------
     level
-        Whose parameters.
+        The level of the parameters.
     names
         The parameters that vary, the others keep their defaults; all if left out. Where there are
         more combinations than may be tried, only some are: all of a side together, then each bound

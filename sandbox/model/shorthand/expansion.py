@@ -21,11 +21,11 @@ class WrittenOut(NamedTuple):
     Attributes
     ----------
     data
-        What its JSON text would hold if it were typed out.
+        The JSON content of the level, typed out.
     placed, typed
         From where parts have moved: out of the groups that are placed, and what repeats.
     faults
-        What is wrong with the shorthand, at the paths of the text.
+        The mistakes in the shorthand, at the paths of the text.
     """
 
     data: Any
@@ -73,7 +73,7 @@ def write_out(data: Any, text: str) -> WrittenOut:  # noqa: ANN401 (whatever JSO
     Parameters
     ----------
     data
-        What its text holds.
+        The content of the text.
     text
         That text.
     """

@@ -40,7 +40,7 @@ class Notes:
     placed
         Where parts of placed groups stand in those groups.
     faults
-        What is wrong, at the paths of the text.
+        The mistakes, at the paths of the text.
     left
         How many characters may still come.
     """

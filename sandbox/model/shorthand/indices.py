@@ -75,7 +75,7 @@ def runs(said: Any, path: Path, indices: Indices, notes: Notes) -> Iterator[Indi
     said
         What `repeat` says: how far each index counts. The later ones may depend on those before.
     path
-        Where it was typed.
+        The path where it was typed.
     indices
         Those of what is around it.
     notes

@@ -58,7 +58,7 @@ def calibrated(
     level, values, target, progress, stop, also
         As for `calibrate`.
     tell
-        Is told why a setting that was found cannot be kept.
+        Is called with the reason if the setting cannot be stored.
 
     Raises
     ------
@@ -97,9 +97,9 @@ def keep(
     Parameters
     ----------
     level, values, setting
-        What was found, and for what.
+        The run, and the setting that was found for it.
     tell
-        Is told why it is not kept longer.
+        Is called with the reason if it cannot be stored.
     also
         The other quantities that are as accurate.
     """
@@ -125,7 +125,7 @@ def resolved(
     Parameters
     ----------
     level, values, stepping
-        What is run.
+        The run, and the setting that its level asks for.
     also
         Quantities that are to be so accurate, besides those of the checks and the motion.
     """

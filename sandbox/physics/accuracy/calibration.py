@@ -27,7 +27,7 @@ class Setting:
     Attributes
     ----------
     target
-        What was asked for.
+        The requested accuracy.
     chosen
         The setting, its estimated error and its cost.
     judged_by

@@ -23,7 +23,7 @@ class Bench(Protocol):
     Attributes
     ----------
     camera
-        From where the stage is seen.
+        The camera of the stage.
     sketch
         The level as it is drawn.
     selected

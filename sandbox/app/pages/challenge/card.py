@@ -47,7 +47,7 @@ def standing(pen: Pen, width: int, session: Session, best: int) -> pygame.Surfac
     Parameters
     ----------
     pen, width, session
-        What it is drawn with, how wide [px], and whose challenge.
+        The pen, the width [px], and the session of the challenge.
     best
         The most stars that were earned before.
     """

@@ -26,7 +26,7 @@ class Exploring:
     Attributes
     ----------
     points
-        What is known by now, in the order of the parameter.
+        The points so far, in the order of the parameter.
     failure
         Why nothing can be run; empty if something can.
     news

@@ -44,7 +44,7 @@ def sample(level: Level, values: Values, parameter: str, measure: str) -> Iterat
     values
         Of all parameters; that which is varied takes those of its range instead.
     parameter, measure
-        What is varied, and what is measured, as an experiment writes it.
+        The varied parameter and the measure, in the form of an experiment's file.
     """
     try:
         plan = _plan(level, values, parameter, measure)

@@ -47,9 +47,9 @@ def graphs(
     Parameters
     ----------
     pen, width
-        What it is drawn with, and how wide [px].
+        The pen, and the width [px].
     session
-        Whose run.
+        The session of the run.
     up, across
         The names of the quantities.
     cursor

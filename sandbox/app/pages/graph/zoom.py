@@ -26,9 +26,9 @@ class Graph(NamedTuple):
     Attributes
     ----------
     unit
-        Of what it shows.
+        The unit of the quantities that it shows.
     place
-        Where it is in the picture [px].
+        Its place in the picture [px].
     across, up
         Its axes, with pixels from its own corner.
     """
@@ -90,11 +90,11 @@ class Zooming:
     Attributes
     ----------
     zoom
-        What is looked at.
+        The visible intervals.
     graphs
         The graphs as they were drawn last.
     box
-        What is being marked, in the picture [px]; None if nothing is.
+        The part being marked, in the picture [px]; None if there is none.
     clicked
         The value across that was clicked on last; None if the button was let go of elsewhere.
     """

@@ -27,7 +27,7 @@ class Predicting:
     Attributes
     ----------
     question
-        What was asked; None if nothing was.
+        The question; None if there is none.
     predicted
         The answer, in SI; None while it is waited for.
     refusal

@@ -34,9 +34,9 @@ def values(
     Parameters
     ----------
     pen, width
-        What it is drawn with, and how wide [px].
+        The pen, and the width [px].
     session
-        Whose run.
+        The session of the run.
     names
         The quantities; those for which there is no room are counted.
     trust

@@ -22,7 +22,7 @@ class Timing:
     Attributes
     ----------
     press, reset
-        Its buttons.
+        The buttons of the stopwatch.
     starts, stops
         The lists of what does so.
     """

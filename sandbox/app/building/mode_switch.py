@@ -9,7 +9,7 @@ from sandbox.app.words.language import say
 from sandbox.model.errors import SandboxError
 
 
-class TryingOut:
+class ModeSwitch:
     """Goes from building to the run and back; undo and redo go through both."""
 
     def __init__(self, work: Work, trial: Trial, tools: Toolbox, applying: Applying) -> None:
@@ -37,7 +37,7 @@ class TryingOut:
             session.toggle()
 
     def back(self, session: Session) -> None:
-        """Go back to the start, and to building; the run can be come back to."""
+        """Go back to the start, and to building; from where `come_back` returns."""
         if self.is_shown(session):
             self._trial.leave(session)
             session.restart()
@@ -54,7 +54,7 @@ class TryingOut:
         self.follow(session)
 
     def follow(self, session: Session) -> None:
-        """Take up the run, or the level, whichever is shown; tools are those of that."""
+        """Take up the run or the level, whichever is shown, with its own tools."""
         live = self._trial.live
         live.session = session
         bench = live if self.is_shown(session) else self._work
@@ -69,7 +69,7 @@ class TryingOut:
         bench.show()
 
     def look(self, session: Session) -> None:
-        """Take in where the run stands, before it is changed."""
+        """Take in the state of the run, before it is changed."""
         self.follow(session)
         if self._tools.bench is self._trial.live:
             self._trial.live.look()
@@ -77,7 +77,7 @@ class TryingOut:
     # undo and redo
 
     def undo(self, session: Session) -> None:
-        """Take back the last change of the run; if there is none, the run, or one of the level."""
+        """Undo the last change of the run; else the run itself, or a change of the level."""
         if not self.is_shown(session):
             self._work.undo()
         elif self._trial.changed(session):
