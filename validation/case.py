@@ -66,11 +66,11 @@ class Case:
     Attributes
     ----------
     name
-        What is claimed, in a few words.
+        The claim, in a few words.
     level
         Such as `newton/atwood`.
     quantity
-        What is measured.
+        The measured quantity.
     expected
         The closed form, of the parameters and the times that count [s].
     tolerance
@@ -169,7 +169,7 @@ class _Runs:
     Attributes
     ----------
     level, values
-        What is run.
+        The run.
     """
 
     def __init__(self, cases: Sequence[Case]) -> None:

@@ -44,9 +44,9 @@ class Mistake:
     path
         Where in the level, such as `bodies.ball.mass`; empty for the level as a whole.
     rule
-        What is wrong or must hold, and where possible what was probably meant.
+        The mistake or the rule, and if possible what was probably meant.
     value
-        What was found there, as it is written in the file; empty if it would tell nothing.
+        The text found there, as it is in the file; empty if it would not help.
     """
 
     source: str

@@ -40,7 +40,7 @@ class Kept:
     Attributes
     ----------
     joint
-        Its name.
+        The name of the joint.
     off
         (T,), by how much it is off [m; rad where an angle is kept].
     pulls_only

@@ -44,7 +44,7 @@ class Course:
     Attributes
     ----------
     scene, level
-        What was run.
+        The scene, and the level that was run.
     rate
         Of its steps [Hz].
     seen

@@ -24,7 +24,7 @@ class Scene:
     Attributes
     ----------
     seed
-        What it was drawn from.
+        The seed.
     family
         What put it together.
     document

@@ -68,7 +68,7 @@ class Statics:
     document, keeping
         The level, and what its joints keep.
     places
-        Where its bodies are, at one instant.
+        The state of its bodies at one instant.
     """
 
     def __init__(self, document: Document, keeping: Keeping, places: Places) -> None:

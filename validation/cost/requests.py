@@ -27,7 +27,7 @@ class Request:
     Attributes
     ----------
     level, target
-        What was asked for.
+        The requested accuracy.
     stepping
         The setting that was found; None if it was said that there is none.
     estimated, delivered

@@ -79,7 +79,7 @@ def yardstick(level: Level, values: Values, budget: float) -> Yardstick | None:
     Parameters
     ----------
     level, values
-        What is run.
+        The run.
     budget
         How long the finest run may take, about [s].
 

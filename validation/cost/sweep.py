@@ -96,7 +96,7 @@ class Sweep:
     Attributes
     ----------
     level, own_rate
-        What was run, and the rate that it has by itself [Hz].
+        The level, and its own rate [Hz].
     judged_by, quantities
         What the errors are against, and those of what.
     points, requests

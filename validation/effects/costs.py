@@ -107,13 +107,13 @@ class EffectCost:
     Attributes
     ----------
     effect
-        Its name, or those of several that act together.
+        The name of the effect, or of several that act together.
     bodies
         How many move, (k,).
     step_seconds
         What a step with it costs [s], (k,).
     seconds_per_step
-        What it adds to one [s], (k,); negative within the noise where it adds nothing.
+        The added time of a step [s], (k,); negative within the noise where it adds nothing.
     exponent
         p of the fit cost ~ n^p to the whole step from 100 bodies on; None if there are too few.
     """

@@ -35,7 +35,7 @@ def guided(seed: int, trial: Trial) -> Generator[Tried]:
     Parameters
     ----------
     seed
-        Where it begins; what follows depends on the code.
+        The seed; the rest depends on the code.
     trial
         Tries a level by itself.
 

@@ -32,7 +32,7 @@ class Pace:
     Attributes
     ----------
     level
-        Its name.
+        The name of the level.
     rate
         Of its steps [Hz].
     step_seconds
@@ -40,7 +40,7 @@ class Pace:
     load
         What a second of the scene takes here and now [s], looked at sixty times.
     reference_load
-        What it would take on the reference core; see `yardstick` [s].
+        The time on the reference core; see `yardstick` [s].
     """
 
     level: str

@@ -66,7 +66,7 @@ class Part:
     Attributes
     ----------
     command
-        Its name, which is that of its file, too.
+        The name of the part, and of its file.
     measure
         Measures it, quickly or not, and returns what the command writes.
     """

@@ -50,7 +50,7 @@ class Trial:
     Attributes
     ----------
     seed, level, values, target
-        What was asked for.
+        The requested accuracy.
     answer
         The setting in words, or why there is none.
     refused

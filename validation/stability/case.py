@@ -31,7 +31,7 @@ class HardCase:
     Attributes
     ----------
     name
-        What is claimed, in a few words.
+        The claim, in a few words.
     family
         The file it comes from.
     group
@@ -41,7 +41,7 @@ class HardCase:
     criterion
         What the figure is, and where the bound comes from.
     figure, bound
-        What is read off a run, and how large it may be.
+        The figure that is read off a run, and its bound.
     duration, quick
         How long it runs, and how long in a quick run [s]; as the level says if None.
     rate
@@ -101,7 +101,7 @@ class Frontier:
     over_time
         Whether the difficulty is the time until which the bound holds; `end` is then the duration.
     tolerance
-        By which factor the frontier may lie further in than it did.
+        The factor by which the frontier may recede.
     beyond
         Why it lies further in than that of pymunk, if it does.
     """

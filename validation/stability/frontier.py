@@ -62,7 +62,7 @@ def reach(frontier: Frontier, *, alone: bool = False) -> Reach:
     Parameters
     ----------
     frontier
-        What is made harder.
+        The frontier, whose scene is made harder.
     alone
         Whether pymunk does everything by itself, at the sandbox's cost.
     """

@@ -39,7 +39,7 @@ class Outcome:
     passed
         Whether the figure is within its bound; of a frontier, whether it has not moved inward.
     figure
-        What was read off the run; of a frontier that of the hardest run that held.
+        The figure of the run; for a frontier, of the hardest run that held.
     cost
         What a second of simulated time took of a processor [s].
     order

@@ -23,7 +23,7 @@ class WrittenOut(NamedTuple):
     data
         The JSON content of the level, typed out.
     placed, typed
-        From where parts have moved: out of the groups that are placed, and what repeats.
+        The origins of moved parts: of those from placed groups, and of repeated ones.
     faults
         The mistakes in the shorthand, at the paths of the text.
     """

@@ -79,7 +79,7 @@ def runs(said: Any, path: Path, indices: Indices, notes: Notes) -> Iterator[Indi
     indices
         Those of what is around it.
     notes
-        What is wrong is noted here, and nothing more is yielded.
+        The notes, which receive mistakes; after one, nothing more is yielded.
     """
     if not isinstance(said, dict) or not said:
         notes.refuse(path, Message("must name an index and how far it counts: {how}", how=HOW))

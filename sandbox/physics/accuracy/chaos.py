@@ -40,7 +40,7 @@ def chaotic(level: Level, values: Values, stepping: Stepping, stop: Stop) -> Mes
     level, values, stepping
         The run, which is taken twice.
     stop
-        Is asked now and then whether to give up.
+        Is called now and then, and returns whether to give up.
 
     Raises
     ------
@@ -66,7 +66,7 @@ def growth(level: Level, values: Values, stepping: Stepping, stop: Stop) -> tupl
     level, values, stepping
         The run, which is taken twice.
     stop
-        Is asked now and then whether to give up.
+        Is called now and then, and returns whether to give up.
 
     Raises
     ------

@@ -85,7 +85,7 @@ def watched(level: Level, values: Values, also: Iterable[str] = ()) -> tuple[Wat
     Parameters
     ----------
     level, values
-        What is run.
+        The run.
     also
         Other quantities, such as those that are recorded.
     """
@@ -164,9 +164,9 @@ def record(
     level, values, stepping
         The run.
     wanted
-        What is watched.
+        The watched quantities.
     stop
-        Is asked now and then whether to give up.
+        Is called now and then, and returns whether to give up.
     seen
         How often it is looked at, or up to twice that [Hz]; at every step if that is less often, or
         if what is watched depends on every step.

@@ -40,9 +40,9 @@ class Refiner:
     Attributes
     ----------
     level, values, wanted, target
-        What is run and watched, and how small its errors are to be.
+        The run, the watched quantities, and the largest error they may have.
     stepping
-        What is run next.
+        The stepping of the next run.
     refinement
         The runs so far; None if there are no two.
     failure

@@ -30,11 +30,11 @@ class Errors:
     of
         The errors.
     order
-        By which power of the step they fall; None if none shows.
+        The power of the step with which they fall; None if there is none.
     unit
-        What they are relative to; 1 where the value itself is zero.
+        The scale to which they are relative; 1 where the value itself is zero.
     rise
-        By which power of the rate they grow, where they are rounding; else 0.
+        The power of the rate with which they grow, if they are rounding; else 0.
     """
 
     of: tuple[float, ...]

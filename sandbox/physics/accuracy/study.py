@@ -95,7 +95,7 @@ class Split:
     Attributes
     ----------
     check
-        Its index in the level.
+        The index of the check in the level.
     off
         By how much the measured number may be off for the step [its unit].
     total

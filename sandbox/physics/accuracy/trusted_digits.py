@@ -26,9 +26,9 @@ class Trust:
     Attributes
     ----------
     quantity
-        Its name.
+        The name of the quantity.
     size, off
-        Its largest value, and its largest numerical error [its unit].
+        The largest value and the largest numerical error, in the quantity's unit.
     until
         When half of the step makes a difference that is seen in a graph [s]; None if it never does.
     """

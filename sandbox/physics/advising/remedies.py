@@ -93,7 +93,7 @@ def tried(
     error
         Why the run stopped.
     level, values, stepping
-        What was run.
+        The run.
     duration
         How long it should have been [s]; as the level says if left out.
     """

@@ -30,11 +30,11 @@ class Attribution:
     Parameters
     ----------
     run
-        Whose kicks they are.
+        The run whose kicks are attributed.
     laws
         The forces that act in them.
     entries
-        Where they are booked.
+        The entries in which they are booked.
 
     Attributes
     ----------

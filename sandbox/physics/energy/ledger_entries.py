@@ -17,9 +17,9 @@ class Entries:
     Attributes
     ----------
     works
-        What was put in, or taken out [J].
+        The energy put in, or taken out [J].
     losses
-        What was lost, as negative numbers [J].
+        The lost energy, as negative numbers [J].
     impulses
         (3,) each, what came from outside: along x and y [N s], and about the origin [N m s].
     """

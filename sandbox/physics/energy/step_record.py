@@ -54,7 +54,7 @@ class StepRecord(NamedTuple):
     acted
         What events did in its drift; None if none happened.
     divided
-        Its drift, if it was taken in parts; else None.
+        The parts of its drift, if it was taken in parts; else None.
     jump
         (n, 3), what impacts in sequence changed [m/s, rad/s]; None without.
     """

@@ -71,7 +71,7 @@ class Flown:
     Attributes
     ----------
     trace
-        What was recorded; None if it must be run alone.
+        The recorded run; None if it must be run alone.
     stopped
         Whether a condition has ended it.
     """

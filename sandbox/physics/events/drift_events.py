@@ -133,7 +133,7 @@ def acted(
     parts
         One before the first of what happened, and one after each.
     laws
-        Whose works and impulses are told.
+        The laws whose works and impulses are recorded.
     inertia
         (n, 3), masses, masses and moments [kg, kg m²].
     switched

@@ -39,7 +39,7 @@ class Impact(NamedTuple):
     normal
         The unit vector from the first to the second.
     points
-        Where they touched [m].
+        The points of contact [m].
     impulse
         What the second got; the first got the opposite [N s].
     kinematic, driven

@@ -41,7 +41,7 @@ class JointBreaking:
     Parameters
     ----------
     scene
-        Whose joints.
+        The scene of the joints.
     joints
         Those that are solved together.
     borne

@@ -50,7 +50,7 @@ class Lookout:
     coefficients
         (n, n), of the friction of each pair that slips.
     onwards
-        Tells what is a slip and what is rounding.
+        Distinguishes slips from rounding.
     dt
         The time step [s].
     """

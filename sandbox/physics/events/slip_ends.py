@@ -74,7 +74,7 @@ class Stops:
     lookout, onwards
         See whose slipping ends, and find how bodies go on.
     smooth
-        Tells the accelerations by gravity and force laws in the last kick: (n, 3) [m/s², rad/s²].
+        Returns the accelerations by gravity and force laws in the last kick: (n, 3) [m/s², rad/s²].
     dt
         The time step [s].
 

@@ -112,13 +112,13 @@ class Touch(NamedTuple):
     point
         The middle of what is round, or the corner, in the axes of that body [m].
     radius
-        By which that is thickened [m].
+        The radius by which that is thickened [m].
     depth
         By how much the two overlap; negative if they are apart [m].
     normal
         The unit vector from the arc to the other, so towards its centre.
     on_arc, on_other
-        Where they touch, on the surface of each, in the plane [m].
+        The points of contact on the surface of each, in the plane [m].
     sign
         1 from inside, −1 from outside; 0 where nothing is followed.
     """

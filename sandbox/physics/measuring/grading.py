@@ -35,7 +35,7 @@ class Result:
     Attributes
     ----------
     check
-        What was checked.
+        The check.
     unit
         Of the measured and the expected value.
     t
@@ -127,7 +127,7 @@ def samples(trace: Trace, quantity: str, at: Instant | None) -> tuple[Array, Arr
     trace
         A run that recorded the quantity, and those that `needed` names for the instant.
     quantity
-        What is measured.
+        The measured quantity.
     at
         A time or an event; every step if None.
     """

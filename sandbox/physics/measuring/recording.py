@@ -67,7 +67,7 @@ class Trace:
     Attributes
     ----------
     level, values, stepping
-        What was run.
+        The run.
     t
         (T,), times [s].
     columns

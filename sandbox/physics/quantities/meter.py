@@ -42,7 +42,7 @@ class Meter:
     Parameters
     ----------
     run
-        Whose masses, moments and force laws count, such as a world.
+        The source of masses, moments and force laws, such as a world.
     names
         The quantities to measure, such as `ball.position.x`.
 

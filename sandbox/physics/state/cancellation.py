@@ -20,7 +20,7 @@ def cancellation_point() -> None:
     Raises
     ------
     SandboxError
-        What they raise.
+        The errors they raise.
     """
     for look in _asked:
         look()

@@ -28,7 +28,7 @@ class SimulationError(SandboxError):
     rate
         Steps a second at which it should hold; None if no rate that a level may have does [Hz].
     reason
-        What is wrong.
+        The message.
     hint
         What may help, which nobody has tried; empty if nothing is known.
     place
@@ -86,7 +86,7 @@ class SimulationError(SandboxError):
     def refuse(self, level: Level) -> None:
         """Say where in a level that cannot start the cause stands, instead of when it stopped.
 
-        That is the subject, if nothing else is known.
+        The subject of the message, if nothing else is known.
         """
         parts = (part for part in ("joints", "bodies") if self.subject in getattr(level, part))
         path = self._path or next(((part, self.subject) for part in parts), ())

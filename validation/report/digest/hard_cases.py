@@ -26,7 +26,7 @@ class HardCases:
     failed
         What does not hold, and should.
     out_of_reach
-        What is known not to hold, and why.
+        The known failures, and why.
     """
 
     cases: tuple[Hard, ...]
