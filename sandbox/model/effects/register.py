@@ -13,7 +13,7 @@ def register(manifest: type[Model]) -> Mapping[str, Effect]:
     Raises
     ------
     IncompleteError
-        If one says nothing of itself, or something that cannot be.
+        If a declaration is missing, or contradicts its model.
     """
     fields = manifest.model_fields.items()
     return {name: _declared(name, field.annotation) for name, field in fields}
@@ -26,7 +26,7 @@ def _declared(name: str, kind: Any) -> Effect:  # noqa: ANN401 (a type is any ob
     effect = getattr(model, "effect", None)
     if not isinstance(effect, Effect):
         rule = f"add 'effect: ClassVar[Effect] = Effect(name=\"{name}\", ...)' to {place}"
-        raise IncompleteError(f"the effect '{name}' says nothing of itself: {rule}")
+        raise IncompleteError(f"the effect '{name}' has no declaration: {rule}")
     if effect.name != name:
         rule = f"{place} says '{effect.name}'"
         raise IncompleteError(f"'{name}' in the list of effects has another name: {rule}")

@@ -65,7 +65,7 @@ def kinds(joints: Iterable[type[Model]]) -> Mapping[str, Kind]:
     Raises
     ------
     IncompleteError
-        If one says nothing of itself.
+        If a declaration is missing.
     """
     return {_type(joint): _kind(joint) for joint in joints}
 
@@ -80,5 +80,5 @@ def _kind(joint: type[Model]) -> Kind:
     if not isinstance(kind, Kind):
         place = f"the class {joint.__name__} in {joint.__module__.replace('.', '/')}"
         rule = f"add 'kind: ClassVar[Kind] = Kind(...)' to {place}"
-        raise IncompleteError(f"the joint '{_type(joint)}' says nothing of itself: {rule}")
+        raise IncompleteError(f"the joint '{_type(joint)}' has no declaration: {rule}")
     return kind

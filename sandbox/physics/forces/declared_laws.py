@@ -35,7 +35,7 @@ def laws(effects: Effects, given: Given) -> tuple[tuple[Law, ...], tuple[Turn, .
     Raises
     ------
     IncompleteError
-        If what an effect makes is not what it says of itself.
+        If a law contradicts the declaration of its effect.
     """
     forces: list[Law] = []
     turns: list[Turn] = []

@@ -147,8 +147,8 @@ class JointEquations:
 
 def not_made(joint: object) -> IncompleteError:
     """Return the error of a joint that nothing makes."""
-    rule = f"take up {type(joint).__name__} in sandbox/physics/joints/joint_equations.py"
-    return IncompleteError(f"a joint is made by nothing: {rule}")
+    rule = f"add {type(joint).__name__} to sandbox/physics/joints/joint_equations.py"
+    return IncompleteError(f"no code makes this joint: {rule}")
 
 
 def _no_case(joint: Never) -> IncompleteError:

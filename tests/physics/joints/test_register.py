@@ -119,7 +119,7 @@ def test_a_joint_that_nothing_makes_is_told_when_its_level_is_built() -> None:
     unmade = Whole(type="whole", ends=("a", "b"))
     this = scene("rod").model_copy(update={"joints": {"tie": unmade}})
 
-    with pytest.raises(SandboxError, match="a joint is made by nothing: take up Whole in") as told:
+    with pytest.raises(SandboxError, match="no code makes this joint: add Whole to") as told:
         build(this)
 
     assert "numbers" not in str(told.value)  # they are not to blame
@@ -128,7 +128,7 @@ def test_a_joint_that_nothing_makes_is_told_when_its_level_is_built() -> None:
 def test_a_joint_in_a_union_without_a_case_is_told() -> None:
     unmade: Any = Whole(type="whole", ends=("a", "b"))
 
-    with pytest.raises(IncompleteError, match="a joint is made by nothing: take up Whole in"):
+    with pytest.raises(IncompleteError, match="no code makes this joint: add Whole to"):
         _rows("tie", unmade, (), 1.0, {})
 
 
@@ -138,6 +138,6 @@ def test_a_joint_that_says_nothing_of_itself_is_told_with_its_place() -> None:
         kinds([Whole, Cable])
 
     assert str(told.value) == (
-        "the joint 'cable' says nothing of itself: add 'kind: ClassVar[Kind] = Kind(...)' to the"
+        "the joint 'cable' has no declaration: add 'kind: ClassVar[Kind] = Kind(...)' to the"
         " class Cable in tests/physics/joints/test_register"
     )
