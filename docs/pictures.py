@@ -16,7 +16,7 @@ os.environ |= {"SDL_VIDEODRIVER": "dummy", "SDL_AUDIODRIVER": "dummy", "LANGUAGE
 import pygame
 
 from sandbox.app.files import preferences, progress, recent
-from sandbox.app.home import pictures
+from sandbox.app.home import picture_cache
 from sandbox.app.window import Window
 from sandbox.editing import recovery
 
@@ -143,7 +143,7 @@ def main(names: Sequence[str]) -> None:
         progress.file = lambda: own / "stars.json"
         recent.file = lambda: own / "recent.json"
         recovery.folder = lambda: own / "drafts"
-        pictures.folder = lambda: own / "pictures"
+        picture_cache.folder = lambda: own / "pictures"
         for name, surface in drawn(names or tuple(SCENES)):
             pygame.image.save(surface, FOLDER / f"{name}.png")
 

@@ -19,7 +19,7 @@ from sandbox.physics.measuring.recording import Trace
 from sandbox.physics.stepping.world import World
 
 Settings = Mapping[str, float]
-"""Values of parameters, by name; those that are left out keep the level's own."""
+"""Values of parameters by name; parameters that are left out keep the level's defaults."""
 
 
 def load(level: str | PathLike[str]) -> Level:

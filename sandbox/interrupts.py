@@ -7,7 +7,7 @@ from _thread import interrupt_main, start_new_thread
 from types import FrameType
 
 STATUS = 128
-"""What shells add to the number of the signal that has ended a process."""
+"""Shells add this to the number of the signal that ended a process."""
 
 INTERRUPTED = STATUS + signal.SIGINT
 ENDED = STATUS + signal.SIGTERM
@@ -18,7 +18,7 @@ _RETRY = 0.001  # s
 
 
 def install() -> None:
-    """Let Ctrl-C or a request to end do so, whatever goes on, without a traceback."""
+    """End the process on Ctrl-C or a request to end, without a traceback."""
     for number in (signal.SIGINT, signal.SIGTERM):
         signal.signal(number, _interrupt)
     sys.unraisablehook = _lost

@@ -21,11 +21,11 @@ Item = TypeVar("Item")
 Result = TypeVar("Result")
 
 AHEAD = 2
-"""How many items each process has at a time: the one it is at, and the next."""
+"""How many items each process has at a time: the current one, and the next."""
 
 METHOD = "forkserver" if "forkserver" in get_all_start_methods() else "spawn"
-"""How processes start: as copies of a server that does nothing but load modules, and so are there
-at once. On Windows each begins from nothing."""
+"""How processes start: as copies of a server that has only loaded modules, which is fast. On
+Windows each starts from nothing."""
 
 
 def prepare(*modules: str) -> None:
@@ -45,22 +45,26 @@ def prepare(*modules: str) -> None:
         signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
+_ENDED = Message(
+    "one of the processes that worked on it was ended from outside, perhaps for want of memory"
+)
+
+
 def spread(
     work: Callable[[Item], Result], items: Iterable[Item], jobs: int
 ) -> Iterator[tuple[int, Result]]:
-    """Yield the number of each item and what came of it, as they come in.
+    """Yield the number and the result of each item, in the order in which they are done.
 
-    However it ends, none of the processes goes on: each waits for the end of a pipe, which comes
-    when this one lets go of it, or is no more.
+    No process outlives this one, however it ends: each waits for the end of a pipe, which comes
+    when this process closes the pipe or dies.
 
     Parameters
     ----------
-    work
-        What is done with an item: a function of a module, where the other processes find it.
-    items
-        They are begun in this order, and asked for only when a process is about to need them.
+    work, items
+        A function of a module, so that other processes can import it, and what it is called with;
+        items are taken in order, and only when a process is about to need them.
     jobs
-        How many processes share them at the most; each is started when there is work for it.
+        The most processes; each is started when there is work for it.
 
     Raises
     ------
@@ -81,15 +85,11 @@ def spread(
                 break
             for done in wait(numbers, return_when=FIRST_COMPLETED).done:
                 yield numbers.pop(done), done.result()
-    except BaseException as error:
+    except BrokenProcessPool as error:
+        life.close()
+        raise SandboxError(_ENDED) from error
+    except BaseException:
         life.close()  # nobody waits for what they are at
-        if isinstance(error, BrokenProcessPool):
-            raise SandboxError(
-                Message(
-                    "one of the processes that worked on it was ended from outside, perhaps for"
-                    " want of memory"
-                )
-            ) from error
         raise
     finally:
         pool.shutdown(cancel_futures=True)

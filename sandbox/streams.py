@@ -9,7 +9,8 @@ from typing import NoReturn
 
 FAILED = 1
 UNHEARD = 141
-"""The exit status where nobody reads any more, as shells have it: 128 and the number of SIGPIPE."""
+"""The exit status if the reader of the output has gone, as shells have it: 128 and the number of
+SIGPIPE."""
 
 
 class Output(io.TextIOWrapper):

@@ -24,21 +24,21 @@ from sandbox.physics.run import build, simulate
 from sandbox.physics.state.errors import SimulationError
 
 Expected = Callable[[Values, Array], ArrayLike]
-"""A closed form, of all parameters and the times that count [s]."""
+"""A closed form, as a function of all parameters and of the times that count [s]."""
 
 Parameters = Mapping[str, float]
-"""Those that differ from a level's defaults."""
+"""The parameters that differ from a level's defaults."""
 
 Choices = tuple[Parameters, ...]
 
 SECOND_ORDER = 1.9
-"""The power of the step by which an error of second order is seen to fall, at the least."""
+"""The least power of the step with which an error of second order must fall."""
 
 FOURTH_ORDER = 3.8
-"""The same of fourth order."""
+"""The same for fourth order."""
 
 HALVINGS = 3
-"""How often the step is halved, down to the level's own, to see by which power the error falls."""
+"""How often the step is halved, down to the level's own, to measure the order."""
 
 
 @cache
@@ -66,11 +66,11 @@ class Case:
     Attributes
     ----------
     name
-        What is claimed, in a few words.
+        The claim, in a few words.
     level
         Such as `newton/atwood`.
     quantity
-        What is measured.
+        The measured quantity.
     expected
         The closed form, of the parameters and the times that count [s].
     tolerance
@@ -169,7 +169,7 @@ class _Runs:
     Attributes
     ----------
     level, values
-        What is run.
+        The run.
     """
 
     def __init__(self, cases: Sequence[Case]) -> None:

@@ -13,7 +13,7 @@ from sandbox.model.generated_files import generate
 from sandbox.model.loading import load
 
 PAGE = Path("docs") / "reference" / "chapter.md"
-"""In the project's sources."""
+"""The page that is written, within a checkout."""
 
 
 class Part(NamedTuple):
@@ -246,7 +246,7 @@ PARTS = (
 
 
 def parts() -> list[Part]:
-    """Return all parts, and what levels say of themselves that none of them names."""
+    """Return all parts, and the references of levels that match none of them."""
     named = {name for part in PARTS for name in part.levels}
     others = (name for name in catalog.textbook() if name not in named)
     every = [*PARTS, *map(_by_reference, others)]

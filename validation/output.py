@@ -14,13 +14,13 @@ from rich.table import Table
 from sandbox.model.files import write_atomically
 
 WIDE = 160
-"""Characters of a line where no terminal says how many it has: room for whole names."""
+"""The width of a line [characters] if there is no terminal: room for whole names."""
 
 T = TypeVar("T")
 
 
 def progress(things: Iterable[T], label: str, total: int) -> list[T]:
-    """Take in things one by one, and show on a terminal how far that is."""
+    """Iterate over things, and show the progress on a terminal."""
     console = Console(stderr=True)
     hidden = not console.is_terminal
     return list(track(things, label, total, console=console, transient=True, disable=hidden))

@@ -16,7 +16,7 @@ from validation.output import finite, progress
 HEADINGS = ("measured", "expected", "error", "bound", "order", "naive error", "step", "naive")
 
 WORTH = 8
-"""How many runs are worth the start of another process."""
+"""How many runs justify the start of another process."""
 
 
 def outcomes(cases: Sequence[Case], jobs: int | None = None) -> list[Outcome]:
@@ -63,7 +63,7 @@ def _by_name() -> dict[tuple[str, str], Case]:
 
 
 def named(case: Case) -> str:
-    """Return a case's name with what was chosen for it."""
+    """Return a case's name with its parameters."""
     chosen = ", ".join(f"{name}={value:g}" for name, value in case.parameters.items())
     return f"{case.name} ({chosen})" if chosen else case.name
 

@@ -46,7 +46,7 @@ class Background:
         return self._process.pid if self._process else None
 
     def start(self, work: Work, *arguments: object) -> None:
-        """Begin a piece of work, in place of what is under way."""
+        """Begin a piece of work, and drop the one in progress."""
         self.cancel()
         task = ForkingPickler.dumps((work, arguments, theme.used(), language.used()))
         self._findings, sender = SpawnContext().Pipe(duplex=False)
@@ -58,7 +58,7 @@ class Background:
         Thread(target=_hand_over, args=(order, task), daemon=True).start()
 
     def found(self) -> Iterator[Any]:
-        """Yield what has been found since, without waiting."""
+        """Yield the results that have come in since the last call, without waiting."""
         while self._findings is not None:
             try:
                 if not self._findings.poll():

@@ -26,7 +26,7 @@ class Banner:
         self._ended: tuple[object, str, str] = None, "", ""
 
     def tell(self, text: str, *, lasting: bool = False) -> None:
-        """Show a note for a while, or until the next; an empty one takes the last away."""
+        """Show a note for a while, or until the next; an empty note removes the present one."""
         self._note, self._left = text, inf if lasting else NOTE
 
     def tells(self, text: str) -> bool:
@@ -40,7 +40,7 @@ class Banner:
     def draw(
         self, surface: pygame.Surface, pen: Pen, area: pygame.Rect, session: Session | None
     ) -> int:
-        """Draw it at the top of an area, if there is anything to tell; return its end [px]."""
+        """Draw the note at the top of an area, if there is one; return its lower edge [px]."""
         text, color = self._told(session)
         return messages.draw_banner(surface, pen, area, text, color) if text else 0
 

@@ -190,7 +190,7 @@ class CommandActions:
             self._space.lay_out()
 
     def _turn_on(self, by: int) -> None:
-        """Show the page whose tab is so many further on; the first comes after the last."""
+        """Show the page some tabs further on; the first comes after the last."""
         pages = [page.command for page in PAGES]
         self.turn_to(pages[(pages.index(self._space.panels.page) + by) % len(pages)])
 
@@ -238,7 +238,7 @@ class CommandActions:
         self._space.help = (self._space.help + 1) % (self._space.sheets + 1)
 
     def _leave(self) -> None:
-        """Close the help, let go of a widget, show all levels, put measures away; then quit."""
+        """Leave the help, a widget, a search or the measures, whichever is there; else quit."""
         space = self._space
         stopwatch = space.workers.of(Stopwatch)
         if space.help:

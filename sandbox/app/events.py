@@ -1,9 +1,9 @@
-"""Dispatch of events: a key, a click or a dropped file goes to whoever handles it."""
+"""Dispatch of events: keys, clicks and dropped files go to their handlers."""
 
 import pygame
 
 from sandbox.app.building.editor import Editor
-from sandbox.app.building.file_offers import recover
+from sandbox.app.building.recovery_choices import recover
 from sandbox.app.command_actions import CommandActions
 from sandbox.app.keymap import command
 from sandbox.app.keys import WHILE_TYPING
@@ -51,7 +51,7 @@ class Events:
         return panels.side is not None and not busy and panels.side.zooms(event)
 
     def leave_fields(self) -> None:
-        """Take what was typed into a field that has been left."""
+        """Apply what was typed into a field that has lost the focus."""
         side = self._space.panels.side
         if side is not None and (change := side.parameters.left()):
             self._set(change)

@@ -18,7 +18,7 @@ Kind = Literal["gif", "mp4"]
 FRAMES = 25  # a second
 SIZE: dict[Kind, tuple[int, int]] = {"gif": (640, 400), "mp4": (1280, 720)}  # px
 LONGEST = 60.0
-"""s, the longest film; of a longer run this is the beginning."""
+"""s, the longest film; of a longer run it shows the beginning."""
 LACKING = later("a film needs PyAV and Pillow: install mechanics-sandbox[film]")
 
 
@@ -28,11 +28,11 @@ def film(run: Run, path: Path, kind: Kind) -> Iterator[float | str]:
     Parameters
     ----------
     run
-        What is filmed.
+        The run to film.
     path
         The file that is written, whole or not at all.
     kind
-        What it is.
+        The format.
 
     Yields
     ------

@@ -17,7 +17,7 @@ BINDINGS: tuple[Binding, ...] = (
     *(binding for page in PAGES for binding in page.bindings),
     *WINDOW,
 )
-"""In the order in which the help lists them."""
+"""All key bindings, in the order of the help."""
 
 
 def command(event: pygame.event.Event) -> str | None:

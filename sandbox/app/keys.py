@@ -60,7 +60,7 @@ SMALLER = (pygame.K_MINUS, pygame.K_KP_MINUS)
 USUAL = (pygame.K_0, pygame.K_KP_0)
 
 NEXT_PAGE = "next page"
-"""The command that leads to every page, also to one that has no key of its own."""
+"""The command that opens the next page, also one without a key of its own."""
 
 WINDOW = (
     Binding("page down", "Page down", "scroll the panel down", (pygame.K_PAGEDOWN,)),
@@ -101,7 +101,7 @@ COMFORT = frozenset({"larger", "smaller", "usual size", "next theme"})
 AT_HOME = COMFORT | {
     "next field", "home", "challenges", "find", "levels", "open file", "help", "leave",
 }  # fmt: skip
-"""The commands that are carried out beside the cards; any other goes back to the stage first."""
+"""The commands that work on the home page; any other returns to the stage first."""
 
 WHILE_TYPING = COMFORT | {"next field", "leave", "undo", "redo"}
-"""The commands whose keys still act while a number is being typed."""
+"""The commands whose keys still work while something is typed."""

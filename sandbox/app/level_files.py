@@ -24,7 +24,7 @@ class LevelFiles:
         self.entries = [*opened, *levels.entries()]
 
     def say_anew(self) -> None:
-        """Let the list say all in the language that is in use now."""
+        """Show the list in the present language."""
         self.entries = [known.said_anew() for known in self.entries]
 
     def read_again(self, path: Path) -> None:

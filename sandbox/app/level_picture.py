@@ -29,7 +29,7 @@ from sandbox.model.level import Level
 
 SIZE = (1280, 720)  # px
 TELLING = 0.4
-"""The share of a level's duration at which it is drawn if nobody says when."""
+"""The default time of a picture, as a share of the level's duration."""
 
 SIDE = 340  # px, the column of words
 MARGIN = 16  # px
@@ -62,7 +62,7 @@ def render(
     level
         What to draw.
     values
-        Its parameters.
+        The parameters of the level.
     at
         When [s]; a telling moment if left out. The last step is the first not before it.
     size
@@ -161,7 +161,7 @@ def _write(picture: pygame.Surface, session: Session, pen: Pen) -> None:
 
 
 def _judged(session: Session, pen: Pen, width: int, room: int) -> pygame.Surface:
-    """Draw what a page tells of the runs beside this one, or the checks."""
+    """Draw a page's comparison of the runs, or the checks."""
     page, _ = runs_beside(session)
     if page is not None and page.card is not None:
         return page.card(pen, width, session)

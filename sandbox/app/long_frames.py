@@ -41,7 +41,7 @@ class HoldUp:
             yield
 
     def events(self) -> Sequence[pygame.Event]:
-        """Return what has happened since the last frame."""
+        """Return the events since the last frame."""
         kept, self._kept = self._kept, []
         return [*kept, *pygame.event.get()]
 
@@ -64,7 +64,7 @@ class HoldUp:
             raise SandboxError(Message("stopped by Esc after {took}", took=took))
 
     def _stopped(self) -> bool:
-        """Take what has happened, and return whether somebody wants to stop or to quit."""
+        """Collect events, and return whether the user wants to stop or to quit."""
         stopped = False
         for event in pygame.event.get():
             if event.type == pygame.QUIT:
@@ -76,7 +76,7 @@ class HoldUp:
         return stopped
 
     def _keep(self, event: pygame.Event) -> None:
-        """Keep an event; of the ways that a mouse goes only what they add up to."""
+        """Keep an event; of the mouse's movements, only their sum."""
         last = self._kept[-1] if self._kept else None
         if last and last.type == event.type == pygame.MOUSEMOTION and last.buttons == event.buttons:
             by = last.rel[0] + event.rel[0], last.rel[1] + event.rel[1]
@@ -85,7 +85,7 @@ class HoldUp:
             self._kept.append(event)
 
     def _draw(self, text: str) -> None:
-        """Write a sentence into the middle of what was shown before, however large it is now."""
+        """Draw a sentence across the middle of the last picture, at the window's present size."""
         surface = pygame.display.get_surface() or self._space.surface
         if self._behind is None:
             self._behind = surface.copy()

@@ -9,11 +9,11 @@ from time import perf_counter
 
 import pygame
 
-from sandbox.app.heap import give_back_large_blocks
+from sandbox.app.malloc_tuning import give_back_large_blocks
 from sandbox.app.window import Window
 
 FIRST = "kinematics/projectile"
-"""What is there behind the cards if nobody says what."""
+"""The level that is open behind the home page at the start."""
 
 _HEADLESS = {"dummy", "offscreen"}
 

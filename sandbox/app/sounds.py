@@ -23,14 +23,15 @@ PITCH = 523.25  # Hz, C5
 SEMITONES = -26, 24
 """The deepest and the highest tone, from `PITCH`: 117 Hz to 2.1 kHz."""
 OVERTONES = (1.0, 1.0), (2.756, 0.45), (5.404, 0.2)
-"""How many times the lowest frequency, and how strong at first; higher ones fade as much faster."""
+"""For each overtone, its frequency relative to the lowest, and its initial strength; the higher,
+the faster it fades."""
 LOUDEST = 16_000
-"""Of the 32,767 that a sample can be: two at once are not cut."""
+"""The largest sample, of 32,767 possible: two tones at once are not clipped."""
 AT_ONCE = 3
-"""Tones that may begin in a frame: those of the hardest impacts."""
+"""How many tones may begin in a frame: those of the hardest impacts."""
 APART = 0.05  # s, between two frames in which tones begin
 BUFFER = 512
-"""Samples that the device takes at a time: at this rate a tone is 23 ms late."""
+"""The samples that the device takes at a time: at this rate a tone is 23 ms late."""
 
 
 def opened() -> str:

@@ -9,7 +9,7 @@ import pygame
 from sandbox.app.command_actions import CommandActions
 from sandbox.app.events import Events
 from sandbox.app.files.open_level_watch import FileWatch
-from sandbox.app.frame_budget import Allowance
+from sandbox.app.frame_time import Allowance
 from sandbox.app.long_frames import HoldUp
 from sandbox.app.painting import paint
 from sandbox.app.runs.session import Session
@@ -82,7 +82,7 @@ class Window(Workspace):
         return playing or self._quiet < QUIET or self.workers.running or self.advising.running
 
     def frame(self, seconds: float) -> None:
-        """Handle what has happened, let time pass [s], and draw."""
+        """Handle events, let time pass [s], and draw."""
         begun, side, self._stepped = perf_counter(), self.panels.side, 0.0
         kind = side.coming(seconds) if side is not None else ""
         with self.hold_up.watched():
@@ -92,7 +92,7 @@ class Window(Workspace):
             self._allowance.note(kind, perf_counter() - begun - self._stepped)
 
     def _pass(self, seconds: float, allowed: float) -> None:
-        """Handle what has happened, and let time pass [s], for which steps are allowed some [s]."""
+        """Handle events, and let time pass [s]; its steps may take some time [s]."""
         events = self.hold_up.events()
         self._quiet = 0.0 if events else self._quiet + seconds
         for event in events:

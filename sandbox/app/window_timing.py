@@ -7,27 +7,27 @@ from time import perf_counter, thread_time
 import numpy as np
 import pygame
 
-from sandbox.app.first_picture import first_picture
 from sandbox.app.main import FIRST
 from sandbox.app.runs.beginning import begin
 from sandbox.app.runs.live_run import LiveRun
 from sandbox.app.runs.session import Session
+from sandbox.app.startup_timing import first_picture
 from sandbox.app.window import RATE, Window
 from sandbox.model import catalog
 from sandbox.model.errors import SandboxError
 from sandbox.model.message import Message
 
 BEFORE = (FIRST, "newton/atwood")
-"""Levels that the window may show before it is asked for another one."""
+"""The levels from which the change to another level is timed."""
 
 SHOWN = ("graph page", "forces")
-"""What is opened beside the stage: a page whose graph grows, and the arrows of a free body."""
+"""What is open beside the stage: a page with a growing graph, and the arrows of a free body."""
 
 LOOKS = 5
-"""How many pictures pygame_gui makes of a button, one a frame: as it is, under the mouse, ..."""
+"""How many pictures pygame_gui makes of a button, one per frame: normal, hovered, ..."""
 
 BOUNDS = {"first_picture": 1.5, "switch": 0.3, "frame_p99": 1 / RATE}
-"""What these attributes of a timing may be at the most [s]."""
+"""The largest allowed values of the attributes of a timing [s]."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,7 +37,7 @@ class Timing:
     Attributes
     ----------
     level
-        Its name.
+        The name of the level.
     first_picture
         From the start of a program that plays it to its first picture [s].
     switch
@@ -70,7 +70,7 @@ class Timing:
 
 
 def time_window(name: str, size: tuple[int, int], seconds: float) -> Timing:
-    """Start the program on a level, switch to it in a window that nobody sees, and play it there.
+    """Start the program on a level, open the level in a hidden window, and play it there.
 
     It plays as long as it goes on, or begins again. The program has a window of its usual size.
 
@@ -128,7 +128,7 @@ def _settle(window: Window) -> None:
 
 
 def _cost(session: Session, most: float) -> float:
-    """Return what a second of a level takes to be run and observed [s], in so much computing [s].
+    """Return the time to run and observe a second of a level [s], within a time limit [s].
 
     It runs twice, and of each step the quicker counts: what disturbs one only adds to it.
     """
@@ -138,7 +138,7 @@ def _cost(session: Session, most: float) -> float:
 
 
 def _steps(session: Session, most: float) -> Iterator[float]:
-    """Yield what each step of a run takes [s], for so much computing [s] or to its end."""
+    """Yield the time of each step of a run [s], within a time limit [s] or to the end."""
     begun = begin(session.begun_as, session.values, (), patient=False)
     run, first = LiveRun(session.original, begun), thread_time()
     before = first

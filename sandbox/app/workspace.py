@@ -9,7 +9,7 @@ from sandbox.app.banner import Banner
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen, legible
 from sandbox.app.files.preferences import Comfort
-from sandbox.app.frame_load import Load
+from sandbox.app.frame_time import Load
 from sandbox.app.level_files import LevelFiles
 from sandbox.app.measuring.stage_mouse import Hand
 from sandbox.app.pages.page import OnStage
@@ -35,9 +35,9 @@ TITLE = "Mechanics sandbox"
 SIZE = (1280, 800)  # px
 
 LONG = 60_000
-"""Bytes of a file: to read a longer one takes so long that it is said before."""
+"""Bytes of a level file beyond which a message announces that it is being read."""
 MANY = 100
-"""Bodies and joints of a level: to build one of more takes so long that it is said before."""
+"""Bodies and joints of a level beyond which a message announces that it is being built."""
 
 
 class Workspace:
@@ -46,7 +46,7 @@ class Workspace:
     Attributes
     ----------
     surface
-        What is shown.
+        The surface on which everything is drawn.
     session
         The level that is played; None if it cannot be opened.
     path
@@ -58,7 +58,7 @@ class Workspace:
     panels
         What stands around it.
     banner
-        What is told at the top of the stage.
+        The message at the top of the stage.
     help, sheets
         Which sheet of the help is shown, 0 for none, and how many there are.
     open
@@ -136,7 +136,7 @@ class Workspace:
         self.lay_out()
 
     def lay_out(self) -> None:
-        """Build everything around the stage for the window as large as it is now."""
+        """Build everything around the stage for the present size of the window."""
         size = self.surface.size
         self.panels.build(size, self.files.entries, self.path, self.session, self._refused)
         self.stage.resize(self.panels.layout.stage.size)
@@ -209,7 +209,7 @@ class Workspace:
         return runfile.session_of(runfile.read(path), patient=False)
 
     def _tell_of(self, session: Session, path: Path, *, ran: bool) -> None:
-        """Say what there is to know of what was opened; keep a person's own file in mind."""
+        """Announce what was opened, and remember the user's own files."""
         self.banner.tell("")
         if ran:  # it is no level's file, to be watched or written to
             self.path = None
@@ -263,7 +263,7 @@ class Workspace:
             self.banner.tell(say(message, rate=rate))
 
     def follow(self, session: Session) -> None:
-        """Show the session's world, if it has been built anew, maybe from another file."""
+        """Show the session's world if it was rebuilt, perhaps from another file."""
         if session.shown is self._world:
             return
         self._world = session.shown

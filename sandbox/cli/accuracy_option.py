@@ -41,7 +41,7 @@ def asking(level: Level, accuracy: float | None, choice: Choice = NOTHING) -> Le
 
 
 def settled(level: Level, values: Values, choice: Choice, also: Sequence[str] = ()) -> Stepping:
-    """Return how a level is run: as it says, but for what is chosen."""
+    """Return the stepping of a level: its own, with the changes from the command line."""
     if not choice.given:
         return find_out(level, values, also)
     own = level.stepping

@@ -5,7 +5,6 @@ from math import isfinite
 from pathlib import Path
 
 from sandbox.model import catalog
-from sandbox.model.conditions.numbers import MAX_STEPS
 from sandbox.model.crowd_levels import CrowdError
 from sandbox.model.effect_variants import EffectError
 from sandbox.model.errors import SandboxError, ValueRangeError, brief
@@ -14,10 +13,11 @@ from sandbox.model.level import Level, Stepping
 from sandbox.model.loading import load
 from sandbox.model.message import Message
 from sandbox.model.quantities import QuantityError
+from sandbox.model.rules.conditions.numbers import MAX_STEPS
 
 
 class UsageError(SandboxError):
-    """Something typed on the command line that cannot be meant; told in English there."""
+    """An argument of the command line that makes no sense; its message is English only."""
 
     def __init__(self, message: str) -> None:
         super().__init__(Message("{message}", message=message))
@@ -27,11 +27,11 @@ class UsageError(SandboxError):
 
 
 MISUSES = (UsageError, TakenError, QuantityError, ValueRangeError, EffectError, CrowdError)
-"""The errors that say so."""
+"""The errors that mean wrong usage."""
 
 
 def open_level(argument: str) -> tuple[str, Level]:
-    """Return a level and what it is called: its name if it is one of the catalog's, or its path.
+    """Return a level and its name: that in the catalog, or its path.
 
     Raises
     ------
@@ -74,7 +74,7 @@ def positive(value: float, option: str) -> None:
 
 
 def payable(seconds: float, stepping: Stepping, option: str) -> None:
-    """Refuse the value of an option for which a run would take all but for ever."""
+    """Refuse the value of an option for which a run would practically never end."""
     if (steps := seconds * stepping.rate) > MAX_STEPS:
         rule = f"that takes {steps:.1g} steps at {stepping.rate:g} Hz; {MAX_STEPS:,} are allowed"
         raise UsageError(f"{option} {seconds:g}: {rule}")

@@ -22,7 +22,8 @@ if TYPE_CHECKING:
 
 LEAST, MOST = 480, 8000  # px, of a window's width and height
 HELD = 0.98
-"""The share of real time from which on a level runs in it: the first frames are slower."""
+"""The share of real time from which a level counts as running in real time: its first frames are
+slower."""
 
 _HEADER = (
     *("level", "first picture", "switch", "a second of it", "a frame", "99 of 100 below"),

@@ -16,7 +16,7 @@ from sandbox.model.schemes import bounds_the_rate
 from sandbox.processes import spread
 
 FEW = 30
-"""Joints that are never too many for a step."""
+"""Up to so many joints are never too many for a step."""
 
 
 class Finding(NamedTuple):
@@ -27,7 +27,7 @@ class Finding(NamedTuple):
 
 
 def keep_checking(arguments: Sequence[str], jobs: int = 1) -> NoReturn:
-    """Check levels, and anew whenever one of their files changes, until the process is ended.
+    """Check levels whenever one of their files changes, until the process is ended.
 
     Processes share the levels the first time if there is more than one job.
 
@@ -49,7 +49,7 @@ def keep_checking(arguments: Sequence[str], jobs: int = 1) -> NoReturn:
 
 
 def check(arguments: Sequence[str], jobs: int = 1) -> int:
-    """Say every mistake, and what is declared for nothing, and return the exit status.
+    """Print every mistake and every remark, and return the exit status.
 
     Processes share the levels if there is more than one job.
     """

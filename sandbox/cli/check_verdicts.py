@@ -68,7 +68,7 @@ def _value(value: float | None, unit: str) -> str:
 
 
 def _occasion(result: Result) -> str:
-    """Return what tells checks of the same quantity apart."""
+    """Return what distinguishes checks of the same quantity."""
     at = result.check.at
     when = "" if at is None else "at a time" if isinstance(at, Expression) else f"at {at.event}"
     about = ", ".join(part for part in (result.check.label, when) if part)

@@ -94,6 +94,6 @@ def _number(value: float | None, unit: str) -> str:
 
 
 def about(difference: Difference) -> str:
-    """Return what it is that differs."""
+    """Return what differs."""
     label, quantity = difference.label, difference.quantity
     return f"{quantity} ({label})" if label else quantity

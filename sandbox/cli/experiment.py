@@ -65,7 +65,7 @@ def experiment(asked: Asked, output: Path, jobs: int | None, address: str | None
 
 
 def _run(plan: "Plan", store: "Store", missing: int, jobs: int | None, address: str | None) -> None:
-    """Run what is missing of a plan; however that ends, tell what is kept."""
+    """Run the missing rows of a plan; however that ends, say what is kept."""
     from sandbox.experiments.batch_scheduling import conduct
 
     done = 0
@@ -92,7 +92,7 @@ def _kept(plan: "Plan", missing: int) -> str:
 
 
 def fit(asked: Asked, names: Sequence[str], data: Path | None, output: Path) -> None:
-    """Fit parameters of a level to measured data, and write what was found."""
+    """Fit parameters of a level to measured data, and write the result."""
     if asked.vary or asked.measure or set(asked.others) - {"rate", "scheme"}:
         raise UsageError("--fit: nothing is varied, drawn or measured beside it")
     if not names or data is None:

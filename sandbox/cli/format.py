@@ -13,7 +13,7 @@ from sandbox.model.writing import formatted
 
 
 def format_levels(arguments: Sequence[str], *, write: bool) -> int:
-    """Lay levels out anew, or say which would change, and return the exit status."""
+    """Format levels, or list those that would change, and return the exit status."""
     bad = changed = 0
     for argument in arguments:
         try:

@@ -12,7 +12,7 @@ from sandbox.model.writing import text
 
 
 def generate(kind: str, bodies: int, output: Path) -> None:
-    """Write a level with so many bodies."""
+    """Write a level with a number of bodies."""
     argument_parsing.output_file(output)
     document = crowd(kind, bodies)
     said = text(document)

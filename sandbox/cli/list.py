@@ -20,7 +20,7 @@ class _Head(BaseModel):
 
 
 class Entry(NamedTuple):
-    """What the list says of a level."""
+    """A level in the list."""
 
     name: str
     title: str

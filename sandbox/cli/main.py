@@ -27,7 +27,7 @@ def main() -> None:
 
 
 def _is_misuse(error: SandboxError) -> bool:
-    """Whether it is about what was typed, not about a level."""
+    """Whether an error is about the arguments, not about a level."""
     from sandbox.cli.argument_parsing import MISUSES
 
     return isinstance(error, MISUSES)

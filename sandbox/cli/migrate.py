@@ -1,4 +1,4 @@
-"""`migrate`: levels in the newest version of the format; so far there is only one."""
+"""`migrate`: brings levels to the newest version of the format; so far there is only one."""
 
 from collections.abc import Sequence
 

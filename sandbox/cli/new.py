@@ -1,4 +1,4 @@
-"""`new`: writes a level to go on from."""
+"""`new`: writes a level as a start for your own."""
 
 import os
 from pathlib import Path

@@ -15,7 +15,7 @@ from sandbox.model.loading import choose
 from sandbox.model.message import Message
 
 TOUR = Path("out", "tour")
-"""Where the tour goes if there is no display."""
+"""The folder of the tour that is made if there is no display."""
 
 
 class DisplayError(SandboxError):

@@ -21,7 +21,7 @@ from sandbox.model.loading import parse
 from sandbox.model.schema import schema
 
 FOLDER = Path("docs") / "reference"
-"""In the project's sources."""
+"""The folder of the pages, within a checkout."""
 
 Schema = Mapping[str, Any]
 
@@ -67,10 +67,10 @@ SAMPLE = """{
     "box": {"shape": {"type": "box", "width": 1, "height": 1}, "mass": 1, "position": [5, 0]}
   }
 }"""
-"""A level that has whatever can be measured of bodies."""
+"""A level in which everything about bodies can be measured."""
 
 SHORTHAND = ("Each", "Repeat")
-"""What may stand anywhere in a level, and is told once."""
+"""Definitions that may stand anywhere in a level, and are described only once."""
 
 
 def level_format() -> str:
@@ -179,7 +179,7 @@ def all_quantities() -> str:
 
 
 def _of_bodies() -> Iterator[tuple[str, str, str]]:
-    """Yield what there is of bodies, of two of them, and of the system."""
+    """Yield the quantities of bodies, of pairs of bodies, and of the system."""
     level = parse(SAMPLE, "the sample")
     every = [*quantities.quantities(level), *quantities.mutual(level)]
     vectors = {one.name.removesuffix(".x") for one in every if one.component == "x"}
@@ -216,7 +216,7 @@ def _argument(given: Any) -> tuple[str, str]:  # noqa: ANN401 (the same)
 
 
 PAGES = {"level-format.md": level_format, "quantities.md": all_quantities, "commands.md": commands}
-"""What is written, by the name of its file."""
+"""What writes each page, by the page's file name."""
 
 
 def main() -> int:

@@ -78,7 +78,7 @@ def _run(
     recorded: Iterable[str],
     stepping: Stepping,
 ) -> Trace:
-    """Run a level; if it has to stop, say what was found to help."""
+    """Run a level; if it has to stop, print the remedies."""
     try:
         return runs.simulate(level, values, duration, recorded, stepping, books=True)
     except SimulationError as error:

@@ -10,7 +10,7 @@ from itertools import product
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from sandbox.app.declared_words import has_words, shown_keys, words
+from sandbox.app.translatable_texts import has_words, shown_keys, words
 from sandbox.app.words import language
 from sandbox.model import catalog
 from sandbox.model.files import write_atomically
@@ -23,14 +23,13 @@ if TYPE_CHECKING:
     from babel.messages.catalog import Catalog
 
 FOLDER = Path("sandbox") / "app"
-"""In the project's sources: the window, which says all of it."""
+"""The folder of the window, within a checkout."""
 
 UNSAID = frozenset({"cli", "reporting"})
-"""The packages of the sandbox whose messages the window never shows."""
+"""The packages whose messages the window never shows."""
 
 KEYWORDS = {"say": None, "later": None, "plural": (1, 2), "say_in": ((1, "c"), 2), "Message": None}
-"""The functions of `sandbox.app.words.language`, and what is told from below the window; with which
-of their arguments are messages."""
+"""The functions that take a message, with the positions of their message arguments."""
 
 
 def main() -> int:
@@ -73,7 +72,7 @@ def of_the_window() -> "Catalog":
             for line, message, _, context in extract("python", file, KEYWORDS):
                 if any(map(has_words, (message,) if isinstance(message, str) else message)):
                     found.add(message, locations=[(place, line)], context=context)
-    declared = [((FOLDER / "declared_words.py").as_posix(), 1)]
+    declared = [((FOLDER / "translatable_texts.py").as_posix(), 1)]
     for word in words():
         if word not in found:
             found.add(word, locations=declared)
@@ -83,7 +82,7 @@ def of_the_window() -> "Catalog":
 
 
 def said_in(sandbox: Path) -> list[Path]:
-    """Return the modules of which the window shows what they say."""
+    """Return the modules whose messages the window shows."""
     every = (path.relative_to(sandbox) for path in sandbox.rglob("*.py"))
     return [sandbox / path for path in sorted(every) if path.parts[0] not in UNSAID]
 
@@ -104,7 +103,7 @@ SAID: Mapping[language.Domain, Callable[[], "Catalog"]] = {
     "window": of_the_window,
     "levels": of_the_levels,
 }
-"""What is in the catalogues of each domain, in English."""
+"""For each domain, what collects its English texts."""
 
 
 def merged(path: Path, name: str, template: "Catalog") -> "Catalog":

@@ -44,7 +44,7 @@ def tour(folder: Path) -> int:
 
 
 def _write(path: Path, text: str) -> SandboxError | None:
-    """Write a page, or return why there is none: what was found is told all the same."""
+    """Write a page, or return why that failed; the results are printed all the same."""
     try:
         write_atomically(path, text)
     except SandboxError as error:

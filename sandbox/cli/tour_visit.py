@@ -25,7 +25,7 @@ class Visit:
     Attributes
     ----------
     name
-        What was visited.
+        The level that was visited.
     level
         None if it could not be read.
     results
@@ -82,7 +82,7 @@ def _fill(found: Visit, folder: Path) -> None:
 
 
 def _run(level: Level) -> Trace:
-    """Run a level with books; if it has to stop, say what was found to help."""
+    """Run a level with books; if it has to stop, print the remedies."""
     try:
         return simulate(level, books=True)
     except SimulationError as error:

@@ -3,7 +3,7 @@
 from collections.abc import Collection, Mapping
 
 from sandbox.editing.formulas import shifted
-from sandbox.editing.layout import Json
+from sandbox.editing.json_layout import Json
 from sandbox.editing.placement import Placed, placed, xy
 from sandbox.editing.text_patches import Changes, put_all
 from sandbox.model.expressions import Expression
@@ -24,7 +24,7 @@ from sandbox.model.level import Level
 from sandbox.model.shapes import evaluate
 
 APART = 1e-12
-"""m, within which two points are one."""
+"""m, the distance below which two points count as one."""
 
 
 def pinned(level: Level, names: Collection[str]) -> set[str]:

@@ -1,4 +1,4 @@
-"""Cleaning up after an edit: what has lost its meaning goes, and what is missing is declared."""
+"""Cleaning up after an edit: meaningless parts are removed, missing ones are declared."""
 
 import json
 from collections.abc import Iterable, Iterator
@@ -12,13 +12,15 @@ from sandbox.model.json_positions import Path
 from sandbox.model.loading import parse
 
 COEFFICIENTS = tuple(name for name, effect in EFFECTS.items() if effect.coefficient)
-"""What every body needs where it is declared; 1 leaves that of the other body as it is."""
+"""What every body needs where it is declared; 1 leaves the coefficient of the other body
+unchanged."""
 
 ROUNDS = 20
-"""How often it is looked for what has lost its meaning; each time another part may."""
+"""How often the level is searched for meaningless parts; removing one can make another
+meaningless."""
 
 _LISTS = ("pairs", "located", "bodies", *ACTIONS)
-"""What effects and events name parts in, of which one may go and leave the others."""
+"""The lists of parts in effects and events from which one part can be removed alone."""
 
 
 def loads(text: str) -> bool:
@@ -50,7 +52,7 @@ def accepted(*texts: str) -> str:
 
 
 def without_meaning(text: str) -> str:
-    """Return a level without whatever names what is not there, or is declared for nothing.
+    """Return a level without parts that refer to missing parts, or have no effect.
 
     Those are the joints, effects, events, checks, ghosts, goals and parameters at which it has a
     mistake. Where that does not mend it, the rest of the mistakes stay.
@@ -74,7 +76,7 @@ def without_meaning(text: str) -> str:
 
 
 def _place(told: str, found: Spans) -> Path:
-    """Return the path that a mistake tells."""
+    """Return the path of a mistake."""
     path: Path = ()
     for step in told.split("."):
         index = int(step) if step.isdecimal() else -1
@@ -113,7 +115,7 @@ def _part(path: Path) -> Path:
 
 
 def _missing(path: Path, text: str) -> Iterator[Path]:
-    """Yield the coefficients that a body had with another one only, and now needs by itself."""
+    """Yield the coefficients that a body had only in a pair, and now needs by itself."""
     if len(path) == 2 and path[0] == "bodies":
         data = json.loads(text)
         body = data["bodies"][path[1]]

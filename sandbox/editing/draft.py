@@ -17,7 +17,7 @@ MOST_STEPS = 1000
 """How many steps can be undone."""
 
 NEW = "<new level>"
-"""Where a level comes from that has no file."""
+"""The origin of a level without a file."""
 
 
 class Draft:
@@ -26,20 +26,20 @@ class Draft:
     Parameters
     ----------
     text
-        Its JSON, which may have mistakes.
+        The JSON text, which may have mistakes.
     path
-        Its file, if it has one.
+        The file, if there is one.
     held
         What the file holds, if it has one.
 
     Attributes
     ----------
     text
-        As it is now.
+        The present text.
     path
-        Its file, None if it has none yet.
+        The file, None if there is none yet.
     saved
-        What its file holds, or what it began with.
+        The text in its file, or its first text.
     """
 
     def __init__(self, text: str, path: Path | None = None, held: bytes = b"") -> None:
@@ -110,7 +110,7 @@ class Draft:
         return self.changed or bool(self._done or self._undone)
 
     def rest(self) -> None:
-        """Let go of what can be had again from its text."""
+        """Drop everything that can be recomputed from the text."""
         self._loaded = None
 
     def change(self, text: str, said: str, merge: str | None = None) -> None:
@@ -121,7 +121,7 @@ class Draft:
         text
             The new text.
         said
-            What was done, in words.
+            The edit, in words.
         merge
             Changes that follow each other with the same key are one step: those of a drag, say.
         """
@@ -136,7 +136,7 @@ class Draft:
         self.text, self._merge = text, merge if text != before else None
 
     def undo(self) -> str | None:
-        """Take the last step back; return what it was, None if there is none."""
+        """Undo the last step; return it, None if there is none."""
         self._merge = None
         if not self._done:
             return None
@@ -146,7 +146,7 @@ class Draft:
         return last.said
 
     def redo(self) -> str | None:
-        """Take the step again that was taken back last; return what it was, None if none was."""
+        """Redo the step that was undone last; return it, None if there is none."""
         self._merge = None
         if not self._undone:
             return None
@@ -156,7 +156,7 @@ class Draft:
         return following.said
 
     def save(self, path: Path | None = None, *, overwrite: bool = False) -> None:
-        """Write its file; what was never changed is written byte for byte as it was read.
+        """Write the file; a draft without changes is written byte for byte as it was read.
 
         Parameters
         ----------
@@ -182,7 +182,7 @@ class Draft:
         self._merge = self._loaded = None
 
     def changed_outside(self) -> bool:
-        """Whether somebody else has written its file since it was read; one that is gone is not."""
+        """Whether another program has written the file since it was read."""
         if self.path is None or not os.path.lexists(self.path):
             return False
         try:

@@ -1,24 +1,24 @@
-"""Changes of numbers and formulas that keep what was typed readable."""
+"""Changes of numbers and formulas that keep the typed text readable."""
 
 import ast
 import re
 from math import degrees
 
-from sandbox.editing.layout import plain
+from sandbox.editing.json_layout import plain
 from sandbox.model.expressions import Expression, Values
 
 _LOOSE = (ast.IfExp, ast.Compare, ast.BoolOp, ast.UnaryOp)
-"""What is put in brackets before something is added: it binds less than a sum, or might."""
+"""Nodes that need brackets before something is added: they bind less tightly than a sum."""
 
 _TIGHT = (ast.Name, ast.Call, ast.Constant)
-"""What needs no brackets, whatever is done to it."""
+"""Nodes that never need brackets."""
 
 ROUND = 10
 """Decimals of an angle in degrees: a rounding of 2e-12 rad."""
 
 
 def shifted(expression: Expression, by: float) -> float | str:
-    """Return a number that is larger by so much, or a formula: `r` becomes `r + 0.5`.
+    """Return a number or formula plus a constant: `r` becomes `r + 0.5`.
 
     A number that the formula ends with takes it up: `r + 0.5` becomes `r + 0.7`.
     """
@@ -33,7 +33,7 @@ def shifted(expression: Expression, by: float) -> float | str:
 
 
 def scaled(expression: Expression, by: float) -> float | str:
-    """Return a number that is so many times as large, or a formula: `r` becomes `1.5*r`."""
+    """Return a number or formula times a factor: `r` becomes `1.5*r`."""
     source = expression.source
     if by == 1:
         return source
@@ -70,7 +70,7 @@ def towards(expression: Expression, value: float, values: Values) -> float | str
 
 
 def turned(angle: Expression, by: float) -> float | str:
-    """Return an angle that is larger by so much [rad], as a formula of degrees."""
+    """Return an angle plus a constant [rad], as a formula in degrees."""
     if angle.names:
         return shifted(angle, by)
     told = plain(round(degrees(angle({}) + by), ROUND))

@@ -23,7 +23,7 @@ def centroid(points: Sequence[XY]) -> tuple[float, XY]:
 
 
 def simplified(points: Sequence[XY], tolerance: float, *, closed: bool) -> list[XY]:
-    """Return a line through some of the points, none of which is farther from it than that.
+    """Return a line through some of the points, with all others within a distance of it.
 
     Ramer (1972), Douglas and Peucker (1973). A closed line is cut where it is farthest from its
     beginning.

@@ -20,11 +20,11 @@ from sandbox.model.files import data_folder, lives, make_folder, read_ordinary, 
 from sandbox.model.message import NOTHING, Message
 
 LARGEST = 20_000_000
-"""Bytes of a file: what is larger was not written here."""
+"""The largest file that is read [bytes]; a larger one was not written by this program."""
 
 _ENDING = ".draft.json"
 _OPEN = set[str]()
-"""The names of what this process keeps."""
+"""The names of the files that this process keeps."""
 
 
 def folder() -> Path:
@@ -55,7 +55,7 @@ class Recovery:
         self._text: str | None = None
 
     def keep(self, draft: Draft) -> Message:
-        """Keep a draft as it is now; return why it cannot be kept, if so.
+        """Save the present draft for recovery; return why that failed, if so.
 
         What is saved is not kept, and what is kept already is not written again, so this may be
         called as often as one likes.
@@ -110,7 +110,7 @@ class Recoverable:
         return self._kept.when
 
     def draft(self) -> Draft:
-        """Return it as it was, as a change that can be undone of what was saved.
+        """Return the recovered draft, as an undoable change of the saved file.
 
         Where its file has changed since, or is gone, the draft has no file, so that neither is
         lost.

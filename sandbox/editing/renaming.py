@@ -9,7 +9,6 @@ from sandbox.editing.formulas import renamed
 from sandbox.editing.json_spans import Spans
 from sandbox.editing.text_patches import spliced
 from sandbox.model.arithmetic import RESERVED
-from sandbox.model.consistency.mentions import mentions
 from sandbox.model.errors import SandboxError, brief
 from sandbox.model.json_positions import Path
 from sandbox.model.level import Level
@@ -18,9 +17,10 @@ from sandbox.model.loading import parse
 from sandbox.model.message import Message
 from sandbox.model.naming import NAME
 from sandbox.model.quantities import quantity
+from sandbox.model.rules.consistency.mentions import mentions
 
 PARTS = {"parameter": "parameters", "joints": "joints", "forces": ""}
-"""In which part of a level that is found which a mention names; all others name bodies."""
+"""The part of a level that each kind of mention refers to; all other kinds name bodies."""
 
 
 def rename(text: str, path: Path, name: str) -> str:

@@ -11,7 +11,7 @@ from typing import Any
 
 from sandbox.editing.cleanup import without_meaning
 from sandbox.editing.formulas import renamed
-from sandbox.editing.layout import plain as rounded
+from sandbox.editing.json_layout import plain as rounded
 from sandbox.editing.written_out import plain
 from sandbox.model import writing
 from sandbox.model.body import Body
@@ -30,7 +30,7 @@ from sandbox.physics.stepping.world import World
 Data = dict[str, Any]
 
 TOLD = ("checks", "ghosts", "challenge")
-"""What is said of a run from the level's own start."""
+"""The parts of a level that describe a run from the level's own start."""
 
 MOVES = ("position", "angle", "velocity", "angular_velocity")
 """The fields of a body that change while it runs."""
@@ -103,7 +103,7 @@ def _without_unused(text: str, level: Level) -> str:
 
 
 def _refuse(world: World) -> None:
-    """Refuse what has happened to masses, to what has stuck, and to a slack string on a wheel."""
+    """Refuse masses that have changed, bodies that have stuck, and a slack string on a wheel."""
     level = world.level
     flows = [e for e, _, _ in level.effects.said if e.changes_mass]
     if flows:
@@ -165,7 +165,7 @@ def _put(
 
 
 def _said(said: Expression | tuple[Expression, Expression], values: Values) -> list[float] | float:
-    """Return what a level says of a field."""
+    """Return a field of a level."""
     return list(evaluate(said, values)) if isinstance(said, tuple) else said(values)
 
 

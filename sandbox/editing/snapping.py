@@ -18,25 +18,25 @@ from sandbox.model.shapes import XY, Arc, Box, Curve, Polygon, Polyline, Segment
 from sandbox.physics.geometry.distance import Gap, gap
 
 FINEST = 8
-"""How many pixels the lines of the grid are apart at the least."""
+"""The least distance between grid lines [px]."""
 
 EXACT, CLOSE = 1e-15, 1e-12
-"""m, a gap that is none, and one that is none but for rounding: where the scene is larger than a
-metre, of its size."""
+"""m, the gaps that count as none, and as none but for rounding; relative to scenes larger than a
+metre."""
 
 ACROSS = 0.05
-"""The sine of the angle between two sides in whose corner a body may lie, at the least."""
+"""The least sine of the angle between two sides in whose corner a body may lie."""
 
 ROUNDS = 20
-"""How often a body is moved by what is left of a gap; most need one."""
+"""How often a body is moved by the remaining gap; most need one round."""
 
 STRAIGHT = 1e-9
-"""How far a side may be from upright or level, as a share, or in m how deep rounding overlaps."""
+"""How far a side may be from upright or level, as a share; or how deep rounding may overlap [m]."""
 
 Kind = Literal["grid", "corner", "center", "end", "contact", "line", "side"]
 
 Target = tuple[complex, Kind, str]
-"""A place that points are drawn to, what it is, and of which body."""
+"""A place that attracts points, the kind of place, and its body."""
 
 
 class Snapped(NamedTuple):
@@ -78,9 +78,9 @@ def snap_point(
     Parameters
     ----------
     level
-        In which it is.
+        The level around it.
     point
-        As it was pointed at [m].
+        The position of the pointer [m].
     reach
         How far it may be drawn [m]: 10 pixels, say.
     step
@@ -153,7 +153,7 @@ def snap_body(
     Parameters
     ----------
     level
-        In which they are.
+        The level around them.
     names
         Those that are moved together.
     way

@@ -10,8 +10,8 @@ import re
 from collections.abc import Iterable, Mapping
 from itertools import takewhile
 
+from sandbox.editing.json_layout import INDENT, Json, laid_out, line
 from sandbox.editing.json_spans import Span, Spans
-from sandbox.editing.layout import INDENT, Json, laid_out, line
 from sandbox.model.document import Document
 from sandbox.model.errors import SandboxError
 from sandbox.model.json_positions import Path
@@ -19,10 +19,10 @@ from sandbox.model.message import Message
 from sandbox.model.writing import NAMED, ORDER, WIDTH
 
 Changes = dict[Path, Json]
-"""What is to stand where in a text."""
+"""New values, by their paths in a text."""
 
 _LINES = tuple((part,) for part in NAMED)
-"""The parts whose members have a line each: bodies, joints, checks."""
+"""The parts whose members each have a line: bodies, joints, checks."""
 
 
 class PatchError(SandboxError):
@@ -126,7 +126,7 @@ def _at(found: Spans, path: Path) -> Span:
 
 
 def shown(path: Path) -> str:
-    """Return a path as messages tell it."""
+    """Return a path as messages show it."""
     return ".".join(map(str, path)) or "the root"
 
 

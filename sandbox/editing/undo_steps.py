@@ -10,7 +10,7 @@ class Step:
     Attributes
     ----------
     said
-        What was done, in words.
+        The edit, in words.
     start
         Where in the text.
     old, new

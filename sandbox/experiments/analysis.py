@@ -19,12 +19,12 @@ QUANTILES = (0.025, 0.5, 0.975)
 
 @dataclass(frozen=True, slots=True)
 class Summary:
-    """The distribution of an outcome, over the rows that are looked at.
+    """The distribution of an outcome over the examined rows.
 
     Attributes
     ----------
     measure, unit
-        What was measured.
+        The outcome.
     count, missing
         In how many rows there is a number, and in how many there is none.
     mean, deviation, least, most

@@ -23,7 +23,7 @@ MOST_LISTED = 10_000
 """How many values may be listed one by one."""
 
 SPELT = 20
-"""How many listed values are told one by one."""
+"""Up to how many listed values are written out in messages."""
 
 FORMS = Message(
     "must be FROM:TO:COUNT, FROM:TO:COUNT:log, a list with commas, LOW..HIGH, LOW..HIGH:log or"
@@ -93,7 +93,7 @@ class Listed:
 
 @dataclass(frozen=True, slots=True)
 class Uniform:
-    """Values of which each is as likely as any other, or their logarithms are."""
+    """Values with a uniform distribution, or whose logarithms have one."""
 
     low: float
     high: float
@@ -155,7 +155,7 @@ Range = TypeVar("Range", Grid, Uniform)
 
 
 def parse(text: str) -> Axis:
-    """Return what a text says of the values of a number.
+    """Return the values of a number that a text describes.
 
     Raises
     ------

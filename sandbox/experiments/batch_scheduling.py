@@ -9,29 +9,29 @@ from sandbox.experiments.running import Done, Task, pack, run, together
 from sandbox.experiments.storage import Store
 
 FIRST = 8
-"""How many rows the first batches have at the most, of which nobody knows what they cost."""
+"""The most rows of the first batches, whose cost is unknown."""
 
 SHARES = 8
-"""How many first batches each process could have at the least, of the rows that there are."""
+"""The least number of first batches per process, if there are enough rows."""
 
 GROWTH = 8
-"""How many times as many rows a batch may have as one of which the cost is known."""
+"""How many times as many rows a batch may have as one whose cost is known."""
 
 LAST = 0.05
-"""s, how long the last batches take, so that all processes end at about the same time."""
+"""s, the length of the last batches, so that all processes end at about the same time."""
 
 SHORTEST, LONGEST = 0.5, 20.0
-"""s, how long a batch is to take at the beginning, and after a quarter of an hour: as much is lost
-where all is ended at once."""
+"""s, the length of a batch at the beginning, and after a quarter of an hour. A batch in progress is
+lost if everything is stopped."""
 
 SHARE = 50
-"""How many batches of the present length the time so far would hold."""
+"""The length of a batch: the time so far over this."""
 
 MOST = 65_536
-"""How many rows a batch has at the most."""
+"""The most rows of a batch."""
 
 Tell = Callable[[int], None]
-"""Is told how many rows have been done, of those that were missing."""
+"""Is called with the number of rows that are done, of those that were missing."""
 
 
 class Pace:
@@ -58,7 +58,7 @@ class Pace:
         self._even = -(-rows // (jobs * rounds)) if together > 1 and rows else 0
 
     def note(self, done: Done) -> None:
-        """Take note of what a batch has cost."""
+        """Note the cost of a batch."""
         rows = done.stop - done.start
         cost = max(done.seconds / rows, 1e-9)
         self._cost = cost if rows > 2 * self._largest else (self._cost + cost) / 2

@@ -54,7 +54,7 @@ class Here:
 
 
 class Cores:
-    """Processes on this machine, of which none outlives this one."""
+    """Processes on this machine, none of which outlives this one."""
 
     def __init__(self, jobs: int) -> None:
         self.jobs = jobs
@@ -181,5 +181,5 @@ def cluster(address: str, workers: int = 1) -> Iterator[Cluster]:
 
 
 def local(jobs: int) -> Executor:
-    """Return what works with so many processes of this machine."""
+    """Return an executor with a number of processes on this machine."""
     return Cores(jobs) if jobs > 1 else Here()

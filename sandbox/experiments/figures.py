@@ -18,10 +18,10 @@ from sandbox.model.expressions import Array
 from sandbox.reporting.plots import COLOURS, FRAME, MARKERS, legend_below, style
 
 FAMILY = 8
-"""How many curves may stand in one picture; of more a heat map is made."""
+"""How many curves fit in one picture; more become a heat map."""
 
 MARKED = 120
-"""How many points a curve may have to show each of them."""
+"""Up to how many points a curve shows each of them."""
 
 BINS = 60
 CLOUD = 4000
@@ -159,7 +159,7 @@ def _heat_map(
 
 
 def _cells(value: Array, at: Sequence[NDArray[np.intp]], shape: tuple[int, ...]) -> Array:
-    """Return the mean of what fell into each cell: (Y, X); not a number where nothing did."""
+    """Return the mean of each cell: (Y, X); NaN for empty cells."""
     known = np.isfinite(value)
     where = at[0][known], at[1][known]
     sums, counts = np.zeros(shape), np.zeros(shape)

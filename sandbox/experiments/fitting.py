@@ -15,7 +15,7 @@ from sandbox.physics.measuring.event_interpolation import value_at
 from sandbox.physics.run import simulate
 
 STEP = 1e-5
-"""The share of a parameter's range by which it is changed to see what depends on it."""
+"""The finite difference of a parameter, as a share of its range."""
 
 
 class FitError(SandboxError):

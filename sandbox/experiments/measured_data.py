@@ -48,34 +48,18 @@ class Data:
 
 
 def read(path: Path, level: Level) -> Data:
-    """Read a CSV file: a column `t`, and columns that are called as quantities of a level.
+    """Read a CSV file with a column `t`, and columns named after quantities of a level.
 
-    What is called as a quantity with a ± behind it holds its standard uncertainties. Lines that
-    begin with # say nothing.
+    A column named after a quantity and ± holds its standard uncertainties. Lines that begin with #
+    are comments.
 
     Raises
     ------
     DataError
-        If it cannot be used; the message says where and why.
+        If the file cannot be used; the message says where and why.
     """
-    try:
-        content = read_ordinary(path, MAX_BYTES)
-    except OSError as error:
-        raise DataError(
-            Message("{path}: cannot be read: {reason}", path=path, reason=error.strerror or error)
-        ) from error
-    if content is None:
-        message = Message(
-            "{path}: is no ordinary file, or larger than {most} MB",
-            path=path,
-            most=MAX_BYTES // 10**6,
-        )
-        raise DataError(message)
-    try:
-        lines = content.decode("utf-8-sig").splitlines()
-    except UnicodeDecodeError as error:
-        raise DataError(Message("{path}: is not UTF-8 text", path=path)) from error
-    numbered = [(i, line) for i, line in enumerate(lines, 1) if line.strip() and line[0] != "#"]
+    lines = enumerate(_lines(path), 1)
+    numbered = [(i, line) for i, line in lines if line.strip() and line[0] != "#"]
     if len(numbered) < 2:
         raise DataError(
             Message("{path}: holds no rows below a header, such as t,ball.position.y", path=path)
@@ -97,6 +81,26 @@ def read(path: Path, level: Level) -> Data:
         {name: column for name, column in columns.items() if not name.endswith(SIGN)},
         {n.removesuffix(SIGN).strip(): c for n, c in columns.items() if n.endswith(SIGN)},
     )
+
+
+def _lines(path: Path) -> list[str]:
+    try:
+        content = read_ordinary(path, MAX_BYTES)
+    except OSError as error:
+        raise DataError(
+            Message("{path}: cannot be read: {reason}", path=path, reason=error.strerror or error)
+        ) from error
+    if content is None:
+        message = Message(
+            "{path}: is no ordinary file, or larger than {most} MB",
+            path=path,
+            most=MAX_BYTES // 10**6,
+        )
+        raise DataError(message)
+    try:
+        return content.decode("utf-8-sig").splitlines()
+    except UnicodeDecodeError as error:
+        raise DataError(Message("{path}: is not UTF-8 text", path=path)) from error
 
 
 def _check_names(names: list[str], level: Level, where: str) -> None:

@@ -66,13 +66,13 @@ class Measure:
     Attributes
     ----------
     text
-        As it was written, and as its column is called.
+        The text of the measure, which is also the name of its column.
     of
-        What is looked at; None for the error of a check.
+        The measured quantity; None for the error of a check.
     at
         When: an event or a time; None with a reduction.
     reduction
-        What is made of all instants; empty at an instant, `error` of a check.
+        The aggregate over all instants; empty at an instant, `error` for a check.
     check
         The check whose closed form says what is to be expected; None if there is none.
     """
@@ -127,7 +127,7 @@ class Measure:
         return None if found is None else (float(found[1][0]), float(found[0][0]))
 
     def expected(self, trace: Trace, t: float | None) -> float | None:
-        """Return what the check's closed form says of a time [s]; None where it does not apply."""
+        """Return the closed form's value at a time [s]; None where it does not apply."""
         if self.check is None or self.of is None or t is None:
             return None
         if not applies(self.check, trace.values):
@@ -191,7 +191,7 @@ def _closes_last(text: str) -> bool:
 
 
 def _closed_form(of: Observable, at: Instant | Place, level: Level) -> Check | None:
-    """Return the check that tells what is to be expected; one that holds at every step will do."""
+    """Return the check that predicts a quantity; one that holds at every step will do."""
     same = [check for check in level.checks if check.quantity == of.text]
     exact = next((check for check in same if check.at is not None and check.at == at), None)
     return exact or next((check for check in same if check.at is None), None)

@@ -16,7 +16,7 @@ from sandbox.model.message import Message
 from sandbox.model.quantities import quantity
 
 _QUANTITY = re.compile(r"\b[A-Za-z]\w*(?:\.[A-Za-z]\w*)+")
-"""A name with a dot in it; no other name of an expression has one."""
+"""A name with a dot in it, which no other name in an expression has."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,7 +26,7 @@ class Observable:
     Attributes
     ----------
     text
-        As it was written.
+        The text of the observable.
     unit
         In SI; empty where several quantities are put together.
     quantities

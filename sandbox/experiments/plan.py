@@ -15,17 +15,17 @@ from sandbox.experiments.measures import Measure
 from sandbox.experiments.observables import Observable
 from sandbox.experiments.random_points import points
 from sandbox.model import effect_variants
-from sandbox.model.conditions.condition import Condition
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level, Stepping
 from sandbox.model.loading import choose
-from sandbox.model.rules import depending
+from sandbox.model.rules.conditions.condition import Condition
+from sandbox.model.rules.faults import depending
 
 NONE = "none"
-"""What `without` is called where nothing is switched off."""
+"""The value of `without` that switches off nothing."""
 
 NAMED = ("without", "scheme")
-"""What is varied by names, and not by numbers."""
+"""The axes whose values are names, not numbers."""
 
 
 class Row(NamedTuple):
@@ -51,11 +51,11 @@ class Plan:
     Attributes
     ----------
     experiment
-        As it was written.
+        The experiment as it was written.
     source
         What the level is called.
     level
-        As it is in its file.
+        The level as it is in its file.
     """
 
     experiment: Experiment
@@ -110,7 +110,7 @@ class Plan:
         return list(dict.fromkeys(["t", *(self.until.quantities if self.until else ()), *names]))
 
     def __reduce__(self) -> tuple[type["Plan"], tuple[Experiment, str, Level]]:
-        """Send to other processes what it is made of, and not what was made of that."""
+        """Pickle only the source of the plan, from which the rest is rebuilt."""
         return Plan, (self.experiment, self.source, self.level)
 
     def rows(self, start: int, stop: int) -> Iterator[Row]:

@@ -12,13 +12,13 @@ from sandbox.experiments.measures import MeasureError
 from sandbox.experiments.plan import NAMED, Plan, axis_of
 from sandbox.experiments.random_points import MOST_IN_A_HYPERCUBE
 from sandbox.model import parse_messages
-from sandbox.model.conditions.numbers import MAX_STEPS
 from sandbox.model.did_you_mean import suggestion
 from sandbox.model.errors import SandboxError, brief
 from sandbox.model.level import Level, Scheme
 from sandbox.model.level_parts import Fault
 from sandbox.model.loading import choose
 from sandbox.model.message import Message, joined
+from sandbox.model.rules.conditions.numbers import MAX_STEPS
 
 MOST_RUNS = 10**9
 """How many runs an experiment may have; at 10,000 runs a second those take a day."""

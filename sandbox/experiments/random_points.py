@@ -16,7 +16,7 @@ from sandbox.model.expressions import Array
 Method = Literal["random", "latin-hypercube", "sobol", "sobol-indices"]
 
 BLOCK = 1024
-"""How many points are made together."""
+"""How many points are made at a time."""
 
 MOST_IN_A_HYPERCUBE = 1_000_000
 

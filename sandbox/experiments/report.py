@@ -24,10 +24,10 @@ METHODS: Mapping[Method, str] = {
     "sobol": "drawn from Sobol's sequence",
     "sobol-indices": "drawn in Saltelli's scheme for Sobol's indices",
 }
-"""How a page calls the ways of drawing."""
+"""The names of the sampling methods on a page."""
 
 SHOWN = 5
-"""The most reasons of failures that the report names."""
+"""How many reasons of failures the page names, at most."""
 
 
 class Page(NamedTuple):

@@ -11,7 +11,7 @@ from sandbox.experiments.table import FAILURE, NUMBER
 from sandbox.model.expressions import Array
 
 MOST = 250_000
-"""How many rows are looked at; of more, some at equal distances."""
+"""How many rows are read; of more, evenly spaced ones."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,7 +43,7 @@ class Results:
 
 
 def read(path: Path, names: Sequence[str]) -> Results:
-    """Return some columns of a table, from as many rows as are looked at."""
+    """Return some columns of a table, from at most a number of rows."""
     import pyarrow.parquet as pq
 
     file = pq.ParquetFile(path)

@@ -12,24 +12,24 @@ import numpy as np
 from sandbox.experiments.observables import Observable, holds_at
 from sandbox.experiments.plan import Plan, Row
 from sandbox.experiments.table import Cell, columns
-from sandbox.model.conditions.numbers import MAX_STEPS
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level, Stepping
 from sandbox.model.message import NOTHING, Message
+from sandbox.model.rules.conditions.numbers import MAX_STEPS
 from sandbox.physics.ensemble.batched_runs import Flight, accepts, suits
 from sandbox.physics.measuring.recording import Trace, count_steps
-from sandbox.physics.metering.meter import Meter
+from sandbox.physics.quantities.meter import Meter
 from sandbox.physics.run import build, simulate
 from sandbox.physics.state.errors import SimulationError
 from sandbox.physics.stepping.world import World
 
 TOGETHER = 400
-"""How many runs go on together where they can: from there on a step of one costs as good as no
-less, and what is recorded of them stays small."""
+"""How many runs share one batch of arrays. Larger batches hardly reduce the cost of a step, and
+need more memory."""
 
 LARGEST = 8_000_000
-"""How many numbers may be recorded of all that go on together."""
+"""How many numbers a batch may record."""
 
 
 class Task(NamedTuple):
@@ -42,7 +42,7 @@ class Task(NamedTuple):
 
 
 class Done(NamedTuple):
-    """What came of them, and how long it took [s]."""
+    """The results of some rows, and how long they took [s]."""
 
     start: int
     stop: int
@@ -70,7 +70,7 @@ class _Run(NamedTuple):
 
 
 def pack(plan: Plan) -> bytes:
-    """Return a plan as tasks carry it: what was read of it once serves all of its tasks."""
+    """Pickle a plan, so that each process unpacks it only once for all its tasks."""
     return pickle.dumps(plan)
 
 
@@ -157,14 +157,14 @@ def _settings(plan: Plan, rows: Iterator[Row]) -> "Iterator[_Setting | _Run]":
 
 
 def _kind(plan: Plan, setting: "_Setting | _Run") -> tuple[int, str] | None:
-    """Return what runs must share to go on together; None of those that must run alone."""
+    """Return what runs must share to go in one batch; None if they must run alone."""
     if isinstance(setting, _Run) or not suits(setting.level, setting.stepping, plan.quantities):
         return None
     return id(setting.level), setting.stepping.model_dump_json()
 
 
 def _most(plan: Plan, setting: _Setting) -> int:
-    """Return how many runs like one may go on together."""
+    """Return how many such runs may share a batch."""
     duration = plan.experiment.duration or setting.level.duration(setting.values)
     recorded = duration * setting.stepping.rate * len(plan.quantities)
     return int(max(min(TOGETHER, LARGEST / max(recorded, 1)), 1))
@@ -202,7 +202,7 @@ def _steps(plan: Plan, world: World) -> int:
 
 
 def _alone(plan: Plan, setting: "_Setting | _Run") -> _Run:
-    """Run a row by itself."""
+    """Run a single row."""
     if isinstance(setting, _Run):
         return setting
     stop = _Stop(plan.until) if plan.until else None

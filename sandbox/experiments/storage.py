@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     import pyarrow as pa
 
 GROUP = 65_536
-"""How many rows each group of the finished file has, whatever the batches were."""
+"""The rows of each row group of the finished file, whatever the batches were."""
 
 RESULTS, DESCRIPTION, PARTS = "results.parquet", "experiment.json", "parts"
 
@@ -38,7 +38,7 @@ class Store:
     folder
         Made if it is not there.
     plan
-        What is kept in it.
+        The plan whose results are stored.
 
     Raises
     ------
@@ -106,7 +106,7 @@ class Store:
             yield begin, self._plan.runs
 
     def add(self, start: int, stop: int, columns: Sequence[Sequence[Cell]]) -> None:
-        """Keep what came of some rows, column by column.
+        """Store the results of some rows, column by column.
 
         Raises
         ------
@@ -150,7 +150,7 @@ class Store:
             ) from error
 
     def _grouped(self) -> "Iterator[pa.Table]":
-        """Yield all rows in groups, of which only one is held at a time."""
+        """Yield all rows in groups, of which only one is in memory at a time."""
         import pyarrow as pa
         import pyarrow.parquet as pq
 

@@ -40,6 +40,6 @@ def written(at: Instant) -> str:
 
 
 def _typed(expression: Expression) -> str:
-    """Return a number or a formula as somebody would type it."""
+    """Return a number or a formula as a person would type it."""
     source = expression.source
     return source if isinstance(source, str) else repr(source).removesuffix(".0")

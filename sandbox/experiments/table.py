@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 Cell = float | str | None
 
 NUMBER, FAILURE = "run", "failure"
-"""What the first and the last column are called."""
+"""The names of the first and the last column."""
 
 
 class Column(NamedTuple):
@@ -56,7 +56,7 @@ def schema(plan: Plan) -> "pa.Schema":
 
 
 def axis_unit(plan: Plan, name: str) -> str:
-    """Return the unit of what is varied; empty if it has none."""
+    """Return the unit of an axis; empty if it has none."""
     if name in plan.level.parameters:
         return plan.level.parameters[name].unit
     return "Hz" if name == "rate" else ""

@@ -17,7 +17,7 @@ from sandbox.model.measuring_instants import ApexEvent, CrossingEvent, LandingEv
 from sandbox.model.reference_fields import BodyNames, ForceNames, JointNames
 
 Direction = Literal["up", "down", "either", "beyond"]
-"""Which way a value is crossed; `beyond` is where the size of a quantity is not less than it."""
+"""The direction of a crossing; `beyond` is where the size of a quantity reaches the value."""
 
 Trigger = Annotated[
     Annotated[Expression, Tag("a number")]
@@ -26,7 +26,7 @@ Trigger = Annotated[
     | Annotated[LandingEvent, Tag("landing")],
     Discriminator(kind_of),
 ]
-"""A time [s], or what is seen at once: a quantity that crosses a value."""
+"""A time [s], or a quantity that crosses a value."""
 
 ACTIONS = ("cut", "tie", "on", "off", "reverse")
 """The fields of an event that say what it does."""
@@ -79,7 +79,7 @@ class Happening(NamedTuple):
 def happenings(
     events: Mapping[str, Event], joints: Mapping[str, Joint], values: Values
 ) -> dict[str, Happening]:
-    """Return what happens in a level by itself: its events, and the joints that break."""
+    """Return all that happens in a level by itself: its events, and joints that break."""
     found = {
         name: Happening(_crossing(event.at, values), *(getattr(event, a) for a in ACTIONS))
         for name, event in events.items()
@@ -90,7 +90,7 @@ def happenings(
 
 
 def breaking(joint: str) -> str:
-    """Return what it is called that a joint breaks; no event has such a name."""
+    """Return the name of the event that a joint breaks; no other event can have it."""
     return f"{joint} breaks"
 
 

@@ -11,10 +11,10 @@ from sandbox.model.expressions import Expression, NonNegative, Positive
 from sandbox.model.formulas import Formula, Function
 
 MOST_FORCES = 2000
-"""How many forces, belts, rockets or centres of attraction a level may name, each."""
+"""The most forces, belts, rockets or centres of attraction of a level, each."""
 
 MOST_PAIRS = 20_000
-"""How many pairs of bodies an effect may name."""
+"""The most pairs of bodies that an effect may name."""
 
 LARGEST_PARAMETER = 1e100
 """The largest bound of a parameter, whatever its sign."""

@@ -17,10 +17,10 @@ CHAPTERS = (
     "machines",
     "challenges",
 )
-"""The folders in the order of the document, then what is made of it; others follow by name."""
+"""The folders in the order of the chapter, then those made of it; any others follow by name."""
 
 ORDER = "order.txt"
-"""The file that tells in which order the levels of a chapter stand; others follow by name."""
+"""The file with the order of a chapter's levels; any others follow by name."""
 
 SCHEMA = "level.schema.json"
 """The file of the format's JSON Schema, beside the chapters."""
@@ -29,7 +29,7 @@ CHALLENGES = "challenges"
 """The folder of the levels that set a task."""
 
 HARD = "hard"
-"""The folder of the hard cases: scenes that break engines, made by `validation.stability`."""
+"""The folder of the hard cases: scenes that break engines, written by `validation.stability`."""
 
 
 def root() -> Path:

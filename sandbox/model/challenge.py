@@ -51,5 +51,5 @@ class Challenge(Model):
 
     @property
     def all_goals(self) -> tuple[Goal, ...]:
-        """Return what has to be reached for all stars."""
+        """Return the goals for all stars."""
         return (*self.goals, *self.stars)

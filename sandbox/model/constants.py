@@ -24,7 +24,7 @@ def let_use(formulas: Iterable[Expression], constants: Mapping[str, Expression])
 
 
 def circle(constants: Mapping[str, Expression]) -> list[str]:
-    """Return constants of which each uses the next, and the last is the first; empty if none do."""
+    """Return constants that use each other in a circle; empty if none do."""
     try:
         _ordered(constants)
     except CycleError as error:

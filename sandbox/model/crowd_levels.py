@@ -15,10 +15,10 @@ Document = dict[str, Any]
 RADIUS = 0.05  # m
 G = 9.81  # m/s²
 GOLDEN = 0.6180339887498949
-"""Its multiples, less their whole part, are spread evenly: directions that look random."""
+"""The fractional parts of its multiples are spread evenly: directions that look random."""
 
 FILLED = 0.2
-"""The part of the plane that a gas fills."""
+"""The share of the plane that a gas fills."""
 
 DEEP = 10
 """How many discs lie above each other in a pile of 100 and more: all then press as hard on the
@@ -26,7 +26,7 @@ lowest, and touch as many others. Heaps of twice that depth are too much for ten
 
 LINK = 0.1  # m
 STIFF = 4.0
-"""How many steps there are at least to a radian of the fastest wave in a chain; 1/2 is too few."""
+"""The least number of steps per radian of the fastest wave in a chain; 1/2 is too few."""
 
 
 class CrowdError(SandboxError):
@@ -165,7 +165,7 @@ just in real time."""
 
 
 def crowd(kind: str, bodies: int) -> Document:
-    """Return a level with so many bodies that move.
+    """Return a level with a number of moving bodies.
 
     Raises
     ------

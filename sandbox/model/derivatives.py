@@ -41,10 +41,10 @@ RULES: Mapping[str, str] = {
     "power to a constant": "v*u**(v - 1)*du",
     "power": "u**v*(dv*log(u) + v*du/u)",
 }
-"""The derivative of each function and operator of u, v and w, in their derivatives du, dv, dw."""
+"""The derivative of each function and operator of u, v and w, in terms of du, dv, dw."""
 
 CORNERS = frozenset({"abs", "ceil", "floor", "max", "min", "sign", "where"})
-"""The functions that jump, or have a corner."""
+"""The functions that jump, or have a kink."""
 
 _ARGUMENTS = ("u", "v", "w")
 _CORNERS = (ast.Mod, ast.IfExp, ast.Compare, ast.BoolOp, ast.Not)
@@ -63,7 +63,7 @@ def derivative(source: str, variable: str) -> str:
 
 
 def is_smooth(source: str) -> bool:
-    """Whether an expression that is allowed is made of what has neither jumps nor corners."""
+    """Whether an expression has no functions that jump or have a kink."""
     nodes = list(ast.walk(ast.parse(source.strip(), mode="eval")))
     names = {node.id for node in nodes if isinstance(node, ast.Name)}
     return not (names & CORNERS or any(isinstance(node, _CORNERS) for node in nodes))

@@ -22,7 +22,7 @@ def meant(name: str, known: Iterable[str]) -> Message:
 
 
 def suggestion(name: str, known: Iterable[str], *, most: int = 8) -> Message:
-    """Return what was probably meant, or what there is to choose from, to end a message."""
+    """Return the end of a message: the name that was probably meant, or all possible names."""
     choices = sorted(known)
     if hint := meant(name, choices):
         return hint

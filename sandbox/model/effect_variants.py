@@ -15,7 +15,6 @@ from sandbox.model import parse_messages
 from sandbox.model.acting_events import ACTIONS
 from sandbox.model.arithmetic import ExpressionError
 from sandbox.model.body import Body
-from sandbox.model.consistency import inconsistencies
 from sandbox.model.constants import define
 from sandbox.model.did_you_mean import suggestion
 from sandbox.model.effects import EFFECTS, Effects
@@ -25,20 +24,21 @@ from sandbox.model.expressions import Expression
 from sandbox.model.level import Level
 from sandbox.model.level_parts import Fault
 from sandbox.model.message import Message
-from sandbox.model.rules import faults
+from sandbox.model.rules.consistency import inconsistencies
+from sandbox.model.rules.faults import faults
 
 DEFAULTS: Mapping[str, Settings] = {
     name: effect.trial for name, effect in EFFECTS.items() if effect.trial is not None
 }
-"""What is switched on where nothing is said of it; other effects must be told what they are."""
+"""The settings of effects that are switched on by their name alone; other effects need settings."""
 
 TOLD = ("parameters", "checks", "ghosts", "challenge")
-"""The parts of a level that tell what the scene should do, and may have lost their meaning."""
+"""The parts of a level that describe what should happen, which a variant may make wrong."""
 
 _COEFFICIENTS: Mapping[str, type[Expression]] = {
     name: effect.coefficient for name, effect in EFFECTS.items() if effect.coefficient
 }
-"""The effects that have a coefficient a body: 'coefficient' is that of every pair."""
+"""The effects with a coefficient per body: 'coefficient' is that of every pair."""
 
 
 class Variation(NamedTuple):
@@ -87,7 +87,7 @@ def without(level: Level, effect: str) -> tuple[Level, tuple[str, ...]]:
             changed = silenced
         else:
             changed = _cleared(changed, found, effect)
-    return changed, tuple(gone[1:])
+    return changed, tuple(name for name in level.effects.declared if name in gone[1:])
 
 
 def _scene_faults(level: Level) -> Iterator[Fault]:
@@ -137,14 +137,14 @@ def _cleared(level: Level, found: list[Fault], effect: str) -> Level:
 
 
 def including(level: Level, effect: str, settings: Settings) -> Level:
-    """Return a level with an effect more, or with another setting of one that it declares.
+    """Return a level with one more effect, or with other settings of an effect that it declares.
 
     Parameters
     ----------
     level
         Any level.
     effect
-        Its name in the manifest.
+        The name of the effect.
     settings
         Its fields, as in a file; of an effect that is a list, those of each entry. For `friction`
         and `restitution` the `coefficient` of every pair. `DEFAULTS` if empty.
@@ -172,6 +172,11 @@ def including(level: Level, effect: str, settings: Settings) -> Level:
     changed = level.model_copy(update={"effects": _declaring(level, effect, fields)})
     if coefficient is not None:
         changed = _with_coefficient(changed, effect, coefficient)
+    _require_no_new_fault(level, changed, effect)
+    return changed
+
+
+def _require_no_new_fault(level: Level, changed: Level, effect: str) -> None:
     known = set(faults(level))
     for fault in faults(changed):
         if fault not in known and fault.path[0] not in TOLD:
@@ -184,7 +189,6 @@ def including(level: Level, effect: str, settings: Settings) -> Level:
                     rule=fault.rule,
                 )
             )
-    return changed
 
 
 def vary(

@@ -15,7 +15,7 @@ from dataclasses import dataclass
 from sandbox.model.message import Message, joined
 
 MAX_MISTAKES = 100
-"""The most mistakes that are listed; a file with more has one at its root."""
+"""The most mistakes that are listed; of more, one at the root says that there are others."""
 
 
 class SandboxError(Exception):
@@ -44,9 +44,9 @@ class Mistake:
     path
         Where in the level, such as `bodies.ball.mass`; empty for the level as a whole.
     rule
-        What is wrong or must hold, and where possible what was probably meant.
+        The mistake or the rule, and if possible what was probably meant.
     value
-        What was found there, as it is written in the file; empty if it would tell nothing.
+        The text found there, as it is in the file; empty if it would not help.
     """
 
     source: str
@@ -67,7 +67,7 @@ class Mistake:
 
     @property
     def told(self) -> Message:
-        """The same without its place in a file."""
+        """The same mistake without its place in a file."""
         told = Message("{rule} (found {value})", rule=self.rule, value=self.value)
         told = told if self.value else self.rule
         return Message("{path}: {told}", path=self.path, told=told) if self.path else told

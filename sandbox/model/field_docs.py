@@ -1,4 +1,4 @@
-"""What a model says of its fields: the text below each in the source.
+"""The docstrings of a model's fields: the text below each in the source.
 
 pydantic can read these texts when a class is made, which takes as long as to make it. They are read
 here when somebody wants to see them.

@@ -13,10 +13,10 @@ from sandbox.model.base import Model
 from sandbox.model.json_positions import Path
 
 Marked = tuple[Path, Any, Any]
-"""Where a marked value stands, the value, and its mark."""
+"""The path of a marked value, the value, and its mark."""
 
 Find = Callable[[Any, Path], Iterator[Marked]]
-"""Yields what is marked in a value that stands at a path."""
+"""Yields the marked values within a value, given its path."""
 
 
 def marked(part: Model, kind: type, path: Path = ()) -> Iterator[Marked]:
@@ -25,7 +25,7 @@ def marked(part: Model, kind: type, path: Path = ()) -> Iterator[Marked]:
     Parameters
     ----------
     part
-        What is searched.
+        The value to search.
     kind
         The class of the mark.
     path

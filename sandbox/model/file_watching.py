@@ -11,7 +11,7 @@ Stamp = tuple[int, int] | None
 
 
 class Watch:
-    """What some files looked like when they were last looked at."""
+    """The state of some files when they were last looked at."""
 
     def __init__(self, paths: Iterable[Path]) -> None:
         self._stamps = {path: stamp(path) for path in paths}

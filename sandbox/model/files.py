@@ -20,7 +20,7 @@ class TakenError(SandboxError):
 
 
 _PART = re.compile(r"\.([0-9a-f]{8})-(\d+)-[0-9a-f]{32}\.part")
-"""What a file is called while it is written: by which machine, by which process, and a number."""
+"""The name of a file while it is written: the machine, the process, and a number."""
 
 
 def data_folder() -> Path:
@@ -31,7 +31,7 @@ def data_folder() -> Path:
 def write_atomically(
     path: Path, data: str | bytes, *, follow: bool = True, new: bool = False
 ) -> None:
-    """Write a file beside its place, then move it there: nobody ever finds half of it.
+    """Write a file under another name, then rename it, so that nobody ever reads half of it.
 
     Who may read and write it stays as it was, and whose it is, where that may be said. What a
     process that was killed has left of such files in the folder is removed.
@@ -39,9 +39,9 @@ def write_atomically(
     Parameters
     ----------
     path
-        Where it belongs.
+        The path of the file.
     data
-        What it holds.
+        The content.
     follow
         Whether it belongs where a link leads that has its name; else it takes the link's place.
     new
@@ -149,7 +149,7 @@ def _machine() -> str:
 
 
 def lives(process: int) -> bool:
-    """Whether there is such a process on this machine, as far as can be told without ending it."""
+    """Whether a process exists on this machine, as far as can be seen without ending it."""
     if os.name == "nt":  # where to ask a process would end it; its open file nobody can remove
         return process == os.getpid()
     try:
@@ -162,7 +162,7 @@ def lives(process: int) -> bool:
 
 
 def check_writable(path: Path) -> None:
-    """Refuse a path at which no file can be written, as far as can be told without writing one.
+    """Refuse a path that cannot be written, as far as can be seen without writing.
 
     Raises
     ------

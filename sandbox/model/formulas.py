@@ -86,4 +86,4 @@ class Profile(Formula):
 
 
 VARIABLES = frozenset(name for kind in (Formula, Curve, Profile) for name in kind.variables)
-"""What some formulas may use beside the parameters."""
+"""The variables that some formulas may use beside the parameters."""

@@ -9,7 +9,7 @@ from sandbox.model.reference_fields import BodyName
 from sandbox.model.shapes import Point
 
 POINTS = 241
-"""At how many places the curve is drawn."""
+"""The number of points of the drawn curve."""
 
 
 class Landscape(Model):

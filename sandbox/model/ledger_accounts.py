@@ -15,7 +15,7 @@ from sandbox.model.level_parts import names_in
 from sandbox.model.switches import switched
 
 OTHERS = ("bodies", "joints", "events", "damping", "supports")
-"""The accounts that are named after no effect and no joint."""
+"""The accounts that are not named after an effect or a joint."""
 
 
 def potentials(level: Level) -> tuple[str, ...]:

@@ -54,13 +54,13 @@ MAX_CONSTANTS = 200
 """How many names for formulas a level may have."""
 
 ROUNDING = 1e-12
-"""The share of a duration that a product with the rate may be off by."""
+"""The share by which the product of duration and rate may differ from a whole number."""
 
 HIGHEST_RATE = 100_000
 """Hz, the most steps that a second may have."""
 
 FINEST = 1e-14
-"""The least accuracy that may be asked for: below it is rounding."""
+"""The least accuracy that may be asked for; anything below is rounding."""
 
 Finite = Annotated[float, Field(allow_inf_nan=False, ge=-LARGEST_PARAMETER, le=LARGEST_PARAMETER)]
 Scheme = Literal["leapfrog", "fourth-order", "symplectic-euler", "explicit-euler"]
@@ -129,7 +129,7 @@ class Stepping(Model):
         return Stepping.model_validate({**self.model_dump(), "accuracy": None, "rate": rate})
 
     def steps(self, duration: float) -> int:
-        """Return how many steps reach a duration [s]; what is one but for rounding is no more."""
+        """Return the number of steps that reach a duration [s], apart from rounding."""
         return ceil(duration * self.rate * (1 - ROUNDING))
 
     @model_serializer(mode="wrap")

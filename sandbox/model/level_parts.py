@@ -4,7 +4,7 @@ from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
 from sandbox.model.json_positions import Path
-from sandbox.model.last_result import of_the_last
+from sandbox.model.last_result_cache import of_the_last
 from sandbox.model.level import Check, Level
 from sandbox.model.measuring_instants import Instant
 from sandbox.model.message import Message

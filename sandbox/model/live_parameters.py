@@ -1,4 +1,4 @@
-"""Which parameters can be changed while a run goes on, and why others cannot.
+"""Which parameters can change during a run, and why others cannot.
 
 What goes on keeps its places and velocities. So a parameter must not change what these came of: a
 shape, how joints fit together, the mass that has flowed. And it must change something else than
@@ -15,11 +15,11 @@ from sandbox.model.level_parts import expressions, names_in
 from sandbox.model.message import Message, both
 
 TELLS = ("mass", "moment", "friction", "static_friction", "restitution")
-"""The fields of a body that its motion depends on at every step."""
+"""The fields of a body that affect its motion at every step."""
 
 
 def obstacle(level: Level, changed: Collection[str]) -> Message | None:
-    """Return why a run cannot go on with some parameters changed; None if it can."""
+    """Return why some parameters cannot change during a run; None if they can."""
     reasons = (
         (
             _shapes(level),

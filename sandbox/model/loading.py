@@ -14,10 +14,8 @@ import numpy as np
 from pydantic import ValidationError
 from pydantic_core import ErrorDetails
 
-from sandbox.model import parse_messages, rules
+from sandbox.model import parse_messages
 from sandbox.model.arithmetic import MAX_LENGTH
-from sandbox.model.conditions.condition import Condition
-from sandbox.model.consistency import dangling
 from sandbox.model.did_you_mean import meant
 from sandbox.model.document import Document, refuse
 from sandbox.model.errors import MAX_MISTAKES, LevelError, Mistake, ValueRangeError, brief
@@ -28,18 +26,21 @@ from sandbox.model.level import Level, Parameter
 from sandbox.model.level_parts import Fault
 from sandbox.model.message import NOTHING, Message, joined
 from sandbox.model.origin import Origin
+from sandbox.model.rules import faults
+from sandbox.model.rules.conditions.condition import Condition
+from sandbox.model.rules.consistency import dangling
 from sandbox.model.shorthand import write_out
 
 MAX_BYTES = 5_000_000
-"""The largest file that is read: as much as the most bodies need, of some 200 bytes each."""
+"""The largest file that is read: enough for the most bodies, of some 200 bytes each."""
 
 LONGEST_NAME = 31
 
 MAX_FORMULAS = 300_000
-"""Characters of all different formulas together: to read so many takes two seconds."""
+"""Characters of all different formulas together: parsing so many takes two seconds."""
 
 _MENDED = ("expression", "float_type", "int_type", "missing", "greater_than", "finite_number")
-"""The types of pydantic's errors that a 1 in the place of the value usually mends."""
+"""The types of pydantic's errors that a 1 in place of the value usually mends."""
 
 
 def load(path: Path) -> Level:
@@ -107,7 +108,7 @@ def parse(text: str, source: str = "<text>") -> Level:
     text
         The JSON.
     source
-        Where it came from, for the messages.
+        The origin of the text, for the messages.
 
     Raises
     ------
@@ -151,7 +152,7 @@ def _parsed(text: str, source: str) -> Level:
             rule, place = parse_messages.refused(details[0]["ctx"]["error"])
             refuse(source, rule, place if data is typed else None)
         document.refuse(_faults(document, data, details))
-    if found := rules.faults(level):
+    if found := faults.faults(level):
         document.refuse(made.hinted(fault, typed) for fault in found)
     level.read_from(Origin(text, source, made.place))
     return level
@@ -173,7 +174,7 @@ def _formulas_length(data: object) -> int:
 
 
 def digest(level: Level) -> str:
-    """Return a hash of what a level says, whatever its layout."""
+    """Return a hash of a level's content, whatever its layout."""
     data = level.model_dump(mode="json", exclude={"schema_"})
     return hashlib.sha256(json.dumps(data, sort_keys=True).encode()).hexdigest()[:16]
 
@@ -181,50 +182,27 @@ def digest(level: Level) -> str:
 def choose(
     level: Level, settings: Mapping[str, float], among: Iterable[Condition] | None = None
 ) -> Values:
-    """Return the level's parameters, with some set to other values than their defaults.
+    """Return the values of a level's parameters, with some of them changed from their defaults.
 
     Parameters
     ----------
     level, settings
-        Whose parameters, and the values of those that are set.
+        The level, and the changed values by name.
     among
-        What `rules.depending` says of the level, where it is known already.
+        The result of `faults.depending` for the level, if it is known already.
 
     Raises
     ------
     ValueRangeError
-        If the level has no such parameter, or the value is not finite, or out of the parameter's
+        If the level has no such parameter, or a value is not finite, or out of the parameter's
         range, or makes a part of the level impossible.
     """
     for name, value in settings.items():
-        if name not in level.parameters:
-            known = joined((_described(*item) for item in level.parameters.items()), "; ")
-            hint = meant(name, level.parameters)
-            raise ValueRangeError(
-                Message(
-                    "unknown parameter '{name}'{hint} (there are: {known})",
-                    name=brief(name),
-                    hint=hint,
-                    known=known or Message("none"),
-                )
-            )
-        parameter = level.parameters[name]
-        if not isfinite(value):
-            raise ValueRangeError(
-                Message("'{name}' is {value}, not a finite number", name=name, value=value)
-            )
-        if not parameter.min <= value <= parameter.max:
-            raise ValueRangeError(
-                Message(
-                    "'{name}' is {value:g}, but must lie {range}",
-                    name=name,
-                    value=value,
-                    range=_range(parameter),
-                )
-            )
+        if wrong := _wrong_value(level, name, value):
+            raise ValueRangeError(wrong)
     values = {**level.defaults, **settings}
-    held = rules.depending(level) if among is None and settings else among or ()
-    if fault := next(rules.broken(held, values), None):
+    held = faults.depending(level) if among is None and settings else among or ()
+    if fault := next(faults.broken(held, values), None):
         chosen = ", ".join(f"{name} = {value:g}" for name, value in settings.items())
         place = ".".join(map(str, fault.path))
         raise ValueRangeError(
@@ -236,6 +214,29 @@ def choose(
             )
         )
     return values
+
+
+def _wrong_value(level: Level, name: str, value: float) -> Message | None:
+    """Say why a parameter cannot have a value by itself, if so."""
+    if name not in level.parameters:
+        known = joined((_described(*item) for item in level.parameters.items()), "; ")
+        return Message(
+            "unknown parameter '{name}'{hint} (there are: {known})",
+            name=brief(name),
+            hint=meant(name, level.parameters),
+            known=known or Message("none"),
+        )
+    if not isfinite(value):
+        return Message("'{name}' is {value}, not a finite number", name=name, value=value)
+    parameter = level.parameters[name]
+    if not parameter.min <= value <= parameter.max:
+        return Message(
+            "'{name}' is {value:g}, but must lie {range}",
+            name=name,
+            value=value,
+            range=_range(parameter),
+        )
+    return None
 
 
 def _described(name: str, parameter: Parameter) -> Message:
@@ -261,7 +262,7 @@ def _content(path: Path, source: str) -> bytes:
 
 
 def _faults(document: Document, data: Any, details: list[ErrorDetails]) -> Iterator[Fault]:  # noqa: ANN401 (whatever JSON holds)
-    """Yield pydantic's errors as they stand in the text, and what can be told in spite of them."""
+    """Yield pydantic's errors in their places, and the mistakes found in spite of them."""
     paths = [parse_messages.path_of(detail, document.has) for detail in details]
     placed = [
         (path, detail)

@@ -20,7 +20,7 @@ def _counted(said: object) -> object:
 
 
 Nth = Annotated[int, BeforeValidator(_counted), Field(ge=1, le=MOST_MEETINGS)]
-"""The how many-th time; the first is 1."""
+"""Which occurrence of an event; the first is 1."""
 
 
 class ContactEvent(Model):
@@ -70,7 +70,7 @@ class LandingEvent(Model):
 
 
 def kind_of(at: object) -> str | None:
-    """Return which kind of instant is said, None if that is not told."""
+    """Return the kind of an instant, None if it is unclear."""
     if isinstance(at, Mapping):
         return str(at["event"]) if "event" in at else None
     return str(getattr(at, "event", "a number"))

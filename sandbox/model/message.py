@@ -1,4 +1,4 @@
-"""What is said to a person: English, with what it was made of, so that others can translate it."""
+"""Messages to people: English, with the values in them, so that they can be translated."""
 
 from collections.abc import Iterable, Mapping
 from functools import reduce
@@ -36,7 +36,7 @@ class Message(str):
         return Message(self.template, **values)
 
     def __reduce__(self) -> tuple[object, ...]:
-        """Keep what it was made of on the way to another process."""
+        """Keep the values on the way to another process."""
         return _made, (self.template, self.values)
 
 

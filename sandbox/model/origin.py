@@ -22,7 +22,7 @@ class Origin:
     text
         The JSON.
     source
-        Where it came from, for the messages.
+        The origin of the text, for the messages.
     typed
         Where in the text a part was typed, by its path in the level; the same if left out.
     """

@@ -58,7 +58,7 @@ _BOUNDS: Mapping[str, Message] = {
     "too_long": Message("has {actual_length} entries, but may have at most {max_length}"),
     "too_short": Message("has {actual_length} entries, but needs at least {min_length}"),
 }
-"""With places for what pydantic says of the bound."""
+"""Messages for pydantic's bounds, with placeholders for the values."""
 
 
 def syntax(message: str) -> Message:
@@ -130,7 +130,7 @@ def rule(detail: ErrorDetails) -> Message:
 
 
 def _choice(detail: ErrorDetails) -> Message:
-    """Say that something is none of what there is to choose from."""
+    """Say that a value is none of the possible ones."""
     context = detail["ctx"]
     if detail["type"] == "union_tag_not_found":
         if "_end_kind" in context["discriminator"]:

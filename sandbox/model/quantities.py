@@ -52,15 +52,15 @@ _SCALARS: Mapping[Owner, Mapping[str, str]] = {
 }
 
 _OF_CONTACT = {"contact.normal": "N", "contact.friction": "N"}
-"""What two bodies exert on each other where they touch."""
+"""The forces between two bodies that touch."""
 
 _KINDS_OF_CONTACT = tuple(name.partition(".")[2] for name in _OF_CONTACT)
 
 MOST_MUTUAL = 6
-"""How many bodies a level may have for all that two of them have together to be listed."""
+"""Up to how many bodies all quantities of pairs are listed."""
 
 WITHIN = "within"
-"""How deep the centre of a body is in a sensor, from its outline; negative outside."""
+"""The depth of a body's centre in a sensor, from its outline; negative outside."""
 
 _OF_POINTS = {"position": "m", "velocity": "m/s"}
 """What can be measured of a point of a body."""
@@ -73,8 +73,8 @@ OVER_TIME: Mapping[str, str] = {
     "mean": "",
     "integral": "s",
 }
-"""What may become of a quantity from the start on, and by what its unit is multiplied; `largest` is
-that of its size, `amplitude` half the way from the least to the most."""
+"""The aggregates of a quantity since the start, with the factor of their unit; `largest` is the
+largest size, `amplitude` half the range."""
 
 _BOOKS: Mapping[str, str] = {
     "work": "J",
@@ -85,7 +85,7 @@ _BOOKS: Mapping[str, str] = {
     "angular_impulse": "N·m·s",
     "unexplained_angular_momentum": "kg·m²/s",
 }
-"""What a ledger keeps of the system; the first, and the impulses, by what gave or took it."""
+"""What a ledger keeps of the system; the first, and the impulses, are split by cause."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -133,12 +133,12 @@ class Quantity:
 
     @property
     def between(self) -> bool:
-        """Whether it is a force of two bodies that touch, which no state tells."""
+        """Whether it is a force between two touching bodies, which no single state determines."""
         return bool(self.other) and self.attribute in _OF_CONTACT
 
     @property
     def momentary(self) -> bool:
-        """Whether one state of the bodies and joints tells it."""
+        """Yield the quantities that follow from a state alone, without the time."""
         return not (self.booked or self.adds_up or self.between or self.over_time)
 
 
@@ -150,7 +150,7 @@ class QuantityError(SandboxError, ValueError):
 
 
 def quantities(level: Level) -> Iterator[Quantity]:
-    """Yield every quantity of a level that can be measured, but for those that go on without end.
+    """Yield every quantity of a level that can be measured, except the unlimited families.
 
     These are what two bodies have together, see `mutual`, and what becomes of others over time.
     """
@@ -161,7 +161,7 @@ def quantities(level: Level) -> Iterator[Quantity]:
 
 
 def momentary(level: Level) -> Iterator[Quantity]:
-    """Yield those that a state tells by itself, without what went before; the time is none."""
+    """Whether it follows from a single state of the bodies and joints."""
     for found in chain(quantities(level), mutual(level)):
         if found.momentary and found is not TIME:
             yield found
@@ -206,7 +206,7 @@ def quantity(name: str, level: Level) -> Quantity:
 
 
 def base(quantity: Quantity) -> str:
-    """Return the name of what is followed over time."""
+    """Return the name of the quantity that is aggregated over time."""
     return quantity.name.removesuffix(f".{quantity.over_time}")
 
 
@@ -221,7 +221,7 @@ def mutual(level: Level) -> Iterator[Quantity]:
 
 
 def _over_time(quantity: Quantity, what: str) -> Quantity:
-    """Return what becomes of a quantity from the start on."""
+    """Return the aggregates of a quantity since the start."""
     name = f"{quantity.name}.{what}"
     if quantity.over_time or quantity.owner == "time":
         raise _timeless(name, quantity.name, what)
@@ -333,4 +333,4 @@ ATTRIBUTES_OF_BODIES = frozenset(
     name.partition(".")[0]
     for name in (*_VECTORS["body"], *_SCALARS["body"], "relative", WITHIN, *OVER_TIME)
 )
-"""What a point of a body cannot be called."""
+"""The names that a point of a body cannot have."""

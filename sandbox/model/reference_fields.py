@@ -1,7 +1,7 @@
 """The mark of fields that name another part of the level.
 
-`sandbox.model.consistency.mentions` finds them from here, so that a new effect or joint need say
-no more than the type of its field.
+`sandbox.model.rules.consistency.mentions` finds them from here, so that a new effect or joint need
+say no more than the type of its field.
 """
 
 from dataclasses import dataclass
@@ -12,7 +12,7 @@ from pydantic.json_schema import JsonSchemaValue
 from pydantic_core import CoreSchema
 
 NAMES = "names"
-"""The key under which the schema holds what a text names."""
+"""The key in the schema that says what kind of part a text names."""
 
 
 @dataclass(frozen=True, slots=True)

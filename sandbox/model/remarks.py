@@ -13,7 +13,7 @@ from sandbox.model.formulas import Formula
 from sandbox.model.level import Level
 from sandbox.model.level_parts import Fault, expressions
 from sandbox.model.message import Message
-from sandbox.model.rules import corners
+from sandbox.model.rules.faults import corners
 
 
 def remarks(level: Level) -> Iterator[Fault]:

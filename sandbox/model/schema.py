@@ -36,7 +36,7 @@ class _Generate(GenerateJsonSchema):
         return self.generate_inner(schema["schema"])
 
     def dict_schema(self, schema: core_schema.DictSchema) -> JsonSchemaValue:
-        """Refuse what has no proper name."""
+        """Allow only proper names as keys."""
         made = {**super().dict_schema(schema), "additionalProperties": False}
         keys = made.pop("propertyNames", {})  # their pattern is said already
         return {**made, NAMES: keys[NAMES]} if NAMES in keys else made

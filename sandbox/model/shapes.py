@@ -36,10 +36,10 @@ def evaluate(point: tuple[Expression, Expression], values: Values) -> XY:
 
 
 THINNEST = 1e-7
-"""m, the width that a polygon must have to collide."""
+"""m, the least width of a polygon that collides."""
 
 SLIMMEST = 1e-5
-"""The same as a share of its length."""
+"""The same, as a share of its length."""
 
 
 class Disc(Model):
@@ -133,17 +133,17 @@ class Curve(Model):
 
 
 Area = Disc | Box | Polygon
-"""What covers a part of the plane."""
+"""Shapes that cover a part of the plane."""
 
 Line = Segment | Polyline | Arc | Curve
-"""What runs from a start to an end, with a side to its left and one to its right."""
+"""Shapes that run from a start to an end, and have a left and a right side."""
 
 Shape = Annotated[
     Disc | Hoop | Box | Polygon | Segment | Polyline | Arc | Curve, Field(discriminator="type")
 ]
 
 ROUND_OFF = 1e-12
-"""rad, by which an arc that goes all the way round may go too far."""
+"""rad, by which a full circle of an arc may be too long."""
 
 
 def points_of(shape: Polygon | Segment | Polyline) -> tuple[Point, ...]:

@@ -7,7 +7,7 @@ from sandbox.model.expressions import Expression
 from sandbox.model.json_positions import Path
 
 _PLAIN = frozenset({type(None), bool, int, float, str})
-"""What most parts are made of, and no expression is below."""
+"""The types of most parts, which contain no expression."""
 
 
 def expressions(part: object, path: Path = ()) -> Iterator[tuple[Path, Expression]]:

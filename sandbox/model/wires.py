@@ -10,14 +10,14 @@ from sandbox.model.shapes import Curve
 Points = NDArray[np.complex128]
 
 PIECES = 4096
-"""How many pieces a wire or curve is cut into, of equal s: a quintic through six points of such
-pieces is right to rounding for any curve that a person would call smooth."""
+"""The number of pieces of a wire or curve, of equal s. Interpolated by quintics through six points,
+smooth curves are right to rounding."""
 
 FIRST = 1.0
-"""How many pieces before the first its angle is 0, where pieces are closer at the ends."""
+"""How many pieces before the first point the angle is 0, where pieces are shorter at the ends."""
 
 NEAR = 1e-9
-"""How far apart points may be that are meant to be the same, of the size of the wire."""
+"""How much points that should coincide may differ, as a share of the wire's size."""
 
 
 def places(wire: Wire | Curve, values: Values, s: Array) -> Points:

@@ -14,14 +14,14 @@ from sandbox.model.level import Level
 from sandbox.model.shorthand.repeating import GROUPS, order
 
 WIDTH = 100
-"""Columns: what stands a line a member is put on one line if it fits in so many."""
+"""Columns: a part whose members have a line each stands on one line if that fits."""
 
 _INDENT = "  "
 ORDER = order(known.alias or name for name, known in Level.model_fields.items())
-"""The outermost keys of a level, as they stand below each other."""
+"""The order of the outermost keys of a level."""
 
 NAMED = ("parameters", "constants", GROUPS, "bodies", "joints", "checks", "ghosts")
-"""The parts whose members come and go, so that each may have a line of its own, however short."""
+"""The parts whose members come and go, so that each member may have a line of its own."""
 
 
 @dataclass(slots=True)
@@ -73,12 +73,12 @@ def text(document: Mapping[str, Any]) -> str:
 
 
 def formatted(typed: str) -> str:
-    """Return the JSON text of a level in its proper layout; what has that layout stays as it is.
+    """Return a level's JSON text in its proper layout; a proper text stays as it is.
 
     Parameters
     ----------
     typed
-        What is known to be a well-formed level.
+        The content of a well-formed level.
     """
     proper = _written(_read(typed))
     return proper.replace("\n", "\r\n") if "\r\n" in typed else proper
@@ -129,7 +129,7 @@ def _written(level: _Part) -> str:
 
 
 def _said(part: _Part, depth: int) -> str:
-    """Return the text of a part whose first line is indented so many times."""
+    """Return the text of a part, with its first line indented to some depth."""
     if _is_short(part, depth):
         return part.line
     if not part.spread:

@@ -64,20 +64,15 @@ def simulate(
 
     Parameters
     ----------
-    level
-        What to simulate.
-    values
-        The parameters; the level's defaults if left out.
-    duration
-        How long [s]; as the level says if left out. The last step is the first not before it.
+    level, values, duration, stepping
+        The level, its parameters, how long it runs [s], and how time advances; the level's own if
+        left out. The run ends with the first step that is not before its duration.
     record
         The quantities to record; those that the level's checks need if left out.
-    stepping
-        How time advances; as the level says if left out.
     books
-        Whether to keep the books of its energy along, which costs about 0.1 ms a step.
+        Whether to keep the energy books of the run, which costs about 0.1 ms per step.
     until
-        Tells after each step whether that was the last.
+        Returns after each step whether it was the last.
 
     Raises
     ------
@@ -89,15 +84,13 @@ def simulate(
     values = level.defaults if values is None else values
     record = None if record is None else list(record)
     asked = lasting(level, values, duration)
-    chosen = resolved(asked, values, stepping or level.stepping, record or ())
-    world = build(level, values, chosen)
+    world = build(level, values, resolved(asked, values, stepping or level.stepping, record or ()))
     try:
         with np.errstate(all="ignore"):  # what is not finite is told by name
             recorder = Recorder(world, needed(level) if record is None else record)
             closer = Closer(world) if books else None
             _record(world, count_steps(world, duration), recorder, closer, until)
-            trace = recorder.trace
-            return replace(trace, closing=closer.closing) if closer else trace
+            return replace(recorder.trace, closing=closer.closing if closer else None)
     except SandboxError:
         raise
     except Exception as error:

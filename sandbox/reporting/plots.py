@@ -14,7 +14,8 @@ COLOURS = (
     "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#7f7f7f", "#aa4499",
     "#117733",
 )  # fmt: skip
-"""Those of Okabe and Ito, which all can tell apart, and a few that stay apart from them."""
+"""The colours of Okabe and Ito, which colour-blind people can tell apart, and a few more that stay
+apart from them."""
 
 Form = Literal["png", "svg"]
 FORMS: tuple[Form, ...] = ("png", "svg")

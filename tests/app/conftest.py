@@ -17,7 +17,7 @@ from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.files import preferences, progress, recent
 from sandbox.app.files.level_entries import Entry
-from sandbox.app.home import pictures
+from sandbox.app.home import picture_cache
 from sandbox.app.panels import levels
 from sandbox.app.window import Window
 from sandbox.app.words import language
@@ -62,7 +62,7 @@ def _nothing_remembered(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None
     """Let nobody's files and pictures be read or written but those of the test itself."""
     monkeypatch.setattr(recent, "file", lambda: tmp_path / "recent" / "recent.json")
     monkeypatch.setattr(preferences, "file", lambda: tmp_path / "settings" / "settings.json")
-    monkeypatch.setattr(pictures, "folder", lambda: tmp_path / "pictures")
+    monkeypatch.setattr(picture_cache, "folder", lambda: tmp_path / "pictures")
 
 
 @pytest.fixture

@@ -15,7 +15,7 @@ from babel.messages.catalog import Catalog, Message
 from babel.messages.mofile import write_mo
 from babel.messages.pofile import read_po
 
-from sandbox.app import declared_words
+from sandbox.app import translatable_texts
 from sandbox.app.words import language
 from sandbox.cli import texts
 from sandbox.model import catalog, ledger_accounts
@@ -91,7 +91,7 @@ def test_what_a_level_says_keeps_its_numbers_and_formulas_in_translation(name: s
     """1,000 may be 1000 or 1 000: a comma is a decimal one elsewhere."""
     for message in messages(of("levels", name)):
         text, form = forms(message.id)[0], forms(message.string)[0]
-        assert signs(form) == signs(text), form
+        assert signs(form) == signs(text), f"translate in levels, {name}.po: {text!r}, not {form!r}"
 
 
 @EACH
@@ -142,7 +142,7 @@ def test_a_language_that_is_new_begins_with_all_messages_and_no_translation(
 @pytest.mark.sweep
 def test_every_account_of_every_level_is_a_word_that_is_declared() -> None:
     """What a joint or an effect books is found; so is what the ledger books of its own."""
-    words = set(declared_words.words())
+    words = set(translatable_texts.words())
     for name in catalog.names():
         level = load(catalog.root() / f"{name}.json")
         every = (

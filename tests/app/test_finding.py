@@ -5,7 +5,7 @@ import pytest
 from pygame_gui.core import UIElement
 
 from sandbox.app.panels.levels import LevelList
-from sandbox.app.widgets.row import Row
+from sandbox.app.widgets.list_button import Row
 from sandbox.model import catalog
 from tests.app.person import Person
 

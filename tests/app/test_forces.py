@@ -7,7 +7,7 @@ import pygame
 import pytest
 
 from sandbox.app.drawing import theme
-from sandbox.app.stage.forces import Arrow, Forces
+from sandbox.app.stage.given_forces import Arrow, Forces
 from sandbox.editing.run_as_level import as_it_stands
 from sandbox.model import catalog
 from sandbox.model.loading import load

@@ -13,9 +13,9 @@ from sandbox.app.building.editor import Editor
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.files import progress
-from sandbox.app.home import draft_strip, pictures
+from sandbox.app.home import draft_strip, picture_cache
 from sandbox.app.home.home import Home
-from sandbox.app.home.pictures import SIZE
+from sandbox.app.home.picture_cache import SIZE
 from sandbox.app.words.language import say
 from sandbox.editing import recovery
 from sandbox.editing.draft import Draft
@@ -302,9 +302,9 @@ def test_pictures_come_in_and_are_found_again_on_disk(
     """What another process would draw is put where it puts it."""
     path = tmp_path / "level.json"
     person.open(tmp_path, scenes.falling())
-    pygame.image.save(drawn := pictures.draw(path, pen), tmp_path / "x.png")
-    pictures.folder().mkdir()
-    kept = pictures.folder() / f"{pictures.key(path)}.png"
+    pygame.image.save(drawn := picture_cache.draw(path, pen), tmp_path / "x.png")
+    picture_cache.folder().mkdir()
+    kept = picture_cache.folder() / f"{picture_cache.key(path)}.png"
     kept.write_bytes((tmp_path / "x.png").read_bytes())
 
     person.press(pygame.K_F2)
@@ -326,7 +326,7 @@ def test_pictures_are_drawn_in_the_background_what_is_seen_first(
 
     until(person, lambda: thumbnails.of(tmp_path / "level.json") is not None)
 
-    assert list(pictures.folder().glob("*.png"))
+    assert list(picture_cache.folder().glob("*.png"))
     person.press(pygame.K_F2)
     assert not thumbnails.running
 
@@ -342,41 +342,41 @@ def test_a_level_that_cannot_be_drawn_says_so(person: Person, tmp_path: Path) ->
 def test_a_level_is_drawn_anew_when_its_file_says_something_else(tmp_path: Path) -> None:
     path = tmp_path / "level.json"
     path.write_text(scenes.falling())
-    (first,) = pictures.made([path], pictures.folder())
+    (first,) = picture_cache.made([path], picture_cache.folder())
     path.write_text(scenes.falling(title="A stone"))
-    (second,) = pictures.made([path], pictures.folder())
+    (second,) = picture_cache.made([path], picture_cache.folder())
 
     assert first.key != second.key
-    assert pygame.image.load(pictures.folder() / f"{first.key}.png").get_size() == SIZE
+    assert pygame.image.load(picture_cache.folder() / f"{first.key}.png").get_size() == SIZE
 
 
 @pytest.mark.parametrize("content", [b"", b"\x89PNG\r\n\x1a\n", b"nonsense"])
 def test_half_a_picture_counts_as_none(tmp_path: Path, content: bytes) -> None:
     path = tmp_path / "level.json"
     path.write_text(scenes.falling())
-    pictures.folder().mkdir()
-    (pictures.folder() / f"{pictures.key(path)}.png").write_bytes(content)
+    picture_cache.folder().mkdir()
+    (picture_cache.folder() / f"{picture_cache.key(path)}.png").write_bytes(content)
 
-    (made,) = pictures.made([path], pictures.folder())
+    (made,) = picture_cache.made([path], picture_cache.folder())
 
-    assert pictures.kept(made.key) == made.png != b""
+    assert picture_cache.kept(made.key) == made.png != b""
 
 
 def test_a_folder_that_takes_no_pictures_is_no_reason_to_show_none(tmp_path: Path) -> None:
     path = tmp_path / "level.json"
     path.write_text(scenes.falling())
-    pictures.folder().write_text("a file where the folder should be")
+    picture_cache.folder().write_text("a file where the folder should be")
 
-    (made,) = pictures.made([path], pictures.folder())
+    (made,) = picture_cache.made([path], picture_cache.folder())
 
     assert made.png
 
 
 def test_no_level_holds_up_the_others(pen: Pen, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(pictures, "PATIENCE", 0.2)
+    monkeypatch.setattr(picture_cache, "PATIENCE", 0.2)
     begun = time.monotonic()
 
-    pictures.draw(catalog.find("hard/gas-of-60"), pen)
+    picture_cache.draw(catalog.find("hard/gas-of-60"), pen)
 
     assert time.monotonic() - begun < PATIENCE / 4
 
@@ -403,16 +403,16 @@ def test_stars_that_were_earned_stand_on_the_card(visitor: Person) -> None:
 
 
 def test_what_is_kept_is_bounded(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(pictures, "MOST", 3)
-    pictures.folder().mkdir()
+    monkeypatch.setattr(picture_cache, "MOST", 3)
+    picture_cache.folder().mkdir()
     for i in range(5):
-        path = pictures.folder() / f"{i}.png"
+        path = picture_cache.folder() / f"{i}.png"
         path.write_bytes(b"")
         os.utime(path, (i, i))
 
-    list(pictures.made([], pictures.folder()))
+    list(picture_cache.made([], picture_cache.folder()))
 
-    assert sorted(path.stem for path in pictures.folder().iterdir()) == ["2", "3", "4"]
+    assert sorted(path.stem for path in picture_cache.folder().iterdir()) == ["2", "3", "4"]
 
 
 def drawn_and_lost(title: str) -> str:
@@ -443,7 +443,7 @@ def test_what_was_not_saved_is_offered_above_the_cards_and_gone_on_with(
     assert person.window.workers.of(Editor).work.draft.text == text
     person.press(pygame.K_F2)
     assert recoverable() == []  # it is this window's own now
-    assert home(person).place(0).top < 2 * pictures.SIZE[1]
+    assert home(person).place(0).top < 2 * picture_cache.SIZE[1]
 
 
 def test_without_drafts_the_cards_have_all_the_room(visitor: Person) -> None:

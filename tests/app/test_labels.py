@@ -5,7 +5,7 @@ import pytest
 
 from sandbox.app.drawing.text import Pen
 from sandbox.app.runs.session import Session
-from sandbox.app.stage.forces import Forces
+from sandbox.app.stage.given_forces import Forces
 from sandbox.app.stage.labels import Labels
 from sandbox.app.stage.marks import boxes
 from sandbox.app.stage.stage import Stage

@@ -10,7 +10,7 @@ from pygame_gui.core import UIElement
 from sandbox.app import main, window_timing
 from sandbox.app.pages.graph.panel import GraphPage
 from sandbox.app.panels.footer import Foot
-from sandbox.app.widgets.row import Row
+from sandbox.app.widgets.list_button import Row
 from sandbox.app.window import Window
 from sandbox.model.catalog import find
 from sandbox.model.level import Level

@@ -7,7 +7,7 @@ import pytest
 
 from sandbox.model import catalog, templates
 from sandbox.model.loading import load
-from sandbox.model.rules import corners
+from sandbox.model.rules.faults import corners
 from sandbox.model.writing import formatted
 from sandbox.physics.measuring.grading import grade
 from sandbox.physics.run import simulate

@@ -17,7 +17,7 @@ from sandbox.editing.edits import (
     handles,
     joints,
     mirroring,
-    rounding,
+    round_shapes,
     tilting,
     transforms,
 )
@@ -163,10 +163,10 @@ def tilted(text: str, hand: Hand) -> str:
 
 def made_round(text: str, hand: Hand) -> str:
     name = hand.body()
-    if hand.level.bodies[name].shape.type not in rounding.ROUND:
+    if hand.level.bodies[name].shape.type not in round_shapes.ROUND:
         return text
-    kind = hand.word(rounding.ROUND)
-    return rounding.rounded(text, hand.level, name, kind).text
+    kind = hand.word(round_shapes.ROUND)
+    return round_shapes.rounded(text, hand.level, name, kind).text
 
 
 FAMILIES: tuple[Callable[[str, Hand], str], ...] = (

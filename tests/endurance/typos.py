@@ -20,10 +20,10 @@ from typing import NamedTuple
 import typer
 
 from sandbox.model import catalog
-from sandbox.model.consistency.mentions import named_bodies
 from sandbox.model.errors import LevelError
 from sandbox.model.json_positions import TOKEN, Position, position
 from sandbox.model.loading import parse
+from sandbox.model.rules.consistency.mentions import named_bodies
 from sandbox.processes import spread
 
 TOLD, HARMLESS, OTHER = "told", "harmless", "another body"

@@ -24,8 +24,8 @@ import pygame
 import typer
 
 from sandbox.app.files.preferences import Preferences
-from sandbox.app.heap import give_back_large_blocks
 from sandbox.app.keymap import BINDINGS
+from sandbox.app.malloc_tuning import give_back_large_blocks
 from sandbox.app.pages.register import PAGES
 from sandbox.app.window import Window
 from sandbox.model import catalog

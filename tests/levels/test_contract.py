@@ -9,13 +9,14 @@ import numpy as np
 import pytest
 
 from sandbox.model import catalog
+from sandbox.model.effects import EFFECTS
 from sandbox.model.expressions import Array, Values
-from sandbox.model.joints import Joint, Spring
+from sandbox.model.joints import KINDS, Joint, Spring
 from sandbox.model.ledger_accounts import damps
 from sandbox.model.level import Level
 from sandbox.physics.measuring.grading import grade
 from sandbox.physics.measuring.recording import needed
-from sandbox.physics.metering.meter import Meter
+from sandbox.physics.quantities.meter import Meter
 from sandbox.physics.run import build, simulate
 from tests.elsewhere import PATIENCE, ROOT
 from tests.levels.playing import Played, fingerprint, play
@@ -30,6 +31,15 @@ HARD = sorted(set(catalog.names()) - set(NAMES))
 
 FEW = 60
 """Steps of a hard case that are taken here, if it lasts so long."""
+
+
+def test_every_effect_and_every_joint_is_called_for_by_a_level() -> None:
+    levels = [textbook(name) for name in NAMES]
+    effects = {name for level in levels for name in level.effects.declared}
+    joints = {joint.type for level in levels for joint in level.joints.values()}
+
+    assert not EFFECTS.keys() - effects, "add a level with its checks that declares the effect"
+    assert not KINDS.keys() - joints, "add a level with its checks that has a joint of the kind"
 
 
 @pytest.fixture(

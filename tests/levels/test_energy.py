@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from sandbox.model import acting_events, catalog
-from sandbox.model.joints import Rope
+from sandbox.model.joints import AngleStop, Joint, Rope, Stop
 from sandbox.model.ledger_accounts import losses, works
 from sandbox.model.level import Level
 from sandbox.physics.measuring.recording import Recorder, Trace, count_steps
@@ -67,6 +67,13 @@ NOTHING = 1e-9
 ENERGIES = ("system.energy", "system.kinetic_energy", "system.potential_energy")
 
 
+def dead(joint: Joint) -> bool:
+    """Whether a joint takes energy where it is jerked taut, or something runs into it."""
+    return isinstance(joint, Rope) or (
+        isinstance(joint, Stop | AngleStop) and joint.restitution is None
+    )
+
+
 def conservative(level: Level) -> bool:
     """Whether nothing in a level takes or gives energy, whatever happens."""
     effects, values = level.effects, level.defaults
@@ -80,7 +87,7 @@ def conservative(level: Level) -> bool:
         and not works(level)
         and set(losses(level)) <= {"impacts"}
         and (effects.contact is None or bouncing)
-        and not any(isinstance(joint, Rope) for joint in level.joints.values())
+        and not any(map(dead, level.joints.values()))
         and not acting_events.tied(level.events)
         and all(e(values) == 1 for _, e in acting_events.bouncing(level.joints))
     )

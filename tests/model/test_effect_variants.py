@@ -5,9 +5,9 @@ from typing import Any
 import pytest
 
 from sandbox.model import catalog
-from sandbox.model.consistency import inconsistencies
 from sandbox.model.effect_variants import DEFAULTS, TOLD, EffectError, including, without
 from sandbox.model.effects import Effects
+from sandbox.model.rules.consistency import inconsistencies
 from tests.sample import sampled
 from validation.case import textbook
 

@@ -68,7 +68,7 @@ def test_an_effect_that_is_whole_is_registered() -> None:
     [
         (
             Silent,
-            "the effect 'thing' says nothing of itself: add 'effect: ClassVar[Effect] ="
+            "the effect 'thing' has no declaration: add 'effect: ClassVar[Effect] ="
             ' Effect(name="thing", ...)\' to the class Silent in tests/model/test_register.py',
         ),
         (

@@ -4,7 +4,7 @@ from typing import Any
 
 import pytest
 
-from sandbox.model.consistency import sizes
+from sandbox.model.rules.consistency import sizes
 from tests.model.levels import Data, mistakes
 
 BASE = {"format": 1, "title": "Sizes", "effects": {}}

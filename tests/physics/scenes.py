@@ -11,7 +11,7 @@ from sandbox.model.expressions import Array
 from sandbox.model.level import Level
 from sandbox.model.loading import parse
 from sandbox.physics.energy.ledger import Ledger
-from sandbox.physics.metering.meter import Meter
+from sandbox.physics.quantities.meter import Meter
 from sandbox.physics.run import build
 from sandbox.physics.state.snapshot import Snapshot
 from sandbox.physics.stepping.world import World

@@ -6,9 +6,9 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from sandbox.model import rules
 from sandbox.model.errors import LevelError, SandboxError
 from sandbox.model.loading import parse
+from sandbox.model.rules import faults
 from sandbox.physics.advising import preflight as refusing
 from sandbox.physics.measuring import recording
 from sandbox.physics.run import build, simulate
@@ -47,7 +47,7 @@ def falling() -> world.World:
 def test_what_breaks_down_while_a_level_is_read_is_told(
     fail: Fail, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(rules, "faults", fail)
+    monkeypatch.setattr(faults, "faults", fail)
 
     with pytest.raises(LevelError, match="lead where nothing can be computed") as caught:
         parse(changed(bare()), "ball.json")

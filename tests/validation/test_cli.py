@@ -10,7 +10,7 @@ from typer.testing import CliRunner
 
 from validation import cli, suite
 from validation.case import Case, Outcome, run
-from validation.tables import read
+from validation.case_tables import read
 
 FIELDS = {
     "name", "level", "parameters", "quantity", "unit", "measured", "expected", "error",

@@ -5,5 +5,5 @@ from validation.formulas import newton
 
 
 def caught(grains: int) -> Expected:
-    """Return the momentum of so many grains, by the rate at which they come."""
+    """Return the momentum of a number of grains, from the rate at which they arrive."""
     return lambda p, _: newton.belt_momentum(p["v"], p["grain"] / p["every"], grains * p["every"])

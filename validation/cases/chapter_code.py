@@ -3,7 +3,7 @@
 import numpy as np
 
 from sandbox.model.expressions import Array, Values
-from validation.formulas import document
+from validation.formulas import chapter_code
 
 
 def drop(p: Values) -> float:
@@ -13,10 +13,10 @@ def drop(p: Values) -> float:
 
 def plain(p: Values, t: Array) -> Array:
     """Return the angle by the chapter's plain Euler [rad]."""
-    return document.swings(document.step_euler, p["start"], 0.0, p["L"], p["g"], t)
+    return chapter_code.swings(chapter_code.step_euler, p["start"], 0.0, p["L"], p["g"], t)
 
 
 def symplectic(p: Values, t: Array) -> Array:
     """Start the chapter, which kicks first, with what that first kick takes away."""
-    ahead = p["g"] / p["L"] * float(np.sin(p["start"])) * document.DT
-    return document.swings(document.step_symplectic, p["start"], ahead, p["L"], p["g"], t)
+    ahead = p["g"] / p["L"] * float(np.sin(p["start"])) * chapter_code.DT
+    return chapter_code.swings(chapter_code.step_symplectic, p["start"], ahead, p["L"], p["g"], t)

@@ -26,7 +26,7 @@ def accelerated(index: int) -> Expected:
 
 
 def lifted(times: float) -> Expected:
-    """Return the closed form of a way, so many times that of the wheel [m]."""
+    """Return the closed form of a distance, as a multiple of the wheel's [m]."""
     return lambda p, t: (
         times * pulleys.movable_pulley_acceleration(p["m"], p["M"], p["g"]) * t**2 / 2
     )

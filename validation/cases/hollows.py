@@ -6,7 +6,7 @@ from sandbox.model.expressions import Array, Values
 from validation.formulas import rotation
 
 STARTS = {"high": (1.0, 0.0), "middle": (0.6, 0.9), "low": (0.3, 1.8)}
-"""Of the discs, as shares of the angle; and how high the bowls are, over R."""
+"""The starts of the discs, as shares of the angle; and the heights of the bowls over R."""
 
 
 def height(disc: str, p: Values, t: Array) -> Array:

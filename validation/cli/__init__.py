@@ -19,7 +19,7 @@ from validation.cli import (
 )
 
 COMMANDS = (run, compose, cost, requests, pace, effects, report, stability, fuzz)
-"""In the order of the help; a command is called as its module."""
+"""All commands in the order of the help; each is named after its module."""
 
 app = typer.Typer(
     name="validation",

@@ -18,7 +18,7 @@ from validation.environment import environment
 def measure(
     chosen: Sequence[int], json_file: Path | None, folder: Path | None, jobs: int | None
 ) -> bool:
-    """Judge scenes, show what fails by family, and write what was asked for.
+    """Judge scenes, print failures by family, and write the requested files.
 
     Parameters
     ----------

@@ -13,32 +13,32 @@ ROUGHEST = 0.067
 least, so ω dt = 1/2, and 1 / (1 − (ω dt / 2)²) = 1.067."""
 
 USUAL = 0.9
-"""The share of a run in which what makes the second-order error is no larger than is allowed for,
-where bodies touch: an impact is none of it, and a run that goes wrong must not set its bound."""
+"""The share of a run in which the second-order error must stay within its bound where bodies touch:
+impacts do not count, and a run that goes wrong must not set its own bound."""
 
 PEAKS = 4
-"""How many times that it may be at its height."""
+"""The largest second-order error, as a multiple of that bound."""
 
 ROUNDING = 1e-12
-"""The share of all energies that rounding may come to in a thousand steps."""
+"""The rounding of a thousand steps, as a share of all energies."""
 
 TINY = 1e-15
-"""J, where nothing has any energy."""
+"""J, the energy scale of a scene without energy."""
 
 NEXT = 2
-"""How many times the leading terms may be with all that follow them: these fall by ω dt <= 1/2."""
+"""All terms of an error as a multiple of its leading term: they fall by ω dt <= 1/2."""
 
 SLIGHT = 1e-4
-"""s, the step of a second difference along straight ways: of ω = 200 rad/s it is off by 3e-5."""
+"""s, the step of a second difference along straight lines; for ω = 200 rad/s its error is 3e-5."""
 
 SINGULAR = 1e-12
-"""The share of the stiffest row below which joints say the same twice."""
+"""Joints are redundant below this share of the stiffest row."""
 
 TAUT = 1e-9
-"""m, by how much a rope may be short of its length and still hold; see `judges.JOINTS`."""
+"""m, by which a rope may be too short and still hold; see `invariants.JOINTS`."""
 
 KNOWN = 3e-9
-"""m, to which heights are known: two surfaces stand proud by 1e-9 m, and joints hold to as much."""
+"""m, the precision of heights: surfaces have a skin of 1e-9 m, and joints hold to as much."""
 
 
 class Energies:

@@ -34,7 +34,7 @@ MARGIN = 0.9
 hair may fall."""
 
 DRIFT = 1e-5
-"""m: what touches may sink by the skin, 1e-6 m, and a lever of ten may show it."""
+"""m: touching bodies may sink by the skin, 1e-6 m, and a lever of ten may magnify it."""
 
 JOINTS = 1e-9
 """m: rounding is 1e-15 m of the scenes' 10 m, a thousand times in some hundred of equations that
@@ -45,26 +45,26 @@ MOMENTUM = 1e-10
 of 1000 : 1."""
 
 ORDER = 1.8
-"""The power of the step by which errors fall: 2, less what the next power adds."""
+"""The least power of the step with which errors fall: 2, less the effect of the next term."""
 
 EXACT = 1e-9
 """m, below which an error is rounding; see `JOINTS`."""
 
 COARSE = 0.03
-"""m, beyond which errors tell no order: the runs no longer know of each other."""
+"""m, errors beyond this show no order: the runs have diverged."""
 
 FEW = 12
-"""Steps that a window must have for an order, or for a symmetry, to be seen."""
+"""The least number of steps within which an order, or a symmetry, can be seen."""
 
 SYMMETRY = 1e-9
 """m: rounding that grows as e^(t √(g / l)): in `WINDOW`, for l = 2 cm, by 7000 times."""
 
 WINDOW = 0.4
-"""s, over which a symmetry is looked at, or until something new touches: beyond that the last digit
-decides which corner hits first."""
+"""s, for which a symmetry is checked, or until a new contact: after that, the last digit decides
+which corner hits first."""
 
 TURN = 0.7
-"""rad, by which a scene is turned."""
+"""rad, the angle by which a scene is turned."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -132,7 +132,7 @@ def runs(case: Case) -> Iterator[Judgement]:
 
 
 def statics(case: Case) -> Iterator[Judgement]:
-    """Ask that what is at rest stays, and is held by forces that can hold it."""
+    """Require that bodies at rest stay so, held by forces that can hold them."""
     course = case.course
     if not course.scene.rests:
         return

@@ -1,4 +1,4 @@
-"""The constraints of joints, derived anew from the level's file, and their violation.
+"""The constraints of joints, derived independently from the level's file, and their violation.
 
 Each function takes complex coordinates, too: a step of 1e-30 i along one of them gives the slope to
 the last digit. So the Jacobian that judges the forces is a derivative of the very lengths that
@@ -18,10 +18,10 @@ from validation.compose.separation import body_of
 from validation.stability.scene import Document
 
 Numbers = NDArray[Any]
-"""Real, or complex for a slope."""
+"""Real numbers, or complex ones for a derivative."""
 
 STEP = 1e-30
-"""The imaginary step of a slope: its square is nothing beside 1."""
+"""The imaginary step of a derivative: its square vanishes beside 1."""
 
 
 class Places(NamedTuple):
@@ -40,7 +40,7 @@ class Kept:
     Attributes
     ----------
     joint
-        Its name.
+        The name of the joint.
     off
         (T,), by how much it is off [m; rad where an angle is kept].
     pulls_only
@@ -95,7 +95,7 @@ class Keeping:
         ]
 
     def _aim(self, joint: Document, index: int, start: Numbers, t: Numbers) -> Numbers:
-        """Return what a measure should be at the times: that of the start, if not told."""
+        """Return the required values of a measure at the times: by default, that of the start."""
         if joint["type"] in ("pivot", "motor", "rail") and index < 2:
             return np.zeros_like(t)
         if joint["type"] == "motor":

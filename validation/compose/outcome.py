@@ -22,7 +22,7 @@ class Outcome:
     bodies, joints
         How many it has.
     judgements
-        What was judged; nothing of a scene that was refused.
+        The verdicts; none for a scene that was refused.
     passed
         Whether all of it holds.
     refused

@@ -11,8 +11,7 @@ SKIN = 1.1e-6
 """m: the overlap that the engine leaves alone is 1e-6 m, approached from above."""
 
 SOON = 0.25
-"""s, within which the overlap of an impact that was found late must be gone: what is taken back
-slower than that is seen."""
+"""s, within which the overlap of an impact that was found late must be gone."""
 
 SLOWLY = 0.2
 """The share of an overlap that a step takes back where it is left to pymunk and nothing bounces; of
@@ -48,7 +47,7 @@ def excess(course: Course, couple: Couple, extents: Array) -> float:
 
 
 def _left(course: Course) -> float:
-    """Return which share of an overlap a step leaves; 0 where it shall soon be gone."""
+    """Return the share of an overlap that a step leaves; 0 where it must soon be gone."""
     if is_direct(course.level):
         return 0.0
     return 1.0 if course.level.effects.restitution else 1 - SLOWLY

@@ -22,13 +22,13 @@ from sandbox.physics.stepping.world import World
 from validation.compose.scenes import Scene
 
 MOST_STEPS = 720
-"""How many steps a run has at the most: one of a high rate is shorter."""
+"""The most steps of a run; a run with a high rate is shorter."""
 
 LIMIT = 20.0
-"""s of a processor that a run may take: 28 ms for each of the most steps that it may have."""
+"""s of processor time that a run may take: 28 ms for each of the most steps."""
 
 TRIES = 8
-"""How often a rate that is proposed is taken up."""
+"""How often a proposed rate is tried."""
 
 Pairs = frozenset[tuple[int, int]]
 
@@ -44,7 +44,7 @@ class Course:
     Attributes
     ----------
     scene, level
-        What was run.
+        The scene, and the level that was run.
     rate
         Of its steps [Hz].
     seen
@@ -94,7 +94,7 @@ class Course:
         return len(self.pairs) - 1
 
     def undisturbed(self) -> int:
-        """Return how many steps pass before anything touches that has not, or lets go."""
+        """Return the number of steps before a contact begins or ends."""
         same = [pairs == self.pairs[0] for pairs in self.pairs[1:]]
         return same.index(False) if False in same else len(same)
 
@@ -149,7 +149,7 @@ def led(scene: Scene, level: Level) -> Course:
 
 
 def run(scene: Scene, level: Level, world: World, duration: float | None = None) -> Course:
-    """Run a world, and record every step and what the ledger says of it.
+    """Run a world, and record every step and its ledger.
 
     Without a duration it is as long as the level says, or as many steps as a run has at the most.
     """
@@ -222,7 +222,7 @@ def _total(account: Mapping[str, float]) -> float:
 
 
 def positions(level: Level, rate: float, steps: int, every: int) -> Snapshot:
-    """Return the states of a level at another rate, so many steps apart.
+    """Return states of a level at another rate, a number of steps apart.
 
     Raises
     ------

@@ -8,7 +8,7 @@ from rich.table import Table
 from validation.compose.outcome import Outcome
 
 TOLD = 20
-"""How many scenes that fail are named."""
+"""How many failed scenes are named."""
 
 
 def by_family(found: Sequence[Outcome]) -> Table:

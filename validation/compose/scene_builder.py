@@ -17,10 +17,10 @@ End = object
 """An end of a joint, as it stands in a file."""
 
 RATES = (60, 120, 240, 240, 480, 1000, 2000)
-"""Hz, that are drawn from; the last only where it is needed."""
+"""Hz, the rates to draw from; the last is only for scenes that need it."""
 
 FLOOR = 40.0  # m, the width of floors
-"""Wide enough that nothing comes to its end within a run."""
+"""m, wide enough that nothing reaches its end within a run."""
 
 
 @dataclass(slots=True)

@@ -11,10 +11,10 @@ from validation.stability.case import make
 from validation.stability.scene import Document
 
 TREES = 0.15
-"""The share of scenes that are random through and through."""
+"""The share of scenes that are random trees."""
 
 TREE = "tree"
-"""The family of those."""
+"""The name of their family."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -24,7 +24,7 @@ class Scene:
     Attributes
     ----------
     seed
-        What it was drawn from.
+        The seed.
     family
         What put it together.
     document
@@ -58,7 +58,7 @@ class Scene:
 
 
 def seeds(seed: int, count: int) -> list[int]:
-    """Return a seed for each of so many scenes: the first of them are the same for any count."""
+    """Return a seed for each scene; the first ones are the same for any number of scenes."""
     return [int(np.random.SeedSequence((seed, i)).generate_state(1)[0]) for i in range(count)]
 
 

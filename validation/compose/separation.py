@@ -17,7 +17,7 @@ from validation.compose.shapes import Part, is_dynamic, outline
 from validation.stability.scene import Document
 
 NEAR = 0.02
-"""m, within which the boxes around two parts must come for the parts to be looked at."""
+"""m, parts are examined if the boxes around them come closer than this."""
 
 TINY = 1e-12
 """m, below which the line between two corners has no direction."""
@@ -94,7 +94,7 @@ def _nearest(a: Array, b: Array) -> Array:
 
 
 Placed = tuple[Array, float]
-"""The corners of a part over a run, (T, k, 2), and how far it reaches beyond them [m]."""
+"""The corners of a part over a run, (T, k, 2), and its radius around them [m]."""
 
 
 @dataclass(frozen=True, slots=True)

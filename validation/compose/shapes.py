@@ -1,4 +1,4 @@
-"""The shapes in a level's file: masses, moments and outlines, derived anew.
+"""The shapes in a level's file: masses, moments and outlines, derived independently.
 
 Nothing here is the engine's: what judges it must not share its mistakes. All numbers of a scene are
 plain numbers, for no person plays with its parameters.
@@ -30,7 +30,7 @@ class Part:
 
 
 def corners(shape: Document) -> Array:
-    """Return the points that a shape is written with: (k, 2); none of what is round [m]."""
+    """Return the corners of a shape as they are written: (k, 2) [m]; none for round shapes."""
     match shape["type"]:
         case "box":
             x, y = shape["width"] / 2, shape["height"] / 2

@@ -21,13 +21,13 @@ from validation.compose.shapes import extent, is_dynamic, outline
 from validation.stability.scene import Document
 
 TOUCHING = 2e-6
-"""m, within which bodies touch: the skin that the engine leaves alone, twice."""
+"""m, bodies closer than this touch: twice the overlap that the engine tolerates."""
 
 UNIQUE = 1e-9
-"""The share of a force that may lie in the directions that equilibrium leaves open: rounding."""
+"""A force is determined if its undetermined share is below this: rounding."""
 
 Wrench = tuple[int, Array]
-"""What a unit of a force does to a body: its number, and (3,) [N, N, N m]."""
+"""The effect of a unit force on a body: the body's number, and (3,) [N, N, N m]."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,7 +68,7 @@ class Statics:
     document, keeping
         The level, and what its joints keep.
     places
-        Where its bodies are, at one instant.
+        The state of its bodies at one instant.
     """
 
     def __init__(self, document: Document, keeping: Keeping, places: Places) -> None:
@@ -181,13 +181,13 @@ class Statics:
         return columns
 
     def stands(self, share: float = 1.0) -> bool:
-        """Return whether forces exist that hold it, with a share of the friction there is."""
+        """Return whether forces exist that hold it with a share of the available friction."""
         count = self._matrix.shape[1]
         found = self._solve(np.zeros((0, count)), np.zeros(0), share)
         return found is not None
 
     def error(self, measured: Measured) -> float:
-        """Return by how much measured forces miss any that hold it, of all weights together.
+        """Return by how much measured forces miss equilibrium, relative to all weights.
 
         Infinite where none do.
         """
@@ -219,7 +219,7 @@ class Statics:
         return float(found.x[-1]) if found.status == 0 else None
 
     def _unknowns(self, measured: Measured) -> tuple[Array, Array, float]:
-        """Return what is measured as rows over the unknowns, and the error of what is unique."""
+        """Return measured forces as rows over the unknowns, and the error of the unique ones."""
         contacts, unknowns = len(self.contacts), self._matrix.shape[1]
         rows, values = [], []
         for row, body in enumerate(self._bodies):

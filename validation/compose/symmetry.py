@@ -8,7 +8,7 @@ from math import cos, sin
 from validation.stability.scene import Document, Place
 
 Move = Callable[[Place], list[float]]
-"""What becomes of a point, or of a direction."""
+"""The transformation of a point, or of a direction."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,6 +1,8 @@
 """`python -m validation cost`."""
 
-from collections.abc import Callable, Iterable, Sequence
+import os
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from functools import partial
 from itertools import groupby
 from pathlib import Path
 
@@ -9,21 +11,21 @@ import typer
 from sandbox.model import catalog
 from sandbox.model.files import check_writable, make_folder
 from sandbox.optional_packages import needed_for
+from sandbox.processes import spread
 from validation import output
 from validation.cost.report import as_json, asked, asked_table, summed, table
-from validation.cost.run import sweeps
 from validation.cost.summary import failed
-from validation.cost.sweep import QUICK, Budget, Sweep
+from validation.cost.sweep import QUICK, Budget, Sweep, errors, timed
 from validation.environment import environment
 
 EACH = 6
-"""Of how many levels of a chapter one is taken where it is to go quickly."""
+"""A quick sweep takes one in so many levels of each chapter."""
 
 
 def measure(
     names: Sequence[str], json_file: Path | None, folder: Path | None, *, quick: bool
 ) -> list[str]:
-    """Sweep levels, print the table, write what was asked for, and return the levels that failed.
+    """Sweep levels, print the table, write the requested files, and return the failed levels.
 
     Without names these are all levels; quickly, a sample of them.
 
@@ -88,3 +90,14 @@ def sweep_all(names: Sequence[str], *, quick: bool) -> list[Sweep]:
     """Sweep levels, with progress on a terminal."""
     found = sweeps(names, QUICK if quick else Budget())
     return output.progress(found, "Measuring what accuracy costs", len(names))
+
+
+def sweeps(names: Sequence[str], budget: Budget) -> Iterator[Sweep]:
+    """Yield the sweep of each level, in their order.
+
+    All errors are computed first, on all cores; then the costs are timed, one run after another,
+    because a run that shares the machine takes longer.
+    """
+    found = dict(spread(partial(errors, budget=budget), names, os.cpu_count() or 1))
+    for number in range(len(names)):
+        yield timed(found[number])

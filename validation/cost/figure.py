@@ -17,7 +17,8 @@ LOOKS = {
     "symplectic-euler": ("#d55e00", "s", "--", "symplectic Euler (stock pymunk)"),
     "explicit-euler": ("#7f7f7f", "^", ":", "explicit Euler"),
 }
-"""Colours of Okabe and Ito, which all can tell apart; shapes and dashes for print."""
+"""The colours of Okabe and Ito, which colour-blind people can tell apart; markers and dashes for
+print."""
 
 
 def draw(sweep: Sweep, folder: Path) -> Path:

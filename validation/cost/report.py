@@ -97,7 +97,7 @@ def order_in_words(error: float, power: float | None) -> str:
 
 
 PUBLISHED = {"cost": "price"}
-"""Fields of a request that have another name in the JSON."""
+"""Fields of a request with another name in the JSON."""
 
 
 def asked(sweeps: Sequence[Sweep]) -> list[dict[str, object]]:

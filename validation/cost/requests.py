@@ -14,10 +14,10 @@ from sandbox.physics.run import build, simulate
 from validation.cost.run_error import Yardstick
 
 EXPENSIVE = 3.0
-"""How much more than the cheapest setting of the sweep a setting may cost."""
+"""How many times as much as the cheapest setting of the sweep a setting may cost."""
 
 LONGEST = 5.0
-"""s, how long a run may take to be looked at."""
+"""s, the longest run that is checked."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,7 +27,7 @@ class Request:
     Attributes
     ----------
     level, target
-        What was asked for.
+        The requested accuracy.
     stepping
         The setting that was found; None if it was said that there is none.
     estimated, delivered
@@ -62,7 +62,7 @@ class Request:
 def ask(
     name: str, level: Level, stick: Yardstick, targets: Iterable[float], budget: float
 ) -> Iterator[Request]:
-    """Ask for accuracies, and hold what is delivered against the closed forms.
+    """Request accuracies, and compare the results with the closed forms.
 
     A level without one is not asked: nothing else knows the digits that are wanted.
     """

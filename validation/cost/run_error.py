@@ -19,10 +19,10 @@ from sandbox.physics.measuring.recording import Trace
 from sandbox.physics.state.errors import SimulationError
 
 ROUNDING = 1e-9
-"""An error below this, at a small step, is no approximation's."""
+"""An error below this at a small step is rounding, not an approximation."""
 
 FALLS = 0.5
-"""The share to which an error must fall, at least, as the step falls to an eighth."""
+"""The share to which an error must fall as the step falls to an eighth."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,7 +79,7 @@ def yardstick(level: Level, values: Values, budget: float) -> Yardstick | None:
     Parameters
     ----------
     level, values
-        What is run.
+        The run.
     budget
         How long the finest run may take, about [s].
 
@@ -109,7 +109,7 @@ def _at(level: Level, rate: float) -> Stepping:
 
 
 def _finer(level: Level, values: Values, coarse: Trace, took: float, budget: float) -> Trace:
-    """Return a run with a sixteenth of the step, or else an eighth, a quarter, at the least half.
+    """Return a run with a sixteenth of the step; or else an eighth, a quarter or a half.
 
     The coarse one took so long, and it may take no longer than its budget [s]. Every step is looked
     at, for others are held against what lies between two looks.
@@ -124,7 +124,7 @@ def _finer(level: Level, values: Values, coarse: Trace, took: float, budget: flo
 
 
 def run(level: Level, values: Values, stepping: Stepping, seen: float = SEEN) -> Trace:
-    """Run a level and record what its checks need, looked at so often [Hz] or up to twice that.
+    """Run a level and record what its checks need, at a rate [Hz] or up to twice that.
 
     A look costs more than a step. But if a check asks for an instant, every step is looked at: what
     lies between two looks is off by how far they are apart.

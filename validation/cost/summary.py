@@ -15,13 +15,13 @@ ROUNDING = 1e-11
 """An error below this is rounding, and shows no order."""
 
 LARGE = 0.1
-"""An error above this is no small one, whose order would show."""
+"""An error above this is too large to show an order."""
 
 SAME = 1.2
-"""Two costs are the same if neither is larger by more than this."""
+"""Two costs are the same if their ratio is below this."""
 
 LEAST = 1e-16
-"""An error of nothing counts as that of a float."""
+"""An error of zero counts as that of a float."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,7 +57,7 @@ def order(points: Iterable[Point], scheme: Scheme) -> float | None:
 
 
 def pareto(points: Sequence[Point]) -> list[int]:
-    """Return the indices of the points of which none is both cheaper and closer, cheapest first."""
+    """Return the indices of the points on the Pareto front of cost and error, cheapest first."""
     found: list[int] = []
     least = inf
     for i in sorted(range(len(points)), key=lambda i: _by_cost(points[i])):
@@ -73,7 +73,7 @@ def _by_cost(point: Point) -> tuple[float, float]:
 
 
 def cost_to_reach(points: Iterable[Point], target: float) -> float | None:
-    """Return the least seconds a second with an error of at most so much; None if there is none."""
+    """Return the least cost [s/s] with an error up to a bound; None if there is none."""
     costs = [p.seconds_per_second for p in points if p.error <= target]
     return min(costs, default=None)
 

@@ -23,7 +23,7 @@ RATES = tuple(15.0 * 2**i for i in range(10))
 """Hz, 15 to 7,680."""
 
 ITERATIONS = (4, 10, 40)
-"""Sweeps of the solver that are tried where bodies touch; elsewhere there is nothing to solve."""
+"""The solver iterations that are tried where bodies touch; elsewhere there is nothing to solve."""
 
 NAIVE: Scheme = "symplectic-euler"
 OURS: Scheme = "leapfrog"
@@ -96,7 +96,7 @@ class Sweep:
     Attributes
     ----------
     level, own_rate
-        What was run, and the rate that it has by itself [Hz].
+        The level, and its own rate [Hz].
     judged_by, quantities
         What the errors are against, and those of what.
     points, requests

@@ -18,7 +18,7 @@ from sandbox.physics.run import build
 from sandbox.physics.stepping.world import World
 
 COUNTS = (1, 10, 100, 1000, 10_000)
-"""Over how many bodies an effect's cost is measured."""
+"""The numbers of bodies over which an effect's cost is measured."""
 
 QUICK = COUNTS[:3]
 
@@ -34,14 +34,14 @@ DECLARED: Mapping[str, object] = {
     "belt": [{"body": "walls", "velocity": [0.1, 0]}],
     "gravitation": {"constant": 1e-6, "softening": 1},
 }
-"""Every effect that is measured: as it is tried, or as it is declared here; what names a body acts
-on one."""
+"""Every effect that is measured, with its trial settings or with those given here; an effect that
+names a body acts on one."""
 
 ALONE = tuple(name for name in DECLARED if effects.EFFECTS[name].is_force)
-"""Those that need no other effect."""
+"""The effects that require no other effect."""
 
 LAWS = ("attraction", "drag", "force")
-"""Those that are measured together, too: force laws share one hook."""
+"""Force laws that are also measured together, since they share one hook."""
 
 EFFECTS: Mapping[str, tuple[str, ...]] = {
     **{name: (name,) for name in ALONE},
@@ -52,7 +52,7 @@ EFFECTS: Mapping[str, tuple[str, ...]] = {
     " + ".join(LAWS): LAWS,
     "belt": ("contact", "friction", "belt"),
 }
-"""What is declared to measure an effect, or several that act together."""
+"""What is declared to measure an effect, or several together."""
 
 BASE = {
     "rotation": "contact",
@@ -60,10 +60,12 @@ BASE = {
     "restitution": "contact",
     "belt": "friction",
 }
-"""Beside which an effect's cost is counted, if not beside a scene that declares nothing."""
+"""The effect beside which another's cost is measured; the others are measured beside an empty
+scene."""
 
 ALL_PAIRS: Mapping[str, tuple[int, int]] = {"gravitation": (2, 1000)}
-"""The fewest and the most bodies of what acts between every two: 10,000 take a second a step."""
+"""The fewest and the most bodies for effects between every two: 10,000 bodies take a second per
+step."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -105,13 +107,13 @@ class EffectCost:
     Attributes
     ----------
     effect
-        Its name, or those of several that act together.
+        The name of the effect, or of several that act together.
     bodies
         How many move, (k,).
     step_seconds
         What a step with it costs [s], (k,).
     seconds_per_step
-        What it adds to one [s], (k,); negative within the noise where it adds nothing.
+        The added time of a step [s], (k,); negative within the noise where it adds nothing.
     exponent
         p of the fit cost ~ n^p to the whole step from 100 bodies on; None if there are too few.
     """
@@ -188,7 +190,7 @@ def effect_costs(counts: Sequence[int] = COUNTS, repeats: int = 5) -> list[Effec
 
 
 def _measurable(count: int) -> dict[str, tuple[str, ...]]:
-    """Return what may act on so many bodies."""
+    """Return the effects that can act on a number of bodies."""
     ranges = {name: ALL_PAIRS.get(name, (1, count)) for name in EFFECTS}
     return {n: EFFECTS[n] for n, (least, most) in ranges.items() if least <= count <= most}
 

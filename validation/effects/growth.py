@@ -11,12 +11,12 @@ from sandbox.physics.run import build
 from validation.case import naive
 
 COUNTS: Mapping[str, Sequence[int]] = {"gas": (100, 1000, 10_000), "pile": (100, 1000, 5000)}
-"""Over how many bodies; pymunk takes half a minute to let go of a pile of 10,000."""
+"""The numbers of bodies; pymunk takes half a minute to free a pile of 10,000."""
 
 QUICK: Mapping[str, Sequence[int]] = {kind: counts[:2] for kind, counts in COUNTS.items()}
 
 FALLS = 90
-"""Steps after which what falls lies in a heap."""
+"""Steps after which falling bodies lie in a heap."""
 
 
 @dataclass(frozen=True, slots=True)

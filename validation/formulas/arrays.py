@@ -1,4 +1,4 @@
-"""The type of what formulas over time return."""
+"""The type of arrays in formulas over time."""
 
 import numpy as np
 from numpy.typing import NDArray

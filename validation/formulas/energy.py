@@ -220,7 +220,7 @@ def trough_force(mass: float, drop: float, radius: float, g: float) -> float:
 
 
 def loop_speed(speed: float, radius: float, g: float) -> float:
-    """Return the speed at the top of a loop of what slides into it at the bottom [m/s].
+    """Return the speed at the top of a loop, entered at the bottom at some speed [m/s].
 
     v² = v0² − 4 g r, as long as it stays on the track: v0² ≥ 5 g r; `radius` is that of the way of
     its centre [m].

@@ -11,10 +11,10 @@ from validation.formulas.arrays import Array
 from validation.formulas.runge_kutta import solution
 
 SPAN = 2.0
-"""s, for how long motions are followed until they come to where they are asked for."""
+"""s, for how long motions are integrated."""
 
 LOOKS = 2001
-"""How many times of these are looked at; the spin is read off between two of them on a line."""
+"""At how many times; the spin is interpolated between two of them."""
 
 
 def axle_loads(

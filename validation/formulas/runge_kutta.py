@@ -8,8 +8,7 @@ from numpy.typing import ArrayLike
 from validation.formulas.arrays import Array
 
 RELATIVE, ABSOLUTE = 2.3e-14, 1e-15
-"""By how much a step may be off, of what it leads to, and of what is next to nothing: about the
-hundred roundings that SciPy takes at the least."""
+"""The tolerances of a step: about a hundred roundings, the least that SciPy accepts."""
 
 
 def solution(slope: Callable[[Array], Array], start: Array, t: ArrayLike) -> Array:

@@ -1,1 +1,1 @@
-"""Levels that nobody would write: whatever they hold, each is answered, soon and within bounds."""
+"""Hostile levels: each must be answered, soon and within bounds."""

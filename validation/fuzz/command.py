@@ -25,12 +25,12 @@ from validation.fuzz.shrinking import shrunk
 from validation.fuzz.trial import Trial, Tried
 
 SAMPLES = Path("out") / "fuzz"
-"""Where levels that go wrong are kept, if nothing else is said."""
+"""The default folder of levels that go wrong."""
 
 
 @dataclass(slots=True)
 class Findings:
-    """What came of many levels.
+    """The outcomes of many levels.
 
     Attributes
     ----------
@@ -54,7 +54,7 @@ def made(seed: int, number: int) -> dict[str, Any]:
 
 
 def drawn(seed: int, trial: Trial) -> Generator[Tried]:
-    """Yield what comes of levels that are drawn at random, without end."""
+    """Yield the outcomes of random levels, without end."""
     for number in count():
         for data, outcome in answered(made(seed, number), trial.run):
             yield Tried(number, data, outcome)
@@ -102,7 +102,7 @@ def fuzz(
 
 
 def _report(found: Findings, seed: int, seconds: float, json_file: Path | None) -> None:
-    """Print what was found, and write it to the file if one is wanted."""
+    """Print the findings, and write them to a file if one is given."""
     answers = ", ".join(f"{times:,} {kind}" for kind, times in sorted(found.answers.items()))
     how = "led by Atheris" if found.guided else "drawn at random"
     typer.echo(f"{found.answers.total():,} levels, {how}, in {seconds:.0f} s: {answers or 'none'}.")
@@ -117,7 +117,7 @@ def _report(found: Findings, seed: int, seconds: float, json_file: Path | None) 
 
 
 def _note(tried: Tried, trial: Trial, found: Findings, samples: Path) -> None:
-    """Count what came of a level; if it went wrong, keep the least of it that does."""
+    """Count an outcome; if it is bad, keep the smallest level that has it."""
     number, data, outcome = tried
     found.answers[outcome.kind] += 1
     if outcome.passed:

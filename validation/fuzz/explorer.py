@@ -15,10 +15,10 @@ from multiprocessing.connection import Connection
 from random import Random
 
 LONGEST = 4000
-"""Bytes of an input: a level takes some hundred choices."""
+"""The most bytes of an input: a level takes some hundred choices."""
 
 SLOWER = 3.0
-"""How many times as long code takes whose branches are counted."""
+"""How many times as long instrumented code takes."""
 
 
 class Choices(Random):
@@ -38,7 +38,7 @@ class Choices(Random):
 
 
 def main() -> None:
-    """Explore until nobody listens: the arguments are a pipe, a seed and a folder of inputs."""
+    """Explore until the pipe closes: the arguments are a pipe, a seed and a folder of inputs."""
     pipe, seed, folder = sys.argv[1:]
     line = Connection(int(pipe))
     atheris = importlib.import_module("atheris")

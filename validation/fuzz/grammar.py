@@ -17,15 +17,15 @@ HOSTILE: Sequence[float | str] = (
     "1/(p - 1)", "10**p", "log(p - 1)", "exp(700*p)", "where(p > 1, 1, 0)", "p % q", "nobody",
 )  # fmt: skip
 VARYING: Sequence[str] = ("{0}", "sin(9*{0})", "1 + 0.1*{0}", "1/{0}", "exp(9*{0})", "{0}**2")
-"""Formulas over the time, or what runs along a wire or a landscape."""
+"""Formulas of the time, or of the parameter of a wire or a landscape."""
 
 _VARIABLE = re.compile(r"over the parameters and (\w)")
 
 WILD = 0.06
-"""How often a number is hostile; a level has dozens, and one is enough."""
+"""The probability of a hostile number; a level has dozens, and one is enough."""
 
 RARE = 0.25
-"""How often something is said that may be left out."""
+"""The probability of an optional field."""
 
 BODIES = ("a", "b", "c", "d", "e")
 QUANTITIES = ("system.energy", "a.position.x", "b.speed", "system.loss.friction", "t", "j1.tension")
@@ -37,7 +37,7 @@ def _schema() -> dict[str, Any]:
 
 
 class Grammar:
-    """Makes levels at random, of which most are well formed."""
+    """Makes random levels, most of them well formed."""
 
     def __init__(self, random: Random) -> None:
         self._schema = _schema()
@@ -45,7 +45,7 @@ class Grammar:
         self._bodies = BODIES[: random.choice((1, 2, 2, 3, 5))]
 
     def level(self) -> dict[str, Any]:
-        """Return a level as its file would hold it."""
+        """Return a level as it would stand in its file."""
         fields: Mapping[str, Part] = self._schema["properties"]
         random = self._random
         made: dict[str, Any] = {"format": 1, "title": "fuzz"}

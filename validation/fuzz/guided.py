@@ -18,7 +18,7 @@ from validation.fuzz.explorer import LONGEST
 from validation.fuzz.trial import HANGS, STARTS, Outcome, Trial, Tried
 
 FIRST = 200
-"""How many random inputs it begins with: by itself it would begin with levels without choices."""
+"""The random inputs to begin with; by itself Atheris begins with empty ones."""
 
 
 def available() -> bool:
@@ -27,7 +27,7 @@ def available() -> bool:
 
 
 def guided(seed: int, trial: Trial) -> Generator[Tried]:
-    """Yield what comes of levels that Atheris leads to, without end.
+    """Yield the outcomes of the levels that Atheris makes, without end.
 
     What its process makes of a level counts if that is an answer. Else the level is tried once more
     by itself, for code whose branches are counted is slow, and a process that lasts has a past.
@@ -35,7 +35,7 @@ def guided(seed: int, trial: Trial) -> Generator[Tried]:
     Parameters
     ----------
     seed
-        Where it begins; what follows depends on the code.
+        The seed; the rest depends on the code.
     trial
         Tries a level by itself.
 
@@ -84,7 +84,7 @@ def _explored(seed: int, folder: str) -> Iterator[tuple[int, str, Outcome | None
 
 
 def _said(line: Connection, wait: float) -> Any:  # noqa: ANN401 (whatever is sent)
-    """Return what the process tells; None if it ended, or has gone to sleep for good."""
+    """Return the output of the process; None if it ended or hangs."""
     try:
         return line.recv() if line.poll(wait) else None
     except (EOFError, OSError):

@@ -10,7 +10,7 @@ from sandbox.model import catalog
 from validation.fuzz.grammar import HOSTILE
 
 Place = tuple[Any, Any]
-"""An object or a list, and the key or index of something in it."""
+"""An object or a list, and the key or index of one of its members."""
 
 
 def mutated(random: Random) -> dict[str, Any]:

@@ -8,13 +8,13 @@ from typing import Any
 from validation.fuzz.trial import Outcome
 
 ROUNDS = 8
-"""How often a level is mended at the most."""
+"""How often a level is repaired, at most."""
 
 
 def answered(
     data: dict[str, Any], run: Callable[[str], Outcome]
 ) -> Iterator[tuple[dict[str, Any], Outcome]]:
-    """Yield a level with what comes of it, and again, mended, as long as it is refused.
+    """Yield a level with its outcome, and repaired versions as long as it is refused.
 
     Parameters
     ----------
@@ -32,7 +32,7 @@ def answered(
 
 
 def mended(data: dict[str, Any], mistakes: Sequence[tuple[str, str]]) -> dict[str, Any]:
-    """Return a level without what was wrong with it, as far as that can be taken away."""
+    """Return a level without the parts that were refused, as far as they can be removed."""
     made = deepcopy(data)
     for place, rule in reversed(mistakes):
         steps = place.split(".") if place else []

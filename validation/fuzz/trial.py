@@ -18,30 +18,30 @@ from sandbox.physics.run import build
 from sandbox.physics.state.errors import BreakdownError
 
 SECONDS = 2.0
-"""Of computing, that an answer may take."""
+"""s of processor time that an answer may take."""
 
 HANGS = 30.0
-"""s, after which a process that does not compute has gone to sleep for good."""
+"""s, after which a process that computes nothing counts as hung."""
 
 BYTES = 500_000_000
-"""Of memory, beside what the libraries take, that an answer may take."""
+"""The memory that an answer may take, besides that of the libraries."""
 
 STARTS = 300.0
-"""s, that the process may take to begin, on a machine that others use."""
+"""s, that the process may take to start on a busy machine."""
 
 STEPS = 8
 
 RUNS, REFUSED, STOPPED = "runs", "refused", "stopped"
 ANSWERS = (RUNS, REFUSED, STOPPED)
-"""What may come of a level: it runs, is refused, or has to stop."""
+"""The good outcomes: the level runs, is refused, or has to stop."""
 
 SLOW, ENDED, UNTOLD = "slow", "ended", "not told"
-"""What must not: no answer in time, the process ended, or something else than our own errors."""
+"""The bad outcomes: no answer in time, a crash, or an error that is not one of ours."""
 
 
 @dataclass(frozen=True, slots=True)
 class Outcome:
-    """What came of a level.
+    """The outcome of a level.
 
     Attributes
     ----------
@@ -64,7 +64,7 @@ class Outcome:
 
 
 class Tried(NamedTuple):
-    """A level, which of those that were made it comes from, and what came of it."""
+    """A level, its origin, and its outcome."""
 
     number: int
     data: dict[str, Any]
@@ -123,7 +123,7 @@ class Trial:
         self._line: Connection | None = None
 
     def run(self, text: str) -> Outcome:
-        """Return what comes of a level; one without an answer is asked again.
+        """Return the outcome of a level; a level without an answer is tried twice.
 
         On a machine that others use, a process may get no time to compute for that long.
         """
@@ -171,7 +171,7 @@ class Trial:
 
 
 def _serve(line: Connection, seconds: float) -> None:
-    """Answer, in the other process, until nobody asks any more."""
+    """Answer requests, in the other process, until the pipe closes."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     sys.stderr = open(os.devnull, "w", encoding="utf-8")  # noqa: SIM115 (as long as it lives)
     attempt("{}")
@@ -194,7 +194,7 @@ def attempt_within(seconds: float, text: str) -> Outcome:
 
 
 def _limit_time(seconds: float) -> None:
-    """Let this process end after so much computing; never, after 0."""
+    """End this process after some processor time; never, for 0."""
     if hasattr(signal, "ITIMER_PROF"):
         signal.setitimer(signal.ITIMER_PROF, seconds)
 

@@ -36,7 +36,7 @@ def measure(names: Sequence[str], json_file: Path | None) -> list[str]:
 
 
 def content(found: Sequence[Pace]) -> dict[str, object]:
-    """Return what levels need as the JSON file holds it."""
+    """Return the measurements of levels as the content of the JSON file."""
     return {"environment": environment(), "levels": [asdict(each) for each in found]}
 
 

@@ -10,14 +10,14 @@ from time import process_time
 import numpy as np
 
 REFERENCE = 3.05e-3
-"""s, what the yardstick takes on a core of the machine that shares are told for, when it is idle:
-a slow one, two cores of a server shared by many."""
+"""s, the time of the yardstick on an idle core of the reference machine: a slow one, two cores of a
+server shared by many."""
 
 ROUNDS = 60
-"""Of a yardstick."""
+"""The rounds of the yardstick."""
 
 SIZE = 12
-"""Rows of its matrices: a linkage has about as many."""
+"""The rows of its matrices: about as many as a linkage has."""
 
 _MATRIX = np.eye(SIZE) * SIZE + np.cos(np.arange(SIZE**2)).reshape(SIZE, SIZE)
 _VECTOR = np.sin(np.arange(SIZE))

@@ -13,16 +13,16 @@ from sandbox.physics.stepping.world import World
 from validation.pace.machine_speed import REFERENCE, yardstick
 
 REPEATS = 3
-"""How often a run is timed at the most; the quickest counts, for whatever else runs only adds."""
+"""How often a run is timed, at most; the fastest counts, since disturbances only add."""
 
 MOST = 1.0
 """s, about, for the timing of a level."""
 
 SLICE = 0.05
-"""s, about, between two looks at how fast the machine is."""
+"""s, about, between two measurements of the machine's speed."""
 
 REAL_TIME = 0.5
-"""The share of the reference core that a level may need; the rest is for drawing it."""
+"""The share of the reference core that a level may need; the rest is for drawing."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,7 +32,7 @@ class Pace:
     Attributes
     ----------
     level
-        Its name.
+        The name of the level.
     rate
         Of its steps [Hz].
     step_seconds
@@ -40,7 +40,7 @@ class Pace:
     load
         What a second of the scene takes here and now [s], looked at sixty times.
     reference_load
-        What it would take on the reference core; see `yardstick` [s].
+        The time on the reference core; see `yardstick` [s].
     """
 
     level: str

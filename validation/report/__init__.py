@@ -1,1 +1,1 @@
-"""All of the validation as one page that needs nothing but itself."""
+"""All of the validation as one self-contained page."""

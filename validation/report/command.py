@@ -56,7 +56,7 @@ def write(output: Path, source: Path | None, *, quick: bool, figures: bool) -> b
 def _collected(
     part: parts.Part, source: Path | None, *, quick: bool
 ) -> parts.Content | SandboxError:
-    """Return what a part measured, or why it did not: the others go on."""
+    """Return the measurements of a part, or why they failed; the other parts go on."""
     Console(stderr=True, highlight=False).print(f"validation {part.command} ...")
     try:
         return parts.collect(part, source, quick=quick)

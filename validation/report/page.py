@@ -25,15 +25,15 @@ from validation.report.digest.chapters import by_chapter
 from validation.report.digest.claims import Cases, cases, chosen, share
 from validation.report.digest.costs import Costs, costs
 from validation.report.digest.hard_cases import HardCases, hard_cases
-from validation.report.digest.hooks import hooks
+from validation.report.digest.python_cost import hooks
 from validation.report.digest.requests import Requests
 from validation.stability import report as stability_report
 
 SHOWN = 4
-"""How many diagrams are in sight at once; the others fold away."""
+"""How many diagrams are visible at once; the others are folded away."""
 
 LARGE = 1e4
-"""A ratio from here on is told as a power of ten."""
+"""Ratios from here on are shown as powers of ten."""
 
 
 @dataclass(slots=True)
@@ -70,7 +70,7 @@ class Report:
 
 
 def report(contents: Mapping[str, parts.Content | SandboxError], *, quick: bool) -> Report:
-    """Return a report of what was measured, by command, or of why it was not."""
+    """Return a report of the measurements, by command, or of why they failed."""
     found = Report(quick=quick)
     for command, content in contents.items():
         try:
@@ -156,7 +156,7 @@ def html(found: Report) -> str:
 
 
 def foldable(level: str) -> Markup:
-    """Return the name of a level that may go on in the next line after its chapter."""
+    """Return a level's name that may break after its chapter."""
     return Markup("/<wbr>").join(level.split("/"))
 
 
@@ -185,7 +185,7 @@ def target(error: float) -> str:
 
 
 def micro(seconds: float) -> str:
-    """Return a time in µs, with as many decimals as tell something."""
+    """Return a time in µs, with the significant decimals."""
     if not isfinite(seconds):
         return "–"
     time = seconds * 1e6

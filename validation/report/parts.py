@@ -14,6 +14,7 @@ from sandbox.model.errors import SandboxError
 from sandbox.model.message import Message
 from validation import suite
 from validation.case import Case, Outcome
+from validation.case_tables import read
 from validation.cases import PHENOMENA, all_cases
 from validation.cost import command as cost
 from validation.cost.requests import Request
@@ -24,7 +25,6 @@ from validation.effects.growth import Growth
 from validation.stability import command as stability
 from validation.stability.run import Outcome as Hard
 from validation.stability.run import run
-from validation.tables import read
 
 SAMPLE = (
     "kinematics/projectile",
@@ -35,7 +35,7 @@ SAMPLE = (
     "lagrange/simple-pendulum",
     "lagrange/double-pendulum",
 )
-"""The levels of which a quick report shows what accuracy costs."""
+"""The levels for which a quick report shows the cost of accuracy."""
 
 HARD = (
     "a cradle of five, 1 in, gap 0 m",
@@ -51,12 +51,12 @@ OPTIONAL = {
     "order", "stepping", "until",
     "beyond", "axis", "unit", "frontier", "naive_frontier", "previous", "rate", "naive_rate",
 }  # fmt: skip
-"""Figures that may be missing; others that JSON lacks are infinite or NaN."""
+"""Figures that may be missing; any other that JSON lacks is infinite or NaN."""
 
 T = TypeVar("T")
 
 Content = Mapping[str, Any]
-"""What a command writes as JSON."""
+"""The JSON that a command writes."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,7 +66,7 @@ class Part:
     Attributes
     ----------
     command
-        Its name, which is that of its file, too.
+        The name of the part, and of its file.
     measure
         Measures it, quickly or not, and returns what the command writes.
     """

@@ -15,7 +15,7 @@ from validation.requests.trial import Trial, trial
 
 
 def measure(count: int, seed: int, json_file: Path | None, jobs: int | None) -> bool:
-    """Ask for accuracies, say what is not kept, and return whether all that was told holds.
+    """Request accuracies, print those that are missed, and return whether all promises hold.
 
     Parameters
     ----------
@@ -46,7 +46,7 @@ def measure(count: int, seed: int, json_file: Path | None, jobs: int | None) -> 
 
 
 def content(trials: Sequence[Trial]) -> dict[str, object]:
-    """Return what came of all as the JSON file holds it."""
+    """Return all outcomes as the content of the JSON file."""
     requests = [{**output.finite(asdict(each)), "values": dict(each.values)} for each in trials]
     return {"environment": environment(), "requests": requests}
 
@@ -63,7 +63,7 @@ def summary(trials: Sequence[Trial]) -> str:
 
 
 def complaints(trials: Sequence[Trial]) -> list[str]:
-    """Return what is not as it was told, in words."""
+    """Return broken promises, in words."""
     found = []
     for each in trials:
         if each.looked_at and not (each.kept and each.honest and not each.cheaper):

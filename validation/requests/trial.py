@@ -25,19 +25,19 @@ from sandbox.physics.state.errors import SimulationError
 TARGETS = (1e-3, 1e-6, 1e-9)
 
 FINER = 8
-"""How many times as many steps the run takes that a setting is held against, or half of that."""
+"""How many times as many steps the reference run takes, or half of that."""
 
 LONGEST = 20.0
-"""s, how long that run may take, as its work is counted."""
+"""s, how long that run may take, by its counted work."""
 
 EXPENSIVE = 3.0
-"""How many times as much as the cheapest setting of the sweep another may cost."""
+"""How many times as much as the cheapest setting of the sweep a setting may cost."""
 
 BETTER = 2.0
-"""How many times as small as it is an error may be told."""
+"""How many times too small the reported error may be."""
 
 ROUNDING = 1e-12
-"""An error below this may be told as any other below it."""
+"""Errors below this count as equal."""
 
 SWEPT = tuple(15.0 * 2**i for i in range(13))
 """Hz, the rates of the sweep."""
@@ -45,12 +45,12 @@ SWEPT = tuple(15.0 * 2**i for i in range(13))
 
 @dataclass(frozen=True, slots=True)
 class Trial:
-    """What was asked for, and what came of it.
+    """A request, and its outcome.
 
     Attributes
     ----------
     seed, level, values, target
-        What was asked for.
+        The requested accuracy.
     answer
         The setting in words, or why there is none.
     refused
@@ -73,7 +73,7 @@ class Trial:
 
     @property
     def looked_at(self) -> bool:
-        """Whether there was time to see what was delivered."""
+        """Whether there was time to verify the result."""
         return not isnan(self.delivered)
 
     @property
@@ -83,7 +83,7 @@ class Trial:
 
     @property
     def honest(self) -> bool:
-        """Whether it was not told better than it is."""
+        """Whether the reported error is not too small."""
         return self.delivered <= max(BETTER * self.estimated, ROUNDING)
 
 

@@ -18,10 +18,10 @@ from validation.stability.run_measures import Run
 from validation.stability.scene import Document
 
 Figure = Callable[[Run], float]
-"""What is read off a run."""
+"""A number that is read off a run."""
 
 LOOKS = 600
-"""How often a run is looked at, at least, if it has so many steps."""
+"""The observations of a run, at least, if it has so many steps."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -31,7 +31,7 @@ class HardCase:
     Attributes
     ----------
     name
-        What is claimed, in a few words.
+        The claim, in a few words.
     family
         The file it comes from.
     group
@@ -41,7 +41,7 @@ class HardCase:
     criterion
         What the figure is, and where the bound comes from.
     figure, bound
-        What is read off a run, and how large it may be.
+        The figure that is read off a run, and its bound.
     duration, quick
         How long it runs, and how long in a quick run [s]; as the level says if None.
     rate
@@ -101,7 +101,7 @@ class Frontier:
     over_time
         Whether the difficulty is the time until which the bound holds; `end` is then the duration.
     tolerance
-        By which factor the frontier may lie further in than it did.
+        The factor by which the frontier may recede.
     beyond
         Why it lies further in than that of pymunk, if it does.
     """
@@ -124,7 +124,7 @@ class Frontier:
 
 
 def watch(level: Level, world: World, duration: float, *, every_step: bool = False) -> Run:
-    """Run a world, look at it now and then, and say what was seen.
+    """Run a world, sample it now and then, and return the samples.
 
     Raises
     ------

@@ -17,7 +17,7 @@ from validation.stability.run import Outcome, outcomes
 
 
 def measure(json_file: Path | None, *, quick: bool, update: bool) -> list[str]:
-    """Run all hard cases, print the tables, write what was asked for, and return what failed.
+    """Run all hard cases, print the tables, write the requested files, and return the failures.
 
     Raises
     ------

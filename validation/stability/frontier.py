@@ -22,16 +22,16 @@ from validation.stability.run_measures import Run
 from validation.stability.stock_pymunk import naive
 
 GALLOPS = 7
-"""In how many leaps the search goes from the least difficulty to the greatest."""
+"""The number of leaps from the least difficulty to the greatest."""
 
 CLOSE = 1.08
-"""The ratio of a difficulty that breaks to one that holds at which the search ends."""
+"""The search ends at this ratio of a difficulty that breaks to one that holds."""
 
 BLOCKS = 16
-"""Of ten steps each, that are timed."""
+"""The number of timed blocks of ten steps."""
 
 QUICK_TIME = 20.0
-"""s, of a run that lasts as long as it holds, in a quick run."""
+"""s, the length of an endurance run in a quick run."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,7 +62,7 @@ def reach(frontier: Frontier, *, alone: bool = False) -> Reach:
     Parameters
     ----------
     frontier
-        What is made harder.
+        The frontier, whose scene is made harder.
     alone
         Whether pymunk does everything by itself, at the sandbox's cost.
     """

@@ -21,11 +21,11 @@ from validation.stability.history import last, moved_inward, read
 from validation.stability.run_measures import Run
 
 HALVINGS = 2
-"""How often the step is halved, down to the level's own, to see by which power the error falls."""
+"""How often the step is halved, down to the level's own, to measure the order."""
 
 
 LONG = 500_000
-"""How many steps of a case take longer than most frontiers."""
+"""A case with more steps takes longer than most frontiers."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,7 +39,7 @@ class Outcome:
     passed
         Whether the figure is within its bound; of a frontier, whether it has not moved inward.
     figure
-        What was read off the run; of a frontier that of the hardest run that held.
+        The figure of the run; for a frontier, of the hardest run that held.
     cost
         What a second of simulated time took of a processor [s].
     order
@@ -80,7 +80,7 @@ class Outcome:
 
 
 def outcomes(*, quick: bool) -> Iterator[Outcome]:
-    """Yield the outcomes of all cases and frontiers as they come in; the long ones begin first."""
+    """Yield the outcomes of all cases and frontiers as they come in; the long ones start first."""
     steps = {case.name: _steps(case, quick=quick) for case in all_cases()}
     frontiers = [frontier.name for frontier in all_frontiers()]
     long = [name for name in steps if steps[name] >= LONG]
@@ -142,7 +142,7 @@ def scene(case: HardCase) -> Level:
 def _figure(
     case: HardCase, level: Level, duration: float, coarser: float = 1.0
 ) -> tuple[float, Run | None, str]:
-    """Return the figure of a run whose step is so many times as long, the run, and a failure."""
+    """Return the figure of a run with a longer step, the run, and a failure."""
     assert case.figure
     rate = (case.rate or level.stepping.rate) / coarser
     stepping = level.stepping.model_copy(update={"rate": rate})

@@ -8,7 +8,7 @@ from sandbox.model.expressions import Array
 from sandbox.model.joints import End, Held, points
 from sandbox.model.level import Level, Stepping
 from sandbox.model.shapes import evaluate
-from sandbox.physics.metering.meter import Meter
+from sandbox.physics.quantities.meter import Meter
 from sandbox.physics.run import build
 from sandbox.physics.state.snapshot import Snapshot
 from sandbox.physics.stepping.world import World
@@ -36,7 +36,7 @@ def dynamic(run: Run) -> Array:
 
 
 def drift(run: Run) -> float:
-    """Return how far any body went from where it started, at the most [m]."""
+    """Return the largest distance of any body from its start [m]."""
     gone = run.states.position - run.states.position[0]
     return float(np.hypot(gone[..., 0], gone[..., 1])[:, dynamic(run)].max())
 
@@ -49,7 +49,7 @@ def energy(run: Run) -> float:
 
 
 def separation(run: Run) -> float:
-    """Return by how much a rod is too long or short, or a pivot open, at the most [m]."""
+    """Return the largest error of a rod's length, or gap of a pivot [m]."""
     worst = 0.0
     for joint in run.level.joints.values():
         path = points(joint)

@@ -17,7 +17,7 @@ SLOP = 0.01
 and what pushes rocks the pile. pymunk's own, 0.1, was made for pixels."""
 
 WATCHED = 4000
-"""Steps that a level of a high rate lasts: seconds of computing, in the app and in the tour."""
+"""The most steps of a level with a high rate, which takes seconds in the app and in the tour."""
 
 NEWTON = "4. Newton's laws: gravity, friction and the normal force"
 MOMENTUM = "7. Momentum, impulse, and collisions: elastic vs inelastic collisions"
@@ -63,7 +63,7 @@ def block(place: Place, width: float, height: float, **rest: object) -> Document
 
 
 def ground(half: float, friction: float = 0.6, **rest: object) -> Document:
-    """Return a static floor, its surface at y = 0, that reaches so far to either side [m]."""
+    """Return a static floor with its surface at y = 0, and its extent to either side [m]."""
     return block((0, -0.5), 2 * half, 1, friction=friction, **rest)
 
 

@@ -12,11 +12,11 @@ from sandbox.physics.run import build
 from sandbox.physics.stepping.world import World
 
 LONG = 1e3
-"""m, of a rail to either side: pymunk's has ends."""
+"""m, the length of a rail to either side: pymunk's rails have ends."""
 
 
 def naive(level: Level, rate: float) -> World:
-    """Return a world in which pymunk does everything by itself, with its default iterations.
+    """Return a world in which pymunk does everything itself, with its default iterations.
 
     Parameters
     ----------

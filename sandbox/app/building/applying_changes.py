@@ -1,4 +1,4 @@
-"""What was changed is played: tried once nobody has changed anything for a moment, or refused."""
+"""Changes of the level under edit are played, or refused, shortly after the last one."""
 
 import re
 from time import perf_counter
@@ -39,7 +39,7 @@ class Applying:
 
     @property
     def _state(self) -> object:
-        """What is tried anew when it changes: its text, and where its file is."""
+        """The text and its file; a change of either is tried anew."""
         return self._work.version, self._work.draft.path
 
     @property
@@ -48,7 +48,7 @@ class Applying:
         return self._tried != self._state
 
     def follow(self, session: Session, seconds: float, *, watched: bool) -> None:
-        """Keep to the level that is shown, and try what was changed when that is quiet."""
+        """Take up the level that is shown, and try its changes once there has been a pause."""
         if watched:
             self.take_up(session)
         if self.pending:
@@ -57,7 +57,7 @@ class Applying:
                 self.apply(session)
 
     def take_up(self, session: Session) -> None:
-        """Edit the level that is shown; what was not saved of it is still there."""
+        """Edit the level that is shown, with its unsaved changes."""
         if session.original is self._played:
             return
         draft = self._drafts.of(session.original)
@@ -75,7 +75,7 @@ class Applying:
         return not self.refusal
 
     def apply(self, session: Session) -> None:
-        """Let the session play what was changed; what makes no level is taken back."""
+        """Let the session play the changes; a text that makes no level is undone."""
         begun, work = perf_counter(), self._work
         level = self._last_level()
         self._tried = self._state

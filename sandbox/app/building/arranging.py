@@ -9,8 +9,8 @@ from sandbox.app.building.edited_level import Work
 from sandbox.app.words.language import later, say
 from sandbox.editing.edits import transforms
 from sandbox.editing.edits.mirroring import mirror
+from sandbox.editing.edits.rope_wrapping import drum_of, wrap
 from sandbox.editing.edits.transforms import Side
-from sandbox.editing.edits.wrapping import drum_of, wrap
 from sandbox.editing.snapping import flat_turn, snap_body
 from sandbox.model.errors import SandboxError
 from sandbox.model.level import Level

@@ -5,7 +5,7 @@ from contextlib import suppress
 from itertools import chain, count
 from pathlib import Path
 
-from sandbox.app.files import own_files
+from sandbox.app.files import save_folder
 from sandbox.editing.draft import Draft
 from sandbox.editing.recovery import Recoverable, Recovery, recoverable
 from sandbox.model import catalog
@@ -36,7 +36,7 @@ class Drafts:
         self._since = OFTEN
 
     def of(self, level: Level) -> Draft:
-        """Return the draft of a level: what it is now, if it was edited before."""
+        """Return the draft of a level, as it was left if it was edited before."""
         found = (draft for draft in reversed(self._kept) if _is_of(draft, level))
         draft = next(found, None) or self._read(level)
         if not draft.changed and draft.changed_outside():
@@ -56,7 +56,7 @@ class Drafts:
         return Draft(level.text, draft.path, level.text.encode())  # the file has mistakes now
 
     def add(self, draft: Draft) -> None:
-        """Keep a draft from now on, and of the others those of which something would be lost."""
+        """Keep a draft from now on, and drop the others from which nothing would be lost."""
         for other in [other for other in self._kept if other is not draft]:
             other.rest()
             if other.path is not None and not other.touched:
@@ -65,7 +65,7 @@ class Drafts:
         self.outside, self._since = False, OFTEN
 
     def unsaved(self, besides: Draft) -> list[Draft]:
-        """Return what is not saved but for one, the latest first."""
+        """Return the unsaved drafts except one, the latest first."""
         return [draft for draft in reversed(self._kept) if draft.changed and draft is not besides]
 
     def follow(self, shown: Draft, seconds: float) -> bool:
@@ -94,7 +94,7 @@ class Drafts:
             If it cannot be written, or something else would be written over unasked.
         """
         mine = draft is self._mine and path in (None, draft.path)
-        if path is not None and path.parent == own_files.folder():
+        if path is not None and path.parent == save_folder.folder():
             make_folder(path.parent)
         draft.save(path, overwrite=overwrite or mine)
         self._mine, self.outside = None, False
@@ -110,7 +110,7 @@ class Drafts:
         """Return a name for the file of a level that has none, which no file has yet."""
         if draft.path is not None and cls.is_own(draft):
             return draft.path
-        stem, folder = own_files.stem(title), own_files.folder()
+        stem, folder = save_folder.stem(title), save_folder.folder()
         names = chain((stem,), (f"{stem}-{number}" for number in count(2)))
         return next(path for name in names if not os.path.lexists(path := folder / f"{name}.json"))
 

@@ -41,7 +41,7 @@ class Work:
     sketch
         The same as it is drawn.
     camera
-        From where the stage is seen.
+        The camera of the stage.
     selected
         The parts that are selected, the last one chosen at the end.
     ignored
@@ -88,11 +88,11 @@ class Work:
         return found
 
     def show(self) -> None:
-        """Let the page be drawn anew."""
+        """Have the page drawn again."""
         self.news = object()
 
     def tell(self, text: str) -> None:
-        """Tell something in the banner."""
+        """Show a message in the banner."""
         self._message = text
 
     def take_message(self) -> str | None:
@@ -103,7 +103,7 @@ class Work:
     # what changes it
 
     def put(self, text: str, said: str, merge: str | None = None) -> None:
-        """Go over to another text; checks that were suggested go on being about what there is."""
+        """Replace the text; suggested checks are adapted to it."""
         if text != self.text:
             text = self._followed(text)
             if self.text != self.draft.text:
@@ -203,7 +203,7 @@ class Work:
             self.tell(say(error.message))
 
     def paste(self) -> None:
-        """Put what was copied beside it, and select that."""
+        """Paste the copied bodies beside the originals, and select them."""
         copied, by = self._copied, self._aside
         self.make(say("paste"), lambda text, level: copying.paste(text, level, copied, by))
 
@@ -219,7 +219,7 @@ class Work:
             self.tell(say("A click selects the group now, a second one the body alone"))
 
     def ungroup(self) -> None:
-        """Let each body that is selected be selected by itself again."""
+        """Ungroup the selected bodies, so that each is selected alone again."""
         names = self.chosen
         self.change(say("ungroup"), lambda text, level: grouping.ungroup(text, level, names))
 
@@ -277,7 +277,7 @@ class Work:
 
 
 def _first(mistakes: Sequence[Mistake]) -> Message:
-    """Return the first of some mistakes; where in a text that nobody sees is left out."""
+    """Return the first of some mistakes, without its place in the text, which nobody sees."""
     first = mistakes[0]
     if not first.path:
         return first.rule

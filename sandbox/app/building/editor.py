@@ -14,10 +14,10 @@ from sandbox.app.building.drafts import Drafts
 from sandbox.app.building.edited_level import Work
 from sandbox.app.building.editor_on_stage import EditorOnStage
 from sandbox.app.building.live_edits import KEPT
+from sandbox.app.building.mode_switch import ModeSwitch
 from sandbox.app.building.saving import Saving
 from sandbox.app.building.toolbox import FIRST, Toolbox
 from sandbox.app.building.trial_run import Trial
-from sandbox.app.building.trying_out import TryingOut
 from sandbox.app.drawing.text import Pen
 from sandbox.app.runs.session import Session
 from sandbox.app.stage.stage import Stage
@@ -37,7 +37,7 @@ class Editor:
     work
         The level under edit.
     trial
-        Its runs.
+        The runs of the level.
     drafts
         The other levels that were edited.
     tools
@@ -56,7 +56,7 @@ class Editor:
         self.work, self.drafts, self.trial = Work(), Drafts(), Trial()
         self.tools = Toolbox(self.work, self.trial.live)
         self.applying = Applying(self.work, self.drafts, self.tools)
-        self.trying = TryingOut(self.work, self.trial, self.tools, self.applying)
+        self.trying = ModeSwitch(self.work, self.trial, self.tools, self.applying)
         self.saving = Saving(self.work, self.drafts, self.tools)
         self.complete: Callable[[], bool] = bool
         self._on_stage = EditorOnStage(self.work, self.trial.live, self.tools, self.applying)
@@ -77,7 +77,7 @@ class Editor:
         return self.applying.pending
 
     def follow(self, session: Session, seconds: float, *, watched: bool) -> str | None:
-        """Keep to the level that is shown, and let the session play what was changed."""
+        """Take up the level that is shown, and let the session play its changes."""
         if not watched:
             self.complete = bool  # or a page that is gone would stay, with its session
         self.applying.follow(session, seconds, watched=watched)
@@ -101,7 +101,7 @@ class Editor:
         self.applying.apply(session)
 
     def new(self, session: Session) -> None:
-        """Begin an empty scene; what was built before is kept as it is."""
+        """Begin an empty scene; the level edited before keeps its changes."""
         self.begin(session, Draft.empty())
 
     def keep_run(self, session: Session) -> None:
@@ -118,7 +118,7 @@ class Editor:
     # keys, mouse and stage
 
     def command(self, command: str, session: Session) -> bool:
-        """Refuse to run what cannot; read a file again without losing what was changed."""
+        """Refuse to run a level with mistakes; reload a file without losing the changes."""
         if command in ("play", "step") and not self.trying.is_shown(session):
             return not self.trying.begin(session)
         if command == "next field":

@@ -6,14 +6,14 @@ from typing import Any, get_args, get_origin
 from pydantic.fields import FieldInfo
 
 from sandbox.app.building.fields import bare
-from sandbox.editing.layout import Json
+from sandbox.editing.json_layout import Json
 from sandbox.model.base import Model
 from sandbox.model.effects import Effects
 from sandbox.model.expressions import Expression, Positive
 from sandbox.model.reference_fields import Mention
 
 LITTLE = 0.1
-"""Of what must be more than nothing, and may have to be less than something."""
+"""The example value of a field that must be positive and may have an upper bound."""
 
 
 def example(effect: str, moving: Sequence[str], others: Sequence[str]) -> dict[str, Json]:

@@ -13,7 +13,7 @@ from typing import Annotated, Any, Literal, Union, get_args, get_origin
 from pydantic.fields import FieldInfo
 
 from sandbox.app.words.language import say
-from sandbox.editing.layout import Json
+from sandbox.editing.json_layout import Json
 from sandbox.model.base import Model
 from sandbox.model.effects import Effects
 from sandbox.model.expressions import Expression
@@ -22,7 +22,8 @@ from sandbox.model.json_positions import Path
 from sandbox.model.reference_fields import Mention
 
 LEFT_OUT = ("$schema", "format", "bodies", "joints")
-"""Of a level: what is no concern of who draws it, and what is drawn and selected."""
+"""Fields of a level without a widget: what only matters to the file, and what is drawn and
+selected."""
 
 Sort = Literal["number", "text", "choice", "switch", "json"]
 
@@ -75,7 +76,7 @@ class Section:
 
 
 Row = tuple[Entry, ...] | Section
-"""What stands on one line: one entry, the two of a point, or the heading of a section."""
+"""One line of the inspector: an entry, the two coordinates of a point, or a section's heading."""
 
 
 def rows(model: type[Model], said: Mapping[str, Json], path: Path) -> list[Row]:

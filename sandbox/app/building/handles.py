@@ -15,10 +15,10 @@ SIZE = 4  # px, half a handle
 REACH = 8.0  # px, from which it can be taken hold of
 STALK = 30.0  # px, of the handle that turns
 TURN = -1
-"""The index of that handle; the others' are those of `sandbox.editing.edits.handles`."""
+"""The index of the handle that turns; the others are those of `sandbox.editing.edits.handles`."""
 
 _SIDES = ((-1, -1), (0, -1), (1, -1), (1, 0), (1, 1), (0, 1), (-1, 1), (-1, 0))
-"""Where those of a box are, in halves of its sides."""
+"""The positions of a box's handles, in halves of its sides."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -118,5 +118,5 @@ def dragged(body: Drawn, index: int, to: XY) -> list[XY]:
 
 
 def _stretched(half: float, side: int, to: float) -> tuple[float, float]:
-    """Return both ends of a box's side, of which the one on a side is elsewhere [m]."""
+    """Return both ends of a box's side after one of them was moved [m]."""
     return (to if side < 0 else -half), (to if side > 0 else half)

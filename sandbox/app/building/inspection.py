@@ -31,10 +31,10 @@ from sandbox.model.level_parts import expressions
 NAMED = later("what it is called: a letter, then letters, digits or _; all mentions of it follow")
 
 MOST_NAMES = 6
-"""How many names are offered while one is typed."""
+"""How many names are offered while a name is typed."""
 
 MOST_TOLD = 12
-"""How many checks have a button that takes them out, and how many ghosts."""
+"""How many checks, and how many ghosts, have a button that removes them."""
 
 
 def subject(work: Work) -> str:
@@ -51,7 +51,7 @@ def subject(work: Work) -> str:
 
 
 def rows(work: Work) -> Sequence[Row]:
-    """Return what can be set of what is inspected; of several parts nothing can."""
+    """Return the fields of the selected part; several parts have none."""
     match work.selected:
         case () if not work.fixed:
             return fields.rows(Level, work.document, ())
@@ -70,7 +70,7 @@ def _field(row: Row) -> str | int:
 
 
 def assign(work: Work, row: Sequence[Entry], entry: Entry, typed: str) -> str:
-    """Set an entry of a row to what was typed; return why that cannot be, or nothing."""
+    """Set a field to what was typed; return why that is impossible, or nothing."""
     try:
         if len(entry.path) == 2 and entry.path[0] in ("bodies", "joints"):
             _rename(work, entry, typed.strip())
@@ -102,7 +102,7 @@ def _assigned(text: str, row: Sequence[Entry], entry: Entry, typed: str) -> str:
 
 
 def completions(work: Work, entry: Entry, typed: str) -> list[str]:
-    """Return the names that what was typed into a field may become, the likeliest first."""
+    """Return the names that complete a typed text, the likeliest first."""
     level, begun = work.draft.level, typed.strip()
     if level is None or not begun:
         return []
@@ -126,7 +126,7 @@ def _numbers(level: Level) -> frozenset[Path]:
 
 
 def parametrise(work: Work, entry: Entry) -> None:
-    """Make a number a parameter, of which the level's page has a slider.
+    """Turn a number into a parameter, which gets a slider on the level's page.
 
     The angle of a slope, or of what lies on it, is that of both.
     """
@@ -161,7 +161,7 @@ def switch(work: Work, effect: str) -> None:
 
 
 def _example(work: Work, effect: str) -> Mapping[str, Any]:
-    """Return an example of an effect that must be told what it is."""
+    """Return an example of an effect that requires settings."""
     bodies = work.sketch.bodies.items()
     moving = [name for name, body in bodies if body.outline.heavy]
     return example(effect, moving, [name for name, body in bodies if not body.outline.heavy])

@@ -7,10 +7,10 @@ from typing import Protocol
 import pygame
 
 from sandbox.app.building.edited_level import Work
+from sandbox.app.building.mode_switch import ModeSwitch
 from sandbox.app.building.saving import Saving
 from sandbox.app.building.toolbox import FIRST, Toolbox
 from sandbox.app.building.tools.register import TOOLS
-from sandbox.app.building.trying_out import TryingOut
 from sandbox.app.keys import CONTROL
 from sandbox.app.runs.session import Session
 
@@ -22,7 +22,7 @@ ARROWS: Mapping[int, tuple[int, int]] = {
 }
 
 FINE = 0.1
-"""The share of a step by which arrows nudge while Alt is held."""
+"""The size of a nudge with Alt held, as a share of the usual one."""
 
 HELP: tuple[tuple[str, str], ...] = (
     *((kind.key, kind.text) for kind in TOOLS),
@@ -52,7 +52,7 @@ class Keyed(Protocol):
     """What keys act on: the editor."""
 
     tools: Toolbox
-    trying: TryingOut
+    trying: ModeSwitch
     saving: Saving
 
     @property

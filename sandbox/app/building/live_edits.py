@@ -1,4 +1,4 @@
-"""Edits of a running level: bodies are thrown in, taken out or changed as the run goes on.
+"""Edits of a running level: bodies are added, removed or changed while it runs.
 
 A change is one of the present state, as a level. The run goes on as that level from this step on,
 and keeps it among its actions, so that it can be taken again, shared, and taken back.
@@ -24,7 +24,7 @@ class Live(Work):
     Attributes
     ----------
     session
-        Whose run it is.
+        The session of the run.
     stands
         Whether time stands until what is being drawn into the run is done.
     """
@@ -90,7 +90,7 @@ class Live(Work):
         self.tell(say("{change}, at {t:.2f} s", change=change, t=self.session.t))
 
     def part_at(self, pixel: XY) -> Part | None:
-        """Return the body or joint at a pixel; none while nobody has looked where they are."""
+        """Return the body or joint at a pixel; None before the first frame."""
         return super().part_at(pixel) if self.fresh else None
 
     def kept(self) -> Draft:

@@ -31,7 +31,7 @@ class Picture:
         self._key: object = None
 
     def of(self, work: Work, pen: Pen) -> pygame.Surface:
-        """Return the picture of what is built."""
+        """Return the picture of the level under edit."""
         camera = work.camera
         key = camera.center, camera.scale, camera.size, work.version, work.selected
         if key != self._key:

@@ -10,7 +10,7 @@ from sandbox.app.building.inspection import parametrise
 from sandbox.app.words.language import later, say
 from sandbox.editing.edits import events
 from sandbox.editing.edits.checks import flight, set_ghost
-from sandbox.editing.edits.rounding import ROUND, rounded
+from sandbox.editing.edits.round_shapes import ROUND, rounded
 from sandbox.editing.edits.tilting import slope_of
 from sandbox.model.level import Level
 
@@ -19,7 +19,7 @@ AS_A: dict[str, tuple[str, str]] = {
     "hoop": (later("As a hoop"), later("hollow: what is within it touches its inner side")),
     "arc": (later("As an arc"), later("a part of a circle that stands still, from start to end")),
 }
-"""What round bodies may become."""
+"""The kinds that a round body can be turned into."""
 
 
 def part_actions(work: Work) -> list[Act]:

@@ -16,7 +16,7 @@ import numpy as np
 import pygame
 from pydantic import ConfigDict, TypeAdapter, ValidationError
 
-from sandbox.app.building.parsed_parts import Readings
+from sandbox.app.building.part_cache import Readings
 from sandbox.app.drawing import lines
 from sandbox.app.drawing.camera import Camera
 from sandbox.app.drawing.text import Pen

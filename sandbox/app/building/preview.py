@@ -1,4 +1,4 @@
-"""Previews of what is being drawn: dashed outlines, points, and measures."""
+"""Previews of the shape under construction: dashed outlines, points, and measures."""
 
 from collections.abc import Sequence
 

@@ -20,7 +20,7 @@ TOLD: Mapping[Kind, str] = {
     "line": later("in line"),
     "side": later("side"),
 }
-"""What catches a point, for a person to read."""
+"""What a point snapped to, in words."""
 
 REACH = 10.0  # px, from which a point or a body is caught
 

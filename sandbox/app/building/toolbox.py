@@ -6,7 +6,7 @@ from sandbox.app.building.tools.register import TOOLS
 from sandbox.app.building.tools.tool import Tool
 
 FIRST = TOOLS[0].name
-"""The tool that selects; it is in hand at first."""
+"""The tool that selects, which is active at first."""
 
 
 class Toolbox:
@@ -15,7 +15,7 @@ class Toolbox:
     Attributes
     ----------
     bench
-        What is on the stage, and tools change: the level, or its run.
+        What the tools change: the level, or its run.
     tool
         The name of the tool in hand.
     """
@@ -47,12 +47,12 @@ class Toolbox:
         self.bench.show()
 
     def cancel(self) -> None:
-        """Give up what was begun."""
+        """Cancel what was begun."""
         while self.hand.busy:
             self.hand.cancel()
 
     def give_up(self) -> None:
-        """Give up what was begun; if nothing is, select nothing; then take up the first tool."""
+        """Cancel what was begun; else deselect everything; else take the first tool."""
         if self.hand.busy:
             self.hand.cancel()
         elif self.bench.selected:

@@ -10,7 +10,7 @@ from sandbox.app.runs.session import Session
 from sandbox.model.expressions import Values
 
 MOST = 50
-"""How many runs are kept to come back to, each of another text."""
+"""How many runs are kept, each of a different text."""
 
 
 class Run(NamedTuple):
@@ -61,7 +61,7 @@ class Trial:
         session.resume(run.actions, run.steps, run.values)
 
     def is_undone(self, text: str) -> bool:
-        """Whether to do again what was undone last is to come back to the run."""
+        """Whether the next redo returns to the run."""
         return self._latest == text and text in self._left
 
     @staticmethod

@@ -1,1 +1,1 @@
-"""What is told in words and numbers about a run; a file a page."""
+"""Words and numbers about a run: one module per card."""

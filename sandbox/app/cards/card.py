@@ -11,9 +11,9 @@ from sandbox.app.drawing.theme import Color
 GAP = 3  # px
 INDENT = 24  # px
 SMALLEST = 10
-"""The size of letters below which nobody reads."""
+"""The smallest legible size of letters."""
 COLUMNS = (0.39, 0.39, 0.22)
-"""How wide measured, expected and error are."""
+"""The widths of the columns: measured, expected and error."""
 
 
 class Card:
@@ -49,7 +49,7 @@ class Card:
         self.y += 4
 
     def columns(self, cells: Sequence[tuple[str, Color]], size: int) -> None:
-        """Add a row of what was measured, what was expected, and the error; smaller if it must."""
+        """Add a row with the measured and the expected value and the error, smaller if needed."""
         x = float(self.indent)
         for (text, color), share in zip(cells, COLUMNS, strict=True):
             room = share * (self.width - self.indent)

@@ -117,7 +117,7 @@ def _check_title(card: Card, check: Check, words: Say) -> None:
 
 
 def _badge(pen: Pen, verdict: str, color: Color) -> pygame.Surface:
-    """Draw a verdict as a sign, for it must not be told by its colour alone."""
+    """Draw a verdict as a sign, so that it is not shown by its colour alone."""
     sign = pygame.Surface((17, 17), pygame.SRCALPHA)
     if verdict in ("passed", "failed"):
         pygame.draw.aacircle(sign, color, (8, 8), 8)

@@ -22,7 +22,7 @@ NUMBER = 92  # px, right of it
 def energy(
     pen: Pen, width: int, start: Energies, now: Energies, drawn: pygame.Surface
 ) -> pygame.Surface:
-    """Draw the energies above a graph of them, and what has become of their sum."""
+    """Draw the energies, a graph of them, and how their sum has changed."""
     card = Card(pen, width)
     card.heading(say("Energy"))
     rows = (
@@ -41,7 +41,7 @@ def energy(
 
 
 def total(pen: Pen, width: int, start: Energies, now: Energies) -> pygame.Surface:
-    """Draw the sum of the energies alone, and what has become of it."""
+    """Draw only the sum of the energies, and how it has changed."""
     card = Card(pen, width)
     card.heading(say("Energy"))
     scale = max(abs(now.kinetic), abs(now.potential))
@@ -51,7 +51,7 @@ def total(pen: Pen, width: int, start: Energies, now: Energies) -> pygame.Surfac
 
 
 def ledger(pen: Pen, width: int, books: Balance, covered: str) -> pygame.Surface:
-    """Draw as bars where the energy is, where it came from and went, and what has no cause.
+    """Draw bars for where the energy is, where it came from and went, and what is unexplained.
 
     Above them stands what is `covered` by the books.
     """

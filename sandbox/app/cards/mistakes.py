@@ -13,16 +13,16 @@ from sandbox.model.errors import Mistake
 from sandbox.model.json_positions import TOKEN
 
 AROUND = 2
-"""Lines that are shown before and after that of a mistake."""
+"""Lines shown before and after a line with a mistake."""
 
 AHEAD = 8
-"""Letters that are shown at least from the place of a mistake on."""
+"""Characters shown, at least, from the place of the mistake on."""
 
 SIZE = 13  # of letters, in an excerpt
 PADDING = 10  # px
 GUTTER = 14  # px, between the number of a line and the line
 LONGEST = 400
-"""Letters of a line that are looked at: as many as the widest window shows."""
+"""Characters of a line that are considered: as many as the widest window shows."""
 
 
 def groups(mistakes: Sequence[Mistake]) -> list[list[Mistake]]:
@@ -90,7 +90,7 @@ class _Sheet:
             self._line(number, text)
 
     def _line(self, number: int, text: str, column: int = -1) -> None:
-        """Put a line, so far on in it that a wrong place is in view, if there is one."""
+        """Add a line of the text, scrolled so that the mistake is visible."""
         wrong = column >= 0
         hidden = wrong and column > self._wide - AHEAD
         self._begin = max(column - self._wide // 2, 0) if hidden else 0

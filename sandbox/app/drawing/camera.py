@@ -7,10 +7,8 @@ from sandbox.model.shapes import XY, evaluate
 from sandbox.model.view import View
 
 ASPECT = 16 / 9
-"""Width over height of the part of the plane that a level's view promises to show.
-
-Of its width a narrower picture shows the middle alone.
-"""
+"""Width over height of the part of the plane that every level's view shows. A narrower picture
+shows only the middle of it."""
 
 LEAST, MOST = 1e-3, 1e5
 """Bounds of the scale [px/m]."""
@@ -91,7 +89,7 @@ class Camera:
 
     @property
     def bounds(self) -> tuple[float, float, float, float]:
-        """Left, bottom, right and top of what is shown [m]."""
+        """Left, bottom, right and top of the visible part of the plane [m]."""
         left, top = self.to_world((0, 0))
         right, bottom = self.to_world(self.size)
         return left, bottom, right, top

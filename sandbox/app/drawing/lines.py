@@ -94,7 +94,7 @@ def path(surface: pygame.Surface, color: Color, points: Sequence[XY], width: flo
 def dashed(
     surface: pygame.Surface, color: Color, points: Sequence[XY], dash: float = 6, gap: float = 5
 ) -> None:
-    """Draw a dashed line through points; of what reaches far out, the part that does not."""
+    """Draw a dashed line through points, but not far outside of the surface."""
     if not near(points):
         for a, b in pairwise(points):
             if seen := pygame.FRect(1 - FAR, 1 - FAR, 2 * FAR - 2, 2 * FAR - 2).clipline(a, b):

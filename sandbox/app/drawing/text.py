@@ -17,7 +17,7 @@ NO_LETTER = "\U0010ffff"
 
 
 def legible(text: str) -> str:
-    """Return a text on one line without what has no width: SDL refuses to draw that.
+    """Return a text on one line, without characters of no width, which SDL refuses to draw.
 
     Such are marks that change the direction of writing, halves of characters, and nothing at all.
     """
@@ -53,7 +53,7 @@ class Pen:
         self.outlined = lru_cache(maxsize=200)(self._outlined)
 
     def px(self, length: float) -> int:
-        """Return how long at this scale is what has some length at the usual one [px]."""
+        """Return a length, given at the usual scale, at the present one [px]."""
         return round(length * self.scale)
 
     def font(self, size: int, bold: bool) -> pygame.font.Font:

@@ -12,11 +12,11 @@ from typing import Any, Literal, get_args
 Color = tuple[int, int, int]
 
 Name = Literal["dark", "light", "contrast"]
-"""Of a theme, as its file is called."""
+"""The name of a theme, and of its file."""
 NAMES: tuple[Name, ...] = get_args(Name)
-"""In the order in which they are offered."""
+"""All themes, in the order in which they are offered."""
 DARK: Name = "dark"
-"""The theme that is in use before another is chosen."""
+"""The default theme."""
 
 STAGE: Color
 PANEL: Color
@@ -49,16 +49,16 @@ POTENTIAL: Color
 TOTAL: Color
 FORCES: tuple[Color, ...]
 ACTING: Mapping[str, Color]
-"""Of the forces on a body, by what they are called; others have one of those of bodies."""
+"""The colours of the forces on a body, by name; other forces use colours of bodies."""
 LANES: tuple[Color, ...]
-"""Of what runs beside the level that is played."""
+"""The colours of the runs beside the one that is played."""
 BODIES: tuple[Color, ...]
 
 _used = DARK
 
 
 def use(name: Name) -> None:
-    """Let the colours be those of another theme from now on; what was drawn stays as it is."""
+    """Use another theme's colours from now on; what is drawn already stays as it is."""
     global _used
     _used = name
     globals().update({key.upper(): value for key, value in palette(name).items()})

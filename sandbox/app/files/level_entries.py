@@ -10,7 +10,7 @@ from sandbox.app.words.language import say
 
 
 class Texts(NamedTuple):
-    """What a level's file says of it."""
+    """The texts in a level's file."""
 
     title: str
     summary: str = ""
@@ -23,13 +23,13 @@ class Entry(NamedTuple):
     Attributes
     ----------
     path, chapter
-        Its file, and what it is listed under.
+        The file, and the heading under which it is listed.
     original
         What the file says, in the language of its author.
     title, summary
-        What is shown of that.
+        The same as it is shown, in the present language.
     words
-        By which it is found, in small letters: those that are shown, and those of the file.
+        The words that a search finds, in lower case: those shown, and those in the file.
     """
 
     path: Path
@@ -40,7 +40,7 @@ class Entry(NamedTuple):
     words: str
 
     def said_anew(self) -> "Entry":
-        """Return the same in the language that is in use now."""
+        """Return the entry in the present language."""
         return _entry(self.path, self.chapter, self.original)
 
 

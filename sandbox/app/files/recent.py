@@ -12,7 +12,7 @@ from sandbox.model.files import data_folder
 _PATHS = TypeAdapter(list[str])
 
 MOST = 12
-"""Files that are kept, the latest."""
+"""How many files are remembered."""
 
 
 def file() -> Path:

@@ -10,7 +10,7 @@ from sandbox.model.errors import SandboxError
 from sandbox.model.files import read_ordinary, write_atomically
 
 LARGEST = 1_000_000
-"""Bytes of a file: what is larger was not written here."""
+"""The largest file that is read [bytes]; a larger one was not written by this program."""
 
 Value = TypeVar("Value")
 

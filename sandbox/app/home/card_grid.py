@@ -13,7 +13,7 @@ MARGIN = 24  # px, around all
 GAP = 16  # px, between two cards
 NARROWEST = 190  # px, a card
 MOST = 6
-"""Cards in a row, in the widest window."""
+"""The most cards in a row."""
 WORDS = 46  # px, below a picture
 HEADING = 46  # px
 ASPECT = 1.6  # of a picture, width over height
@@ -94,7 +94,7 @@ def lay_out(
 
 
 def sections(found: Sequence[Entry], sought: str) -> list[tuple[str, Sequence[Entry]]]:
-    """Part levels by chapter; what was sought for stays together, the likeliest first."""
+    """Group levels by chapter; search results stay together, the best first."""
     if not sought.strip():
         chapters = groupby(found, key=lambda level: level.chapter)
         return [(say(chapter.capitalize()), list(levels)) for chapter, levels in chapters]

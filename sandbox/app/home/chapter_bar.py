@@ -63,7 +63,7 @@ class ChapterBar:
         return self._area.collidepoint(pixel)
 
     def draw(self, surface: pygame.Surface, top: float) -> None:
-        """Draw the chapters, and mark the one that stands at the top of what is seen [px]."""
+        """Draw the chapters, and mark the one at the top of the visible cards [px]."""
         surface.fill(theme.STAGE, self._area.clip(surface.get_rect()))
         here = _at(top, [heading for heading, _ in self._places])
         for heading, place in self._places:

@@ -1,4 +1,4 @@
-"""The strip above the cards: drafts that were not saved, to go on with."""
+"""The strip above the cards: unsaved drafts that can be continued."""
 
 from collections.abc import Sequence
 from time import localtime, strftime
@@ -11,7 +11,7 @@ from sandbox.app.words.language import say
 from sandbox.editing.recovery import Recoverable
 
 MOST = 3
-"""Of how many drafts, the newest, each has a row; the page Build tells of the others."""
+"""How many drafts have a row here, the newest; the page Build lists the others."""
 ROW = 34  # px, how high a row is
 MARGIN = 24  # px, left and right of it
 GAP = 6  # px, above and below each
@@ -19,7 +19,7 @@ PADDING = 12  # px, beside its words
 
 
 class Strip:
-    """Rows of drafts, each of which can be clicked on.
+    """Rows of drafts that can be clicked.
 
     Attributes
     ----------

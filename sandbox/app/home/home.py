@@ -27,7 +27,7 @@ PADDING = 9  # px, beside a card's words
 ROWS = 4, 23  # px, where these begin below the picture
 
 Line = tuple[str, int, theme.Color]
-"""A text, the size of its letters, and its colour."""
+"""A text, its letter size, and its colour."""
 
 _STEPS = {
     pygame.K_LEFT: (-1, 0), pygame.K_RIGHT: (1, 0), pygame.K_UP: (0, -1), pygame.K_DOWN: (0, 1),
@@ -35,7 +35,7 @@ _STEPS = {
 
 
 class Home:
-    """Cards of levels, one of which can be chosen by mouse and keyboard.
+    """Cards of levels, which can be chosen by mouse and keyboard.
 
     Attributes
     ----------
@@ -83,7 +83,7 @@ class Home:
         self.strip.offer(recoverable())
 
     def renew(self) -> None:
-        """Lay out and draw all anew, in the present theme, scale and language."""
+        """Lay out and draw everything again, in the present theme, scale and language."""
         self._words.cache_clear()
         self.thumbnails.cancel()
         self.thumbnails.forget()
@@ -161,7 +161,7 @@ class Home:
         return [(entry, place) for entry, place in placed if place.colliderect(self._area)]
 
     def process(self, event: pygame.event.Event) -> bool:
-        """Do what was pressed or clicked on, and return whether it was for the cards."""
+        """Handle a key or a click, and return whether it was for the cards."""
         if event.type == pygame.KEYDOWN:
             return self._key(event)
         if event.type == pygame.MOUSEWHEEL:
@@ -181,14 +181,14 @@ class Home:
         return inside or beside
 
     def _point(self, pixel: tuple[int, int]) -> bool:
-        """Take note of which card is under the mouse, and return whether that is over the cards."""
+        """Note which card is under the mouse, and return whether the mouse is over the cards."""
         inside = self._area.collidepoint(pixel)
         on = (pixel[0] - self._area.x, pixel[1] - self._area.y + self._top)
         self._hovered = self._grid.at(on) if inside else None
         return inside
 
     def _click(self, *, down: bool) -> None:
-        """Choose a card that is pressed and let go of."""
+        """Choose the card on which the mouse was pressed and released."""
         if down:
             self._pressed, self._held = self._hovered, self.strip.hovered
             self._focus = self._focus if self._hovered is None else self._hovered
@@ -200,7 +200,7 @@ class Home:
             self.recovered = self.strip.hovered
 
     def show_chapter(self, text: str) -> None:
-        """Scroll to the cards below a heading, the first of which has the focus then."""
+        """Scroll to the cards of a chapter, and focus its first card."""
         heading = next((each for each in self._grid.headings if each.text == text), None)
         if heading is not None:
             below = (i for i, (_, place) in enumerate(self._grid.cards) if place.y > heading.y)

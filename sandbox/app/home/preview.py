@@ -11,7 +11,7 @@ from time import thread_time
 import pygame
 
 from sandbox.app.drawing.text import Pen
-from sandbox.app.home.pictures import DRAWN
+from sandbox.app.home.picture_cache import DRAWN
 from sandbox.app.runs.session import Session
 from sandbox.app.stage.stage import Stage
 from sandbox.model.errors import SandboxError
@@ -23,11 +23,12 @@ LASTING = 6.0  # s, of the run that are shown
 BUDGET = 0.003  # s, of a frame for steps
 MOST = 0.010  # s, of the processor that a frame may take for steps and picture, on average
 SMOOTHING = 0.2
-"""The weight of the last frame in that average."""
+"""The weight of the last frame in the average."""
 PARTS = 16
-"""Bodies and joints of which a level may have so many."""
+"""The most bodies and joints of a level that is previewed."""
 LARGEST = min(20_000, MAX_BYTES)
-"""Bytes of a level's file; reading a larger one takes too long for a frame."""
+"""The largest level file that is previewed [bytes]; a larger one takes too long to read in a
+frame."""
 
 
 class Preview:

@@ -7,15 +7,15 @@ from pathlib import Path
 import pygame
 
 from sandbox.app.background import Background
-from sandbox.app.home import pictures
-from sandbox.app.home.pictures import SIZE
+from sandbox.app.home import picture_cache
+from sandbox.app.home.picture_cache import SIZE
 
 AT_ONCE = 3
-"""Pictures that are read from disk in a frame."""
+"""How many pictures are read from disk per frame."""
 BATCH = 16
-"""Levels that are drawn before it is asked again which are in view."""
+"""How many levels are drawn before the visible ones are determined anew."""
 MOST = 80
-"""Pictures that are held in memory: more than are in view at once."""
+"""How many pictures are held in memory: more than are ever visible at once."""
 
 
 class Thumbnails:
@@ -31,7 +31,7 @@ class Thumbnails:
         self._size = SIZE
 
     def forget(self) -> None:
-        """Look at all files anew, as they may have changed."""
+        """Check all files again, since they may have changed."""
         for known in (self._pictures, self._lacking, self._kept, self._hopeless):
             known.clear()
 
@@ -58,7 +58,7 @@ class Thumbnails:
         return self._work.running
 
     def follow(self, seen: Sequence[Path], others: Sequence[Path]) -> None:
-        """Take in what has been drawn, and go on: what is seen comes first, then the others."""
+        """Take in finished pictures, and request more: visible cards first, then the others."""
         for made in self._work.found():
             self._drawing.remove(made.path)
             self._take(made.path, made.png, seen=made.path in seen)
@@ -74,13 +74,13 @@ class Thumbnails:
             self._draw(seen, others)
 
     def _unknown(self, path: Path) -> bool:
-        """Whether it is not known yet whether there is a picture of what is seen."""
+        """Whether a visible card has not been looked up yet."""
         known = path in self._pictures or path in self._lacking or path in self._hopeless
         return not known and path not in self._drawing
 
     def _look_up(self, path: Path) -> None:
         try:
-            png = pictures.kept(pictures.key(path))
+            png = picture_cache.kept(picture_cache.key(path))
         except OSError:
             self._hopeless.add(path)
             return
@@ -96,7 +96,7 @@ class Thumbnails:
         wanted += [path for path in others if path not in known and path not in wanted]
         if wanted:
             self._drawing = wanted[:BATCH]
-            self._work.start(pictures.made, list(self._drawing), pictures.folder())
+            self._work.start(picture_cache.made, list(self._drawing), picture_cache.folder())
 
     def _take(self, path: Path, png: bytes, *, seen: bool) -> None:
         """Keep a picture as the cards need it; where there is none, there will be none."""

@@ -1,1 +1,1 @@
-"""What a person measures with on the stage, and the hand that holds it."""
+"""Measuring tools on the stage, and the mouse that uses them."""

@@ -8,14 +8,14 @@ import pygame
 
 from sandbox.app.drawing import theme
 from sandbox.app.observing.earlier_runs import alike
-from sandbox.app.observing.history import History
+from sandbox.app.observing.state_history import History
 from sandbox.app.runs.session import Session
 from sandbox.app.stage.view import View
 from sandbox.app.words import formatting
 from sandbox.model.shapes import XY
 
 REACH = 8.0
-"""How near to a trail the mouse has to be [px]."""
+"""How close to a trail the mouse must be [px]."""
 
 DIGITS = 4
 AWAY, PADDING = 16, 8  # px, from the instant to what is told of it, and around that
@@ -27,7 +27,7 @@ class Found(NamedTuple):
     Attributes
     ----------
     body
-        Whose trail it is.
+        The body of the trail.
     t, place, speed
         When, where, and how fast it was there [s, m, m/s].
     distance
@@ -61,9 +61,9 @@ def find(view: View, session: Session, pixel: XY) -> Found | None:
     Parameters
     ----------
     view
-        What is looked at, from where.
+        The world and the camera.
     session
-        Whose runs.
+        The session of the runs.
     pixel
         The mouse, from the stage's corner [px].
     """
@@ -91,7 +91,7 @@ def _near(view: View, history: History, pixel: XY) -> Iterator[Found]:
 
 
 def draw(surface: pygame.Surface, view: View, session: Session, pixel: XY) -> None:
-    """Mark what the mouse points at on a trail, and tell it."""
+    """Mark the point of a trail under the mouse, and describe it."""
     over = surface.get_rect().collidepoint(pixel)
     found = find(view, session, pixel) if over else None
     if found is None:

@@ -9,7 +9,7 @@ from sandbox.app.measuring.protractor import Protractor
 from sandbox.app.measuring.tape import Tape
 from sandbox.app.runs.session import Session
 from sandbox.app.stage.stage import Stage
-from sandbox.app.words.rounding import rounded
+from sandbox.app.words.slider_steps import rounded
 from sandbox.model.errors import ValueRangeError
 from sandbox.model.shapes import XY
 
@@ -33,7 +33,7 @@ class Hand:
     Attributes
     ----------
     tape
-        What was measured last, a distance or an angle; None after a click elsewhere.
+        The last measurement, a distance or an angle; None after a click elsewhere.
     """
 
     def __init__(self, stage: Stage) -> None:

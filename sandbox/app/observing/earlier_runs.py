@@ -3,15 +3,15 @@
 from typing import NamedTuple
 
 from sandbox.app.drawing import theme
-from sandbox.app.observing.history import History
-from sandbox.app.observing.trail import Trail
+from sandbox.app.observing.state_history import History
+from sandbox.app.observing.thinned_series import Trail
 from sandbox.app.words.language import say
 from sandbox.model.expressions import Values
 from sandbox.physics.stepping.world import World
 
 BRIEF = 0.05
-"""The part of a level's duration that a branch must have lasted for anything of it to stay: while a
-slider is dragged, a run branches at every step."""
+"""The share of a level's duration that a branch must last to be kept: while a slider is dragged, a
+run branches at every step."""
 
 
 class Observed(NamedTuple):
@@ -20,9 +20,9 @@ class Observed(NamedTuple):
     Attributes
     ----------
     trail, history
-        Where its bodies have been, and all else that was observed.
+        The paths of its bodies, and everything else that was observed.
     world
-        What it was observed of.
+        The world that was observed.
     """
 
     trail: Trail
@@ -54,7 +54,7 @@ class Earlier(NamedTuple):
     world: World
 
     def label(self, now: Values) -> str:
-        """Say what it is, beside a run with some parameters: all in which they differ."""
+        """Label it by the parameters in which it differs from another run."""
         told = self.changed | _differing(self.world.values, now)
         values = ", ".join(f"{n} = {v:.6g}" for n, v in self.world.values.items() if n in told)
         if self.left is None:
@@ -83,7 +83,7 @@ def kept(
     earlier
         Those that there are; the newest is last.
     run
-        What has been seen of the one that is left.
+        The observations of the run that is left.
     values
         The parameters of what comes after it.
     left

@@ -4,18 +4,18 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sandbox.app.observing.states import States
+from sandbox.app.observing.state_rows import States
 from sandbox.app.words import formatting
 from sandbox.app.words.language import say
 from sandbox.model.expressions import Array
 from sandbox.physics.energy.balance import Balance
 from sandbox.physics.energy.ledger import Ledger
-from sandbox.physics.metering.meter import Meter
+from sandbox.physics.quantities.meter import Meter
 from sandbox.physics.state.snapshot import Snapshot
 from sandbox.physics.stepping.world import World
 
 INSTANTS = 500
-"""At about how many instants of a level's duration the energies are kept."""
+"""How many instants are kept per duration of the level, about."""
 
 _ENERGIES = ("system.kinetic_energy", "system.potential_energy", "system.energy")
 
@@ -43,7 +43,7 @@ class Books:
     Parameters
     ----------
     world
-        What is watched.
+        The world to watch.
     steps
         How many steps reach the end of its duration.
     """
@@ -79,7 +79,7 @@ class Books:
         return self._ledger is not None
 
     def _open(self) -> None:
-        """Begin to book steps, with none so far."""
+        """Start books without any steps."""
         self._ledger = Ledger(self._world)
         self._since = self._world.t if self._world.steps else None
 
@@ -99,14 +99,14 @@ class Books:
         return ", ".join(told)
 
     def hand_over(self) -> None:
-        """Let energies be compared with those of now: a hand has worked, and lets go.
+        """Compare energies with the present ones from now on: a hand has done work, and lets go.
 
         Half of its last pull is still to come, so those after the next step count.
         """
         self.start, self._let_go = self.energies, True
 
     def restart(self) -> None:
-        """Begin anew, as after a hand has put a body elsewhere; the start stays."""
+        """Start again, as after a hand has moved a body; the start of the run stays."""
         if self.kept:
             self._open()
         self._history.restart(self._world.snapshot)

@@ -11,13 +11,13 @@ from sandbox.model.expressions import Array
 from sandbox.model.shapes import XY
 
 DASH = 9, 3
-"""How long a dash of the potential energy is, and a gap [px]."""
+"""The dashes of the potential energy: length of dash and gap [px]."""
 
 ROOM = 0.06
-"""What is left free above and below the lines, of the height."""
+"""The free space above and below the lines, as a share of the height."""
 
 ROUNDING = 1e-12
-"""What differs less is drawn as a straight line [J]."""
+"""Smaller differences are drawn as a straight line [J]."""
 
 
 def energies(size: tuple[int, int], points: Array, duration: float) -> pygame.Surface:

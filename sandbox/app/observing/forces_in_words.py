@@ -11,9 +11,10 @@ from sandbox.physics.stepping.world import World
 
 DIGITS = 4
 MANY = 5
-"""How many forces on a body stand in one line; of more, each has its own."""
+"""Up to so many forces on a body share one line; more get a line each."""
 TURNS = 1e-6
-"""m: a torque beside a force that is no more than it has at such an arm is not told."""
+"""m: a torque is not mentioned if a force of the same body would give it at a shorter arm than
+this."""
 
 
 def forces(world: World) -> Iterator[str]:
@@ -22,7 +23,7 @@ def forces(world: World) -> Iterator[str]:
     Parameters
     ----------
     world
-        As it is at the moment that is described.
+        The world, at the moment to describe.
     """
     bodies = FreeBodies(world)
     for name, body in world.level.bodies.items():

@@ -17,14 +17,14 @@ from sandbox.physics.measuring.recording import Recorder, Trace
 T = TypeVar("T")
 
 SHARE = 0.05
-"""The share of the time that looking at a run may take while time runs."""
+"""The share of the time that grading may take while the run plays."""
 
 LEAST = 0.1  # s, between two looks
 
 
 @dataclass(frozen=True, slots=True)
 class Reading:
-    """A check's result so far; for one that holds at every step, with the values of now.
+    """A check's result so far; for a check at every step, with the present values.
 
     Attributes
     ----------
@@ -44,7 +44,7 @@ class Ration(Generic[T]):
     Attributes
     ----------
     found
-        What was found when last looked.
+        The last result.
     """
 
     def __init__(self, look: Callable[[], T], nothing: T) -> None:
@@ -54,7 +54,7 @@ class Ration(Generic[T]):
         self._next = 0.0
 
     def __call__(self, length: int, *, hurried: bool) -> T:
-        """Return what is found in a run of a length; in a hurry, perhaps what was just before."""
+        """Return the results for a run of some length; in a hurry, perhaps slightly old ones."""
         now = perf_counter()
         if self._seen != length and (now >= self._next or not hurried):
             self._seen = length

@@ -5,12 +5,12 @@ from collections.abc import Sequence
 from sandbox.app.observing.impacts import Blow
 
 MOST = 60
-"""So many are marked at the most: among more, nobody finds the one that is looked for."""
+"""How many impacts are marked; with more marks, nobody finds the right one."""
 HARD = 0.1
-"""How hard an impact is at the least, as `Blow.share` says."""
+"""The least strength of a marked impact, as `Blow.share`."""
 
 ALIKE = 6
-"""Decimals to which impacts are compared: what differs by rounding is as hard."""
+"""Decimals to which the strengths of impacts are compared, so that rounding does not order them."""
 
 
 class ImpactMarks:
@@ -26,7 +26,7 @@ class ImpactMarks:
             self._at[hardest.steps] = hardest
 
     def forget_after(self, steps: int) -> None:
-        """Forget those that came after so many steps: something else comes now."""
+        """Forget impacts after some step, since the run takes another course there."""
         self._at = {step: blow for step, blow in self._at.items() if step <= steps}
 
     @property

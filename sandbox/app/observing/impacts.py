@@ -17,9 +17,9 @@ from sandbox.physics.measuring.impacts import Impacts, impacts
 from sandbox.physics.stepping.world import World
 
 FAINTEST = 0.04
-"""How hard an impact must be to be noted."""
+"""The least strength of an impact that is noted."""
 MOST = 256
-"""Impacts that are kept, the latest."""
+"""How many impacts are kept, the latest."""
 
 
 class Blow(NamedTuple):
@@ -90,7 +90,7 @@ class ImpactLog:
             )  # fmt: skip
 
     def since(self, steps: int) -> Sequence[Blow]:
-        """Return those that came after so many steps, the latest first."""
+        """Return the impacts after some step, the latest first."""
         return list(takewhile(lambda blow: blow.steps > steps, reversed(self._last)))
 
     def flashes(self, lasting: float) -> Sequence[Flash]:

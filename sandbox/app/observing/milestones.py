@@ -31,11 +31,11 @@ class Milestone:
     Attributes
     ----------
     body
-        To which.
+        The body that it happened to.
     place
-        Where its centre was [m].
+        The position of its centre [m].
     measured
-        What was measured then: the check, and the value.
+        The measurements then: the check, and the value.
     passed
         Whether all of it was as expected.
     """
@@ -51,14 +51,14 @@ class Milestone:
 
 
 def needed(level: Level) -> Iterator[str]:
-    """Yield the quantities that tell where the events of a level are."""
+    """Yield the quantities that locate the events of a level."""
     for check in level.checks:
         if body := _body(level, check.at):
             yield from _position(body)
 
 
 def milestones(results: Iterable[Result], trace: Trace) -> tuple[Milestone, ...]:
-    """Return what has happened, one after the other, from how the checks of a run stand."""
+    """Return the events so far in order, from the state of a run's checks."""
     found: dict[tuple[str, float], Milestone] = {}
     for result in results:
         body = _body(trace.level, result.check.at)

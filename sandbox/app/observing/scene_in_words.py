@@ -14,13 +14,14 @@ from sandbox.physics.measuring.grading import Result
 from sandbox.physics.stepping.world import World
 
 STILL = 1e-9
-"""m/s or rad/s: what is slower than that is said to be at rest."""
+"""m/s or rad/s: anything slower is said to be at rest."""
 
 NEAR = 1e-6
 """Of the width that is seen: what is no farther from an axis is said to be on it."""
 
 MANY = 40
-"""How many bodies, joints or contacts are told one by one; of more, how many there are besides."""
+"""Up to how many bodies, joints or contacts are described one by one; the others are only
+counted."""
 
 
 def describe(
@@ -31,7 +32,7 @@ def describe(
     Parameters
     ----------
     world
-        As it is at the moment that is described.
+        The world, at the moment to describe.
     results
         How its level's checks stand.
     with_forces

@@ -27,11 +27,11 @@ _NAMES = (
 )
 
 FAINT = 1e-9
-"""The share of the strongest force below which one is nothing but rounding, or as good as that."""
+"""The share of the strongest force below which a force counts as rounding."""
 
 
 LITTLE = 0.1
-"""The share of its scale that the strongest force must fill, or the scale is made smaller."""
+"""The share of the scale that the strongest force must fill; otherwise the scale is reduced."""
 
 
 HELD = 0.3
@@ -55,7 +55,7 @@ class Looking:
         self._told: tuple[World, FreeBody, float] | None = None
 
     def body(self, level: Level) -> str | None:
-        """Return the body of a level that is looked at: the one that was chosen, if it is there.
+        """Return the selected body of a level, if it exists.
 
         Else it is the first that forces can move; None if there is none.
         """
@@ -64,7 +64,7 @@ class Looking:
         return next((n for n, body in level.bodies.items() if body.type == "dynamic"), None)
 
     def at(self, world: World) -> FreeBody | None:
-        """Return the forces on the body; None if there are none to be told, see `FreeBodies.of`."""
+        """Return the forces on the body; None if they are unknown, see `FreeBodies.of`."""
         body = self.body(world.level)
         if body is None:
             return None

@@ -9,7 +9,7 @@ import pygame
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
 from sandbox.app.files.preferences import Comfort
-from sandbox.app.frame_load import Load
+from sandbox.app.frame_time import Load
 from sandbox.app.keys import Binding
 from sandbox.app.runs.session import Session
 from sandbox.app.stage.stage import Stage
@@ -17,7 +17,7 @@ from sandbox.app.widgets.sheet import Panel, Sheet, below
 from sandbox.model.level import Level
 
 Row = tuple[Color | None, str]
-"""A colour, None for the run that is played, and what is drawn in it."""
+"""A colour (None for the run that is played), and what is drawn in it."""
 
 
 class Worker(Protocol):
@@ -34,7 +34,7 @@ class Worker(Protocol):
         ...
 
     def follow(self, session: Session, seconds: float, *, watched: bool) -> str | None:
-        """Let some time pass [s], every frame; return what is to be told, None if nothing is.
+        """Let some time pass [s], every frame; return a message, None if there is none.
 
         `watched` says whether its page is the one that is chosen.
         """
@@ -252,7 +252,7 @@ class CardPanel:
         return None
 
     def update(self) -> None:
-        """Draw the card anew."""
+        """Draw the card again."""
         self._sheet.replace(self._image, self._drawn())
         self._sheet.end(below(self._image) + 2)
 

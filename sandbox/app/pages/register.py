@@ -38,7 +38,7 @@ PAGES: tuple[Page, ...] = (
     share.PAGE,
     settings.PAGE,
 )
-"""In the order of their tabs; the first is shown first."""
+"""All pages in the order of their tabs; the first is open at first."""
 
 
 def page(command: str) -> Page:

@@ -24,7 +24,7 @@ class Bar:
     Parameters
     ----------
     rect
-        Where it is in the window [px].
+        Its place in the window [px].
     """
 
     def __init__(self, manager: UIManager, pen: Pen, rect: pygame.Rect) -> None:

@@ -28,7 +28,7 @@ KNOB = 7.0  # px, the radius of what is dragged along the time
 SNAP = 6  # px, from a mark, within which a click means it
 REACH = 24  # px, how much higher than the bar of the time the area is that can be clicked on
 MARKED = "grab", "release", "place", "branch", "alter"
-"""What a person does that has a mark on the bar of the time; a pull goes from one to the next."""
+"""The actions that are marked on the time bar; a pull extends from one to the next."""
 NEARLY = 0.95  # of the chosen speed, from which on nobody needs to be told that it is not reached
 
 

@@ -14,15 +14,15 @@ from sandbox.app.widgets.widget_helpers import scroll, scrolled
 
 Containers = Mapping[int, UIScrollingContainer]
 Stop = UIButton | Field | UIHorizontalSlider
-"""What can have the focus."""
+"""The widgets that can have the focus."""
 PRESSING = (pygame.K_RETURN, pygame.K_KP_ENTER, pygame.K_SPACE)
 SLIDING = {pygame.K_LEFT: -1, pygame.K_DOWN: -1, pygame.K_RIGHT: 1, pygame.K_UP: 1}
 RING = 2  # px
 APART = 2  # px, between a widget and its ring
 DIALOG = "file_dialog"
-"""What names the parts of the dialog in which a file is chosen."""
+"""The prefix of the ids of the file dialog's parts."""
 INNER = ("#sliding_button", "scroll_bar", "#left_button", "#right_button")
-"""What names the parts of sliders and scroll bars: no widgets of their own."""
+"""The ids of the inner parts of sliders and scroll bars, which are no stops of their own."""
 
 
 class Focus:
@@ -35,11 +35,11 @@ class Focus:
 
     @property
     def lost(self) -> bool:
-        """Whether what had it is there no more, and is still to be found again."""
+        """Whether the focused widget is gone, and its replacement has not been found yet."""
         return self._at is not None and not _seen(self._at)
 
     def element(self, manager: UIManager, layout: Layout) -> Stop | None:
-        """Return what has the focus; that which has taken its place where all was built anew."""
+        """Return the focused widget, or its replacement after the widgets were rebuilt."""
         if not self.lost:
             return self._at
         words, place = self._known
@@ -89,7 +89,7 @@ class Focus:
         return False
 
     def draw(self, surface: pygame.Surface, manager: UIManager, layout: Layout) -> None:
-        """Draw a ring around what has the focus, as far as that is in view."""
+        """Draw a ring around the visible part of the focused widget."""
         at = self.element(manager, layout)
         if at is None or (isinstance(at, Field) and not at.is_focused):
             return
@@ -161,7 +161,7 @@ def _scrolling(each: UIElement, containers: Containers) -> list[UIScrollingConta
 
 
 def _show(container: UIScrollingContainer, each: UIElement) -> None:
-    """Scroll so far that a widget is in view, with some room around it."""
+    """Scroll until a widget is visible, with some room around it."""
     view, place = container.rect, each.rect
     if place.top < view.top or place.bottom > view.bottom:
         scroll(container, scrolled(container) + place.centery - view.centery)

@@ -19,20 +19,20 @@ from sandbox.app.words.language import later, plural, say
 from sandbox.physics.measuring.grading import Verdict
 
 View = Literal["graph", "bars", "total"]
-"""What is shown of the energy: over time, by account, or only the sum."""
+"""How the energy is shown: over time, by account, or only the sum."""
 
 FIRST: View = "graph"
-"""What is shown where nobody has chosen, if there is ample room."""
+"""The default view, if there is ample room."""
 
 FOLDED: View = "total"
-"""The lowest of them."""
+"""The view that needs the least height."""
 
 NEXT: Mapping[View, tuple[View, str]] = {
     "graph": ("bars", later("Bars")),
     "bars": ("total", later("Fold")),
     "total": ("graph", later("Graph")),
 }
-"""What follows each view, and the caption of the button that leads there."""
+"""The view after each view, and the caption of the button that leads there."""
 
 HIGH = 66, 120  # px, how high the graph may be
 CAPTION = 82  # px, what stands above and below the graph
@@ -48,9 +48,9 @@ class Foot:
     Attributes
     ----------
     top
-        Where it begins [px].
+        Its upper edge [px].
     view
-        What it shows of the energy.
+        How it shows the energy.
     switch
         The button that leads to the next view of the energy.
     books

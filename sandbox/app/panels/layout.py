@@ -7,7 +7,7 @@ from pygame import Rect
 
 BAR = 60  # px, the height of the controls
 ROOM: Mapping[str, int] = {"levels": 860, "side": 700}
-"""The window's width from which on there is room for each of the columns [px]."""
+"""The window width from which each column is shown [px]."""
 LEVELS = 210, 290  # px, how wide the list is at least and at most, at the usual scale
 SIDE = 320, 400  # px, the panel
 STAGE = 330, 300  # px, left to the stage beside both columns, and beside the panel alone

@@ -18,7 +18,7 @@ from sandbox.app.drawing.text import Pen
 from sandbox.app.files.level_entries import Entry, entry
 from sandbox.app.files.progress import Progress
 from sandbox.app.keymap import tip
-from sandbox.app.widgets.row import Row
+from sandbox.app.widgets.list_button import Row
 from sandbox.app.widgets.text_field import LONGEST, Field
 from sandbox.app.widgets.widget_helpers import press, scroll, scrolled
 from sandbox.app.words.language import plural, say
@@ -30,9 +30,9 @@ MARGIN = 8  # px
 FIELD = 28  # px
 SCROLL_BAR = 22  # px
 CAPTION = 14
-"""The size of the letters on buttons."""
+"""The letter size of the buttons."""
 STAR = "•"
-"""Stands behind a title for each star that its challenge has earned."""
+"""Added to a title for each star that its challenge has earned."""
 
 
 def entries() -> list[Entry]:
@@ -165,7 +165,7 @@ class LevelList:
         self._make(level for level, y in self._tops.items() if above < y < top + height)
 
     def complete(self) -> None:
-        """Make all rows of what is found."""
+        """Make all rows of the search result."""
         self._make(self._tops)
 
     def _make(self, levels: Iterable[Entry]) -> None:
@@ -241,7 +241,7 @@ class LevelList:
         return sorted(found, key=lambda e: rank(e, words)) if words else found
 
     def clear(self) -> None:
-        """Look for nothing any more."""
+        """End the search."""
         if self.sought:
             self.field.set_text("")
             self._show()

@@ -22,7 +22,7 @@ HIDDEN = 0.25
 OFFER = 220, 38  # px
 ROW = 17  # px, the height from which on the rows of the help do not touch
 LEGIBLE = 0.75
-"""The part of its size to which the help may be made smaller and still be read."""
+"""How far the help may be scaled down and still be read."""
 
 
 def draw_banner(

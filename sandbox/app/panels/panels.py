@@ -13,7 +13,7 @@ from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.files.level_entries import Entry
 from sandbox.app.files.preferences import Comfort
-from sandbox.app.frame_load import Load
+from sandbox.app.frame_time import Load
 from sandbox.app.home.home import Home
 from sandbox.app.pages import register
 from sandbox.app.pages.workers import Workers
@@ -40,7 +40,7 @@ if TYPE_CHECKING:
 
 
 class Panels:
-    """The widgets of the window; they are built anew when its size or its level changes.
+    """The widgets of the window, which are rebuilt when its size or its level changes.
 
     Attributes
     ----------
@@ -160,7 +160,7 @@ class Panels:
                 element.kill()  # type: ignore[no-untyped-call]
 
     def update(self, seconds: float) -> None:
-        """Let all widgets follow what has happened, over some time [s]."""
+        """Update all widgets after some time [s]."""
         self.manager.update(seconds)
         if self.list is not None:
             self.list.update()
@@ -171,7 +171,7 @@ class Panels:
             self.list.mark_stars()
 
     def turn(self, pages: float) -> None:
-        """Scroll what can be scrolled by a part of what is seen of it at once."""
+        """Scroll whatever can be scrolled by a part of its height."""
         turned = self.side or self.refusal
         if turned is not None:
             turned.turn(pages)

@@ -47,7 +47,7 @@ class Refusal:
         sheet.end(y + GAP)
 
     def turn(self, pages: float) -> None:
-        """Scroll by a part of what is seen at once."""
+        """Scroll by a part of the visible height."""
         container = self._sheet.container
         scroll(container, scrolled(container) + pages * container.rect.height)
 

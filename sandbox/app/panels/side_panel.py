@@ -10,7 +10,7 @@ from pygame_gui.elements import UIButton
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.files.preferences import Comfort
-from sandbox.app.frame_load import Load
+from sandbox.app.frame_time import Load
 from sandbox.app.pages import register
 from sandbox.app.pages.page import Desk, Leading, Zoomed
 from sandbox.app.pages.workers import Workers
@@ -70,7 +70,7 @@ class SidePanel:
         self._shown = self._state
 
     def turn(self, pages: float) -> None:
-        """Scroll by a part of what is seen at once."""
+        """Scroll by a part of the visible height."""
         container = self._sheet.container
         scroll(container, scrolled(container) + pages * container.rect.height)
 
@@ -92,7 +92,7 @@ class SidePanel:
         return at_foot or on_page or self._tabs.pressed(event.ui_element)
 
     def act(self, event: pygame.event.Event) -> str | None:
-        """Let the page do what was clicked on; return the message for it, if there is one."""
+        """Let the page handle a click; return the message for it, if there is one."""
         message = self.page.process(event)
         if message is not None:
             self.page.update()
@@ -107,7 +107,7 @@ class SidePanel:
         return event.type == pygame.KEYDOWN and event.key == pygame.K_HOME and self.page.home()
 
     def draw_over(self, surface: pygame.Surface) -> None:
-        """Say of what time it tells, while the stage shows what was recorded of another one."""
+        """Write over the page which time it shows, while the stage shows a recorded one."""
         rect, pen = self._sheet.container.rect, self._pen
         if self._session.recalled is None or (self._recalls and self.foot is None):
             return

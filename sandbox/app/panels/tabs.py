@@ -27,7 +27,7 @@ class Tabs:
     Attributes
     ----------
     bottom
-        Where they end [px].
+        Their lower edge [px].
     """
 
     def __init__(
@@ -76,7 +76,7 @@ def rows(pen: Pen, pages: Sequence[Page], width: int) -> list[Sequence[Page]]:
 
 
 def _parted(pages: int, count: int) -> Iterator[tuple[int, ...]]:
-    """Yield all ways to part so many pages into rows: where the first begins, and all ends."""
+    """Yield all ways to divide pages into rows, as the start of each row and the end."""
     for breaks in combinations(range(1, pages), count - 1):
         yield 0, *breaks, pages
 

@@ -33,7 +33,7 @@ class Action(Model):
 
 
 def perform(action: Action, world: World) -> World:
-    """Do it again, or for the first time; return the world in which the run goes on.
+    """Perform the action, perhaps again; return the world in which the run goes on.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""The beginning of a run: a world at the setting that its level asks for, if that is known."""
+"""The start of a run: a world with the setting that its level asks for, if that is known."""
 
 from collections.abc import Sequence
 from typing import NamedTuple
@@ -38,7 +38,7 @@ def begin(level: Level, values: Values, beside: Sequence[Variant], *, patient: b
     Parameters
     ----------
     level, values
-        What is built.
+        The level to build.
     beside
         The variants that run beside it.
     patient
@@ -74,7 +74,7 @@ def _known(level: Level, values: Values, patient: bool) -> Setting | None:
 
 
 def _for_now(level: Level, values: Values) -> World:
-    """Build a level whose accuracy is asked for with a setting that nobody has tried."""
+    """Build a level that asks for an accuracy with a setting that has not been tried."""
     try:
         return build(level, values, Stepping())
     except SimulationError as error:

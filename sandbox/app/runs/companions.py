@@ -10,8 +10,8 @@ from dataclasses import dataclass, field
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.theme import Color
 from sandbox.app.observing.grading import Grading, Reading
-from sandbox.app.observing.trail import Trail
-from sandbox.app.runs.clock import Clock
+from sandbox.app.observing.thinned_series import Trail
+from sandbox.app.runs.step_clock import Clock
 from sandbox.app.words import formatting
 from sandbox.app.words.language import say
 from sandbox.model.effect_variants import Variation
@@ -74,11 +74,11 @@ class Companion:
     variant
         What runs.
     world
-        Its world.
+        The world of the run.
     trail
-        Where its bodies have been.
+        The paths of its bodies.
     clock
-        What its steps take.
+        The computing time of its steps.
     failure
         Why it had to stop; None if it did not.
 
@@ -124,7 +124,7 @@ class Companion:
 
     @property
     def trace(self) -> Trace:
-        """What was recorded of it so far."""
+        """Everything recorded so far."""
         return self._recorder.trace
 
 

@@ -10,7 +10,7 @@ from sandbox.physics.measuring.recording import Recorder
 from sandbox.physics.stepping.time_limit import Patience
 
 SLOW = 1.0
-"""s, that a step may take; a frame waits for it."""
+"""s, how long a step may take, since a frame waits for it."""
 
 
 class Limits:
@@ -21,7 +21,7 @@ class Limits:
     message
         Why the run is to pause; empty while nothing is the matter.
     recorder
-        What is recorded of the run.
+        The recorder of the run.
     """
 
     recorder: Recorder

@@ -1,4 +1,4 @@
-"""A run that is played: its world, what was done to it, and what was observed of it."""
+"""A run that is played: its world, the user's actions on it, and all that was observed."""
 
 import json
 from collections.abc import Mapping, Sequence
@@ -9,16 +9,16 @@ from sandbox.app.observing.earlier_runs import Earlier, Observed, kept
 from sandbox.app.observing.energy_books import Books
 from sandbox.app.observing.first_contacts import FirstContacts
 from sandbox.app.observing.grading import Grading, Ration, Reading
-from sandbox.app.observing.history import History
 from sandbox.app.observing.impact_marks import ImpactMarks
 from sandbox.app.observing.impacts import ImpactLog
 from sandbox.app.observing.milestones import Milestone
-from sandbox.app.observing.trail import Trail
+from sandbox.app.observing.state_history import History
+from sandbox.app.observing.thinned_series import Trail
 from sandbox.app.runs.actions import Action, perform
 from sandbox.app.runs.beginning import Beginning
-from sandbox.app.runs.clock import Clock
 from sandbox.app.runs.limits import Limits
 from sandbox.app.runs.pace import Pace
+from sandbox.app.runs.step_clock import Clock
 from sandbox.model.errors import SandboxError
 from sandbox.model.level import Level
 from sandbox.model.loading import choose
@@ -38,7 +38,7 @@ class LiveRun:
     Attributes
     ----------
     world
-        Its world; another one after it has branched off.
+        The world of the run; a new one after the run has branched.
     companions
         Other runs beside it, in lockstep.
     setting
@@ -63,7 +63,7 @@ class LiveRun:
     books
         What energies there were, and where they came from.
     blows
-        Its impacts, as they are seen and heard.
+        Its impacts, for flashes and tones.
     marks
         The impacts that are marked on the bar of the time, also those that are still to come again.
     contacts
@@ -85,7 +85,7 @@ class LiveRun:
     original
         The level as its file declares it.
     begun
-        What it begins with.
+        The world at the start.
     earlier
         The runs that were there before.
     """
@@ -119,7 +119,7 @@ class LiveRun:
 
     @property
     def t(self) -> float:
-        """The time of what is shown [s]."""
+        """The time that is shown [s]."""
         return float(self.world.snapshot.t)
 
     @property
@@ -134,14 +134,14 @@ class LiveRun:
         return [*self.actions, *self.script]
 
     def _record(self) -> None:
-        """Record it from now on, and nothing of what was before."""
+        """Record it from now on, and forget everything before."""
         self._recorder = Recorder(self.world, self._quantities)
         self._recorded, self._moved = self.world, False
         self._grading = Grading(self._recorder)
         self.limits.recorder = self._recorder
 
     def keep_as_earlier(self, values: Mapping[str, float]) -> None:
-        """Keep it, as it is now, among the runs before one with other parameters."""
+        """Keep its present record among the earlier runs, before parameters change."""
         here = Observed(self.trail, self.history, self.world)
         self.earlier = kept(self.earlier, here, values)
 
@@ -173,7 +173,7 @@ class LiveRun:
             companion.follow(t)
 
     def catch_up(self) -> None:
-        """Do what was done at this step when the run was taken before."""
+        """Repeat the actions that were recorded at this step."""
         while self.script and self.script[0].step == self.world.steps:
             action, *self.script = self.script
             self._do(action)
@@ -181,13 +181,13 @@ class LiveRun:
     def act(self, kind: Literal["grab", "drag", "release", "place"], body: str, point: XY) -> None:
         """Do to a body what a hand does, at a point [m], and note it.
 
-        What was recorded of later steps becomes an earlier run: what comes now is another one.
+        The record of later steps becomes an earlier run, since the run takes another course now.
         """
         self._begin_new_future(self.world.values)
         self._do(Action(step=self.world.steps, kind=kind, body=body, point=point))
 
     def _begin_new_future(self, values: Mapping[str, float], *, branches: bool = False) -> None:
-        """Keep what was recorded of later steps as an earlier run; what comes now is another.
+        """Keep the recorded later steps as an earlier run, since this run takes another course.
 
         A run that `branches` is kept also where nothing later was recorded of it.
         """
@@ -223,7 +223,7 @@ class LiveRun:
             self.history.restart(self.world.snapshot)
 
     def branch(self, settings: Mapping[str, float]) -> None:
-        """Go on from here with some parameters changed; what was so far stays as an earlier run.
+        """Go on from here with changed parameters; the run so far is kept as an earlier run.
 
         Raises
         ------
@@ -256,7 +256,7 @@ class LiveRun:
         self._go_on_in(world, self.world, action)
 
     def _go_on_in(self, world: World, before: World, action: Action) -> None:
-        """Go on in a world that has branched off from another one, of which something stays."""
+        """Go on in a world that has branched off, and keep some observations."""
         self._fork, self.world = before, world
         self.actions.append(action)
         self.end = max(self.end, count_steps(world))
@@ -281,7 +281,7 @@ class LiveRun:
 
     @property
     def trace(self) -> Trace:
-        """What was recorded so far."""
+        """Everything recorded so far."""
         return self._recorder.trace
 
     def readings(self, *, hurried: bool) -> tuple[Reading, ...]:
@@ -289,7 +289,7 @@ class LiveRun:
         return self._grading.readings(hurried=hurried)
 
     def milestones(self, *, hurried: bool) -> tuple[Milestone, ...]:
-        """Return what has happened; nothing that counts once a hand has touched the run."""
+        """Return the events so far; those after a hand touched the run do not count."""
         if self.world.disturbed:
             return ()
         self.readings(hurried=hurried)

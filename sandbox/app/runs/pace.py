@@ -3,7 +3,7 @@
 from collections import deque
 
 SPEEDS = (0.05, 0.1, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0)
-"""Simulated seconds a second."""
+"""Simulated seconds per second."""
 
 MEMORY = 0.5  # s
 
@@ -15,7 +15,7 @@ class Pace:
         self._frames: deque[tuple[float, float, int]] = deque()
 
     def note(self, seconds: float, simulated: float, dropped: int) -> None:
-        """Note a frame: how long it was, what was simulated [s], how many steps were dropped."""
+        """Note a frame: its length and the simulated time [s], and the number of dropped steps."""
         self._frames.append((seconds, simulated, dropped))
         while sum(frame[0] for frame in self._frames) > MEMORY and len(self._frames) > 1:
             self._frames.popleft()

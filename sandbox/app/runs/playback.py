@@ -16,9 +16,9 @@ from sandbox.app.observing.impacts import Flash
 from sandbox.app.observing.milestones import Milestone
 from sandbox.app.runs.actions import Action
 from sandbox.app.runs.grabbed_body import Grip
+from sandbox.app.runs.left_runs import Records
 from sandbox.app.runs.live_run import LiveRun
 from sandbox.app.runs.pace import faster, slower
-from sandbox.app.runs.record import Records
 from sandbox.app.runs.run_view import RunView
 from sandbox.model.errors import SandboxError
 from sandbox.model.message import Message
@@ -50,7 +50,7 @@ class Playback(RunView, ABC):
     Parameters
     ----------
     run
-        What is played.
+        The run that is played.
     watched
         Whether a person waits for each step, and is asked where one takes long.
     """
@@ -107,23 +107,23 @@ class Playback(RunView, ABC):
 
     @property
     def shown(self) -> World:
-        """The world that is shown: the present one, or that of what is `recalled`."""
+        """The world that is shown: the present one, or a recorded one."""
         return self.recalled.world if self.recalled else self.world
 
     def _recall(self) -> None:
-        """Show what was recorded of the step that is sought, or nothing if nobody knows it."""
+        """Show the recorded state of the step that is sought, if there is one."""
         if self.sought is not None:
             self._recalled = self._records.show(self.sought, self.run.all_actions)
 
     def toggle(self) -> None:
-        """Play, or pause; go on with a run that had to stop, if it can."""
+        """Play or pause; continue a run that had to stop, if that is possible."""
         if self.doubted:
             self.run.go_on()
         self.run.limits.bear()
         self.playing = not self.playing and self.failure is None
 
     def pause(self) -> None:
-        """Let no more time pass by itself."""
+        """Stop the time."""
         self.playing = False
 
     def step(self) -> None:
@@ -135,7 +135,7 @@ class Playback(RunView, ABC):
             self.go_to(self.sought + 1)
 
     def go_to(self, step: int, *, undone: bool = False) -> None:
-        """Go to another step of the run, back or ahead, as far as its `span` reaches.
+        """Go to another step of the run, backwards or forwards, as far as its `span` reaches.
 
         A way back begins at the start: the run is taken again, with all that a hand did to it, and
         so is the same to the last bit. What was done later is done again when its step comes,
@@ -171,12 +171,12 @@ class Playback(RunView, ABC):
         self._take_again(actions, steps, inf)
 
     def _take_again(self, actions: Sequence[Action], steps: int, budget: float = AT_ONCE) -> None:
-        """Take a run from its start; what there is no time for is left to later frames [s]."""
+        """Compute a run from its start for some time [s]; later frames do the rest."""
         self.run.script, self.sought = actions, steps
         self._seek(budget)
 
     def _begin_again(self, sought: int, *, undone: bool = False) -> None:
-        """Start anew with the same parameters, to do again what was done."""
+        """Restart with the same parameters, to repeat the recorded actions."""
         before, actions = self.run, self.run.all_actions
         here = Observed(before.trail, before.history, before.world)
         records = self._records.having(here, before.actions)
@@ -316,5 +316,5 @@ class Playback(RunView, ABC):
         return self.run.readings(hurried=self.playing)
 
     def milestones(self) -> tuple[Milestone, ...]:
-        """Return what has happened; nothing that counts once a hand has touched the run."""
+        """Return the events so far; those after a hand touched the run do not count."""
         return self.run.milestones(hurried=self.playing)

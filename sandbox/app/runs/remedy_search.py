@@ -21,7 +21,7 @@ class Advising:
         return self._work.running
 
     def follow(self, session: Session) -> None:
-        """Begin to try where a run has stopped; tell the session what was found."""
+        """Start a search when a run has stopped; pass its results to the session."""
         failure = session.failure
         if failure is not self._failure:
             self._failure = failure

@@ -4,13 +4,13 @@ from collections.abc import Sequence
 
 from sandbox.app.observing.earlier_runs import Earlier, Observed, alike
 from sandbox.app.observing.energy_books import Books
-from sandbox.app.observing.history import History
-from sandbox.app.observing.trail import Trail
+from sandbox.app.observing.state_history import History
+from sandbox.app.observing.thinned_series import Trail
 from sandbox.app.runs.actions import Action
-from sandbox.app.runs.clock import Clock
 from sandbox.app.runs.companions import Companion
 from sandbox.app.runs.live_run import LiveRun
 from sandbox.app.runs.pace import Pace
+from sandbox.app.runs.step_clock import Clock
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level
@@ -39,7 +39,7 @@ class RunView:
 
     @property
     def level(self) -> Level:
-        """What is played: what the run began as, or what it was altered to on the way."""
+        """The level that is played, with the alterations of the run so far."""
         return self.world.level
 
     @property
@@ -94,12 +94,12 @@ class RunView:
 
     @property
     def setting(self) -> Setting | None:
-        """What reaches the accuracy that the level asks for; None as long as nobody knows."""
+        """The setting that reaches the accuracy of the level; None while it is unknown."""
         return self.run.setting
 
     @property
     def actions(self) -> Sequence[Action]:
-        """What a person has done to the run so far."""
+        """The user's actions on the run so far."""
         return self.run.actions
 
     @property
@@ -119,7 +119,7 @@ class RunView:
 
     @property
     def t(self) -> float:
-        """The time of what is shown [s]."""
+        """The time that is shown [s]."""
         return self.run.t
 
     @property
@@ -156,7 +156,7 @@ class RunView:
 
     @property
     def doubted(self) -> bool:
-        """Whether a run had to stop that could go on, though it is no longer to be trusted."""
+        """Whether the run had to stop, but could go on without being reliable."""
         return self.failure is not None and self.world.doubted
 
     @property
@@ -166,5 +166,5 @@ class RunView:
 
     @property
     def trace(self) -> Trace:
-        """What was recorded of the run so far."""
+        """Everything recorded of the run so far."""
         return self.run.trace

@@ -20,10 +20,10 @@ from sandbox.model.message import Message
 from sandbox.physics.state.snapshot import Snapshot
 
 SUFFIX = ".run.json"
-"""How the name of a run file ends."""
+"""The suffix of run files."""
 
 LARGEST = 100_000_000
-"""Bytes of a run file: what is larger is not read."""
+"""The largest run file that is read [bytes]."""
 
 
 class Run(Model):

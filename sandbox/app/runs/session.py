@@ -100,11 +100,11 @@ class Session(Playback):
 
     @property
     def chosen(self) -> Values:
-        """The parameters of the original, as they are now; see `values_for`."""
+        """The present parameters of the original; see `values_for`."""
         return self.values_for(self.original)
 
     def restart(self, settings: Mapping[str, float] | None = None) -> None:
-        """Start anew, with some parameters changed.
+        """Restart with some parameters changed.
 
         Raises
         ------
@@ -154,7 +154,7 @@ class Session(Playback):
             self.restart(settings)
 
     def branch(self, settings: Mapping[str, float]) -> None:
-        """Go on from here with some parameters changed; what was so far stays as an earlier run.
+        """Go on from here with changed parameters; the run so far is kept as an earlier run.
 
         Raises
         ------
@@ -198,7 +198,7 @@ class Session(Playback):
         Parameters
         ----------
         actions
-            What was done to it.
+            The actions on it.
         steps
             How far.
         values
@@ -214,19 +214,19 @@ class Session(Playback):
         self._take_again(actions, steps)
 
     def take(self, advice: Advice) -> None:
-        """Take in what was found to help a run that had to stop."""
+        """Take in the remedies that were found for a run that had to stop."""
         self.run.trying, self.run.advice = False, advice
         if isinstance(self.failure, SimulationError):
             self.run.failure = self.failure.advised(advice.text, advice.rate)
 
     def rerun(self, rate: float) -> None:
-        """Play anew at another rate, from now on [Hz]."""
+        """Restart at another rate [Hz]."""
         self.begun_as = at_rate(self.begun_as, rate)
         self.restart()
         self.playing = self.failure is None
 
     def edit(self, level: Level) -> None:
-        """Play another level from its start: the one that is played, as somebody has changed it.
+        """Play an edited level from its start, in place of the present one.
 
         Raises
         ------
@@ -245,7 +245,7 @@ class Session(Playback):
         changes: Changes = NONE,
         values: Values | None = None,
     ) -> None:
-        """Start anew with another form of the level, and with other runs beside it.
+        """Restart with another variant of the level, with other runs beside it.
 
         Parameters
         ----------
@@ -256,7 +256,7 @@ class Session(Playback):
         changes
             The effects in which it differs from the original.
         values
-            Its parameters; the present ones if left out.
+            The parameters; the present ones if left out.
 
         Raises
         ------
@@ -273,7 +273,7 @@ class Session(Playback):
         self.restart()
 
     def give_up(self, why: Message) -> None:
-        """Take note that nobody knows the setting that its level asks for."""
+        """Note that the setting that the level asks for could not be found."""
         self._stop(SandboxError(why))
 
     def attempt(self) -> Attempt | None:

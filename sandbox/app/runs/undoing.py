@@ -15,7 +15,7 @@ from sandbox.model.message import Message
 
 TOGETHER = 0.7  # s, within which changes of the same thing are one: a slider on its way
 MOST = 200
-"""Changes that are remembered."""
+"""How many changes are remembered."""
 FORM, SPEED = later("effects and stepping"), "speed"
 
 
@@ -27,7 +27,7 @@ class Branch(NamedTuple):
 
 
 class Setup(NamedTuple):
-    """All of a session that a person chooses, and nothing of what came of it."""
+    """Everything that the user chooses in a session, without its results."""
 
     level: Level
     changes: Changes
@@ -55,7 +55,7 @@ class Undoing:
         self._future: list[Setup] = []
 
     def follow(self, session: Session, seconds: float) -> None:
-        """Note what has changed in some time [s]; another level has nothing to be taken back."""
+        """Note changes over some time [s]; another level starts without any."""
         before, level = self._now, session.original
         if before is None or self._of is None or not all(map(_is, self._of, (session, level))):
             self._of = session, level
@@ -171,7 +171,7 @@ def _branch(session: Session, branch: Branch) -> None:
 
 
 def _same_form(a: Setup, b: Setup) -> bool:
-    """Whether the same forms of the level are played; they are not compared, but told apart."""
+    """Whether the same variants of the level are played, compared by identity."""
     beside = len(a.beside) == len(b.beside) and all(map(_is, a.beside, b.beside))
     return a.level is b.level and a.changes == b.changes and beside
 

@@ -42,7 +42,7 @@ def draw_belts(
 def _draw_marks(
     surface: pygame.Surface, camera: Camera, side: tuple[XY, XY], run: float, middle: XY
 ) -> None:
-    """Draw the marks of a side that has run so far [m], where it is seen."""
+    """Draw the marks of a belt's side that has run some way [m], where it is visible."""
     a, b = camera.path(side)
     length, run = hypot(b[0] - a[0], b[1] - a[1]), run * camera.scale
     spacing = nice(SPACING / camera.scale) * camera.scale

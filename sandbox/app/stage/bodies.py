@@ -13,14 +13,14 @@ from sandbox.app.stage.outline import RIM, Outline
 from sandbox.model.shapes import XY
 
 FEW = 200
-"""Up to so many bodies are drawn with smooth rims."""
+"""Up to how many bodies are drawn with smooth rims."""
 
 LEAST = 3.0  # px, the radius at which even the smallest disc is drawn
 HATCH = 9  # px
 LET = 24.0  # px, about, from one arrowhead of a one-way surface to the next
 WEDGE = 10.0, 2.0, 6.0  # px, from the surface to its base and its tip, and half its width
 VEIL = 45
-"""Of 255, how much of what is in a sensor its colour covers."""
+"""The opacity of a sensor, of 255."""
 
 
 def draw_body(

@@ -41,7 +41,7 @@ BUFFER = 4.5  # px, from one turn of an elastic stop's coil to the next, and how
 HOOK = 7.0  # px, the radius of a hook that is open
 GAPE = 0.9  # rad, how far it is open to either side
 SAG = 0.12
-"""How far a slack rope hangs down, of its length on the screen."""
+"""How far a slack rope hangs down, relative to its length on the screen."""
 
 
 def draw_joint(
@@ -57,7 +57,7 @@ def draw_joint(
 
 
 def draw_open(surface: pygame.Surface, camera: Camera, path: Sequence[XY]) -> None:
-    """Draw what has not caught yet: a hook at each end, open towards the other."""
+    """Draw a joint that has not caught yet: a hook at each end, open towards the other."""
     begin, *_, end = camera.path(path)
     if not lines.near((begin, end)):
         return
@@ -69,7 +69,7 @@ def draw_open(surface: pygame.Surface, camera: Camera, path: Sequence[XY]) -> No
 
 
 def _plain(surface: pygame.Surface, corners: Sequence[XY], _: bool) -> None:
-    """Draw what has no look of its own: dots where it holds on, joined by dashes."""
+    """Draw a joint of any other kind: dots at its ends, connected by dashes."""
     lines.dashed(surface, theme.SURFACE_EDGE, corners, 5, 4)
     _pins(surface, corners)
 
@@ -217,7 +217,7 @@ def _buffer(place: XY, way: XY) -> list[XY]:
 
 
 def limits(joint: Stop, path: Sequence[XY], values: Values) -> list[XY]:
-    """Return where the stops of a way are [m], of what is stopped and what it is counted from."""
+    """Return the ends of a stop's range [m], given the stopped body and its reference."""
     way = complex(*evaluate(joint.direction, values))
     start = complex(*path[1])
     places = [start + way / abs(way) * limit(values) for limit in joint.range]
@@ -279,7 +279,7 @@ LOOKS: Mapping[type, Look] = {
     Stop: _stop,
     AngleStop: _angle_stop,
 }
-"""What each kind looks like; any other is drawn plainly."""
+"""How each kind is drawn; any other kind is drawn as a plain line."""
 
 IN_FRONT = (Pivot, Motor, Winding, Gear, Rack, AngleStop)
-"""The kinds that go through bodies or around them, drawn over them; others end behind them."""
+"""The kinds that go through or around bodies are drawn over them; the others end behind them."""

@@ -13,11 +13,11 @@ from sandbox.app.words.formatting import nice, number, quantity
 from sandbox.model.expressions import Array
 from sandbox.model.landscape import Landscape
 from sandbox.model.shapes import XY, evaluate
-from sandbox.physics.metering.meter import Meter
+from sandbox.physics.quantities.meter import Meter
 from sandbox.physics.stepping.world import World
 
 TICKS = 3
-"""About how many energies are written at the axis."""
+"""About how many energies are labelled on the axis."""
 
 
 class Relief:

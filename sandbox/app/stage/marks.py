@@ -6,7 +6,7 @@ from math import copysign, hypot, isfinite
 import numpy as np
 import pygame
 
-from sandbox.app.drawing import lines, signs, theme
+from sandbox.app.drawing import curve_markers, lines, theme
 from sandbox.app.drawing.camera import Camera
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
@@ -22,14 +22,14 @@ from sandbox.model.shapes import XY
 from sandbox.physics.stepping.world import World
 
 LONGEST = 0.14
-"""The longest arrow, as a part of the stage's width."""
+"""The longest arrow, as a share of the stage's width."""
 
 EDGE = 26  # px, kept free of words along the rulers
 LINE, FURTHER = 16, 4
-"""The height of a line [px], and by up to how many words move on where there is no room."""
+"""The height of a line [px], and by up to how many lines a label may move to find room."""
 
 PATH_POINTS = 240
-"""Into how many pieces the closed form's path is cut."""
+"""The number of pieces in which the closed form's path is drawn."""
 
 
 def trail_color(color: Color) -> Color:
@@ -57,7 +57,7 @@ def draw_ghost(
     corners = camera.path(outline.placed(position, angle))
     if outline.closed:
         corners.append(corners[0])
-    lines.dashed(surface, color, corners, *signs.dash(lane or 0))
+    lines.dashed(surface, color, corners, *curve_markers.dash(lane or 0))
     if lines.near(corners):
         x, y = camera.to_screen(position)
         pygame.draw.aacircle(surface, color, (x, y), 2)

@@ -14,14 +14,14 @@ from sandbox.physics.state.snapshot import Snapshot
 from sandbox.physics.stepping.world import World
 
 JUMP = 3.0
-"""A ghost's speed beyond so many times its 95th percentile is a jump of the formula, no speed."""
+"""A ghost's speed above this multiple of its 95th percentile is a jump of the formula."""
 UNIT = "kg·m/s"
 
 _scales: WeakKeyDictionary[object, "_Kept"] = WeakKeyDictionary()
 
 
 class _Kept(NamedTuple):
-    """The scale of a run, and what it is the run of."""
+    """The scale of a run, with the run that it belongs to."""
 
     level: Level
     values: object
@@ -72,11 +72,11 @@ def scale(owner: object, world: World, observed: Snapshot) -> float:
     Parameters
     ----------
     owner
-        What is kept while its scale is, such as a session.
+        The owner of the scale, such as a session: the scale is kept as long as it is.
     world
-        Whose momenta are drawn.
+        The world whose momenta are drawn.
     observed
-        What has been seen of it: one snapshot, or a stack.
+        The states so far: one snapshot, or a stack.
     """
     kept = _scales.get(owner)
     values, disturbed = dict(world.values), world.disturbed

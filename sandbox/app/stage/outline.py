@@ -20,10 +20,10 @@ from sandbox.physics.geometry.depth import depth
 CORNERS_OF_A_CIRCLE = 48
 
 LETS = {None: 0, "left": 1, "right": -1}
-"""What `Outline.lets` is of a body's `one_way`."""
+"""The value of `Outline.lets` for each `one_way` of a body."""
 
 RIM = 6
-"""The radius of a hoop over the width of its rim, as it is drawn."""
+"""The radius of a hoop relative to the drawn width of its rim."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,7 +58,7 @@ class Outline:
     hidden
         Whether it is left out of the picture.
     layer
-        What has a higher one is drawn over what has a lower one.
+        Bodies with a higher value are drawn over those with a lower one.
     """
 
     name: str
@@ -111,7 +111,7 @@ def outlines(level: Level, values: Values) -> Mapping[str, Outline]:
 
 
 def outlined(name: str, row: int, spec: Body, values: Values, moving: int) -> Outline:
-    """Return the outline of a body, before which so many move."""
+    """Return the outline of a body, given how many moving bodies come before it."""
     shape = spec.shape
     radius = shape.radius(values) if isinstance(shape, Disc | Hoop) else None
     line = shape if isinstance(shape, Segment | Polyline | Arc | Curve) else None

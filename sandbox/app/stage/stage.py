@@ -10,10 +10,10 @@ from sandbox.app.drawing import lines, theme
 from sandbox.app.drawing.camera import Camera
 from sandbox.app.drawing.text import Pen
 from sandbox.app.observing.milestones import Milestone
-from sandbox.app.observing.trail import Trail
+from sandbox.app.observing.thinned_series import Trail
 from sandbox.app.runs.companions import Companion
 from sandbox.app.stage import belts_and_flames, bodies, grid, joints, liquid, marks, texts
-from sandbox.app.stage.forces import Arrow
+from sandbox.app.stage.given_forces import Arrow
 from sandbox.app.stage.labels import Labels
 from sandbox.app.stage.landscape import Relief
 from sandbox.app.stage.outline import Outline
@@ -88,7 +88,7 @@ class Stage:
         milestones: Sequence[Milestone] = (), beside: Sequence[Companion] = (),
         earlier: Sequence[Trail] = (),
     ) -> None:  # fmt: skip
-        """Draw the world as it is now on a surface of the stage's size, and other runs over it.
+        """Draw the present world on a surface of the stage's size, with other runs over it.
 
         Of earlier runs the trails are drawn.
         """
@@ -273,7 +273,7 @@ class Stage:
             joints.draw_open(surface, self.camera, path)
 
     def _far_along(self, rail: Rail, through: Plane) -> list[Plane]:
-        """Return two points of a rail so far apart that the picture shows none of them [m]."""
+        """Return two points of a rail that lie outside of the picture [m]."""
         (x, y), seen = self.camera.center, max(self.camera.size) / self.camera.scale
         way = complex(*evaluate(rail.direction, self.view.world.values))
         way /= abs(way)

@@ -11,7 +11,7 @@ from sandbox.model.shapes import XY
 
 WHEEL = 13.0  # px, the largest radius
 SHARE = 0.24
-"""How much of the shorter side of a bend the wheel's radius may be: two beside each other fit."""
+"""The largest wheel radius, as a share of the shorter side of a bend: two neighbours fit."""
 
 
 class Bend(NamedTuple):

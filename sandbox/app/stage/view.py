@@ -10,7 +10,7 @@ from sandbox.app.drawing.camera import Camera
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
 from sandbox.app.stage import marks
-from sandbox.app.stage.forces import Forces
+from sandbox.app.stage.given_forces import Forces
 from sandbox.app.stage.labels import Labels
 from sandbox.app.stage.outline import Outline, outlines
 from sandbox.app.words.formatting import rounded_up
@@ -21,14 +21,14 @@ from sandbox.physics.stepping.world import World
 if TYPE_CHECKING:
     from sandbox.app.observing.impacts import Flash
     from sandbox.app.observing.selected_body import Looking
-    from sandbox.app.observing.trail import Trail
+    from sandbox.app.observing.thinned_series import Trail
     from sandbox.model.expressions import Array
 
 NAMED = 12
-"""Up to so many moving bodies carry their name, an arrow and a trail."""
+"""Up to how many moving bodies have a name, an arrow and a trail."""
 
 LONGER = 1.1
-"""So many times as long as the longest an arrow may be, before all are drawn shorter."""
+"""How far an arrow may exceed the longest length before all are drawn shorter."""
 
 
 class View:
@@ -37,12 +37,12 @@ class View:
     Attributes
     ----------
     world, camera, pen
-        What is looked at, from where, and what writes on it.
+        The world, the camera, and the pen.
     outlines, moving, still
         The outlines of all bodies by name, and those of the bodies that move, and that do not, but
         for hidden ones; the lowest layer first.
     in_front
-        What is drawn anew in every frame: what moves, and what is raised above it.
+        The outlines drawn in every frame: moving bodies, and those above them.
     few
         Whether so few bodies move that each can be explained.
     duration
@@ -54,7 +54,7 @@ class View:
     trail
         Where the bodies have been; None if nobody keeps it.
     looking
-        At which body a person looks; None if nobody does.
+        The selected body; None if there is none.
     starts
         Where the level places what moves: (k, 2) [m].
     flashes

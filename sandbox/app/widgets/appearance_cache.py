@@ -4,7 +4,7 @@ import pygame
 from pygame_gui.core.surface_cache import SurfaceCache
 
 MOST = 16_000_000
-"""Bytes of pictures that are kept."""
+"""The bytes of pictures that are kept."""
 
 
 class Looks(SurfaceCache):
@@ -19,7 +19,7 @@ class Looks(SurfaceCache):
         self._bytes = 0
 
     def add_surface_to_cache(self, surface: pygame.Surface, string_id: str) -> None:
-        """Keep a look under a name, in the place of those that nobody has wanted for longest."""
+        """Keep a picture under a name, and drop those that were unused for longest."""
         self._drop(string_id)
         self._kept[string_id] = surface
         self._bytes += _size(surface)

@@ -24,7 +24,7 @@ SMALLEST = 260, 300  # px, as pygame_gui asks for
 
 
 class OpenDialog(UIFileDialog):
-    """Levels in a folder, of which one can be opened; nothing is written or removed."""
+    """The levels in a folder, one of which can be opened; nothing is written or removed."""
 
     def __init__(self, manager: UIManager, stage: pygame.Rect, folder: Path) -> None:
         room = stage.inflate(-20, -20).size

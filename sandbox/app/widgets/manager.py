@@ -11,10 +11,10 @@ from pygame_gui.core import UIAppearanceTheme, UIElement
 from pygame_gui.elements import UIButton, UIImage
 
 from sandbox.app.widgets.appearance_cache import Looks
-from sandbox.app.widgets.row import Row
+from sandbox.app.widgets.list_button import Row
 
 Ids = list[str | None] | None
-"""What a widget and all that hold it are called, from the outermost inwards."""
+"""The ids of a widget and of its containers, from the outermost inwards."""
 
 
 class Manager(UIManager):
@@ -32,7 +32,7 @@ class Manager(UIManager):
         self.get_sprite_group().lostsprites.clear()
 
     def _handle_hovering(self, time_delta: float) -> None:
-        """Tell the widgets under the mouse so, of which the uppermost is hovered, and no other.
+        """Find the uppermost widget under the mouse, the only one that is hovered.
 
         pygame_gui goes through all of them by layers, and asks each. A plain one that the mouse is
         far from, and was, has nothing to say; there are some hundred.
@@ -63,7 +63,8 @@ class Manager(UIManager):
 
 
 _PLAIN = UIButton, UIImage, Row
-"""What is under the mouse only if the mouse is in its rectangle, unless it is held."""
+"""The widgets that are under the mouse only if it is inside their rectangle, or if they are
+held."""
 
 
 class _Theme(UIAppearanceTheme):

@@ -13,7 +13,7 @@ from sandbox.app.drawing.text import Pen
 from sandbox.app.widgets.text_field import Field
 from sandbox.app.words import formatting
 from sandbox.app.words.level_words import Say
-from sandbox.app.words.rounding import rounded, step
+from sandbox.app.words.slider_steps import rounded, step
 from sandbox.model.expressions import Values
 from sandbox.model.level import Parameter
 
@@ -90,7 +90,7 @@ class Parameters:
         return Row(parameter, slider, field, text)
 
     def show(self, values: Values) -> None:
-        """Show other values; what has none any more stays as it was shown."""
+        """Show other values; parameters that no longer exist keep theirs."""
         for name, row in self._rows.items():
             if name not in values:
                 continue
@@ -114,7 +114,7 @@ class Parameters:
         return None
 
     def left(self) -> Change | None:
-        """Return what was typed into a field that the keyboard has left since."""
+        """Return the text of a field that has lost the focus."""
         for name, row in self._rows.items():
             if not row.field.is_focused and row.field.get_text() != row.shown:
                 return self._typed(name, row)

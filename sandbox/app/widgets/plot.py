@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 import pygame
 
-from sandbox.app.drawing import lines, signs, theme
+from sandbox.app.drawing import curve_markers, lines, theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
 from sandbox.app.words import formatting
@@ -16,13 +16,13 @@ from sandbox.model.shapes import XY
 
 LEFT, BELOW, ABOVE, RIGHT = 46, 18, 8, 10  # px, around the field
 ROUNDING = 1e-12
-"""What differs less is drawn as a straight line, in whatever unit."""
+"""Smaller differences are drawn as a straight line, in any unit."""
 MANY = 600
 """How many points of a line are drawn: there are no more pixels."""
 
 
 SIGNED = 4
-"""How many signs stand on a line; those of other lines stand elsewhere along it."""
+"""How many signs stand on a line; the signs of different lines are offset."""
 GAP = 7  # px, between the numbers of two ticks
 DOT = 2.5  # px, the radius of a marked point
 CORNERS = "topleft", "bottomleft", "topright", "bottomright"
@@ -68,7 +68,7 @@ class Scale(NamedTuple):
         return self._replace(low=degrees(self.low), high=degrees(self.high))
 
     def ticks(self, most: int) -> Iterator[float]:
-        """Yield round numbers along it, about so many at the most."""
+        """Yield round numbers along the axis, at most so many."""
         step = formatting.nice((self.high - self.low) / most)
         for i in range(ceil(self.low / step), floor(self.high / step) + 1):
             yield i * step
@@ -163,9 +163,9 @@ def _draw_part(surface: pygame.Surface, series: Series, points: Sequence[XY]) ->
 
 def _sign(surface: pygame.Surface, which: int, color: Color, points: Sequence[XY]) -> None:
     """Put signs on a line, evenly along it."""
-    count = SIGNED * signs.SIGNS
-    for place in range(which % signs.SIGNS, count, signs.SIGNS):
-        signs.sign(surface, which, color, points[len(points) * place // count], 3)
+    count = SIGNED * curve_markers.SIGNS
+    for place in range(which % curve_markers.SIGNS, count, curve_markers.SIGNS):
+        curve_markers.sign(surface, which, color, points[len(points) * place // count], 3)
 
 
 def _draw_axes(surface: pygame.Surface, pen: Pen, span: Scale, up: Scale) -> None:
@@ -216,7 +216,7 @@ def _ticks_apart(pen: Pen, span: Scale) -> Sequence[float]:
 
 
 def _offset(up: Scale) -> float:
-    """Return what numbers are told beyond, where they differ by less than a thousandth; else 0."""
+    """Return the offset that numbers are written without if they are nearly equal; else 0."""
     middle = (up.low + up.high) / 2
     return middle if up.high - up.low < 1e-3 * abs(middle) else 0.0
 

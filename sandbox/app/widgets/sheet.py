@@ -29,7 +29,7 @@ class Sheet:
     Attributes
     ----------
     width
-        Of what is put on it [px].
+        The width of its contents [px].
     margin
         Left of that, and twice what is above it [px].
     container
@@ -57,11 +57,11 @@ class Sheet:
         self.typed: Typed | None = None
 
     def px(self, length: float) -> int:
-        """Return how long at the present scale is what has some length at the usual one [px]."""
+        """Return a length, given at the usual scale, at the present one [px]."""
         return self.pen.px(length)
 
     def scaled(self, size: tuple[int, int]) -> tuple[int, int]:
-        """Return how large at the present scale is what has some size at the usual one [px]."""
+        """Return a size, given at the usual scale, at the present one [px]."""
         return self.px(size[0]), self.px(size[1])
 
     def image(self, surface: pygame.Surface, y: int) -> UIImage:
@@ -107,7 +107,7 @@ class Panel(Protocol):
     """What a page of the side panel has put on its sheet."""
 
     def process(self, event: pygame.event.Event) -> str | None:
-        """Do what was clicked on; return what is to be told, None if nothing was."""
+        """Handle a click; return the message for it, None if nothing was clicked."""
         ...
 
     def update(self) -> None:

@@ -7,11 +7,11 @@ from pygame_gui.elements import UITextEntryLine
 from sandbox.app.drawing.text import typed
 
 LONGEST = 100
-"""Letters: as much as anybody looks for."""
+"""Characters that can be typed."""
 
 
 class Field(UITextEntryLine):
-    """A line of text that takes whatever is typed or pasted, but for what cannot be drawn.
+    """A line of text that accepts every character that can be drawn.
 
     pygame_gui keeps a letter without width, and ends when it comes to draw it. It also refuses all
     that is pasted for one letter that it does not take; here that one is left out. The click that

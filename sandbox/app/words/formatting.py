@@ -23,7 +23,7 @@ from sandbox.physics.measuring.goals import Outcome
 
 MINUS = "−"
 ROUNDING = 1e-12
-"""The part of a scale below which a value is nothing but rounding."""
+"""The share of a scale below which a value counts as rounding."""
 NO_DIFFERENCE = later("no difference")
 SCHEMES: Mapping[str, str] = {
     "leapfrog": later("leapfrog"),
@@ -47,7 +47,7 @@ def number(value: float, digits: int = 5) -> str:
 
 
 def without_rounding(value: float, scale: float) -> float:
-    """Return a value, or 0 where it is nothing but rounding beside what else is seen."""
+    """Return a value, or 0 if it is only rounding relative to a scale."""
     return 0.0 if abs(value) < ROUNDING * scale else value
 
 
@@ -81,7 +81,7 @@ def bounds(outcome: Outcome) -> str:
 
 
 def measured(value: float, expected: float, unit: str) -> str:
-    """Write what was measured; what differs by rounding alone is not rounded another way."""
+    """Format a measurement, so that two that differ by rounding look the same."""
     return quantity(expected if isclose(value, expected, rel_tol=1e-9) else value, unit)
 
 
@@ -196,7 +196,7 @@ def step_cost(seconds: float) -> str:
 
 
 def variations(found: Iterable[Variation]) -> str:
-    """Write what was done to the effects of a level."""
+    """Describe how the effects of a level were changed."""
     return ", ".join(map(_variation, found))
 
 
@@ -261,7 +261,7 @@ def trusted(found: Trust) -> str:
 
 
 def certain(value: float, off: float, unit: str) -> str:
-    """Write a number that may be off by so much, with the digits that survive that."""
+    """Format a number with an error, with the digits that can be trusted."""
     scale = degrees(1) if unit.startswith("rad") else 1.0
     digits = surviving(scale * value, scale * off)
     return quantity(value if digits else 0.0, unit, digits or 1)

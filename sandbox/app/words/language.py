@@ -18,26 +18,26 @@ from sandbox.model.errors import SandboxError
 from sandbox.model.message import Message
 
 Name = Literal["en", "de"]
-"""Of a language, as its catalogue is called."""
+"""The code of a language, and the name of its catalogue."""
 NAMES: tuple[Name, ...] = get_args(Name)
-"""In the order in which they are offered."""
+"""All languages, in the order in which they are offered."""
 TITLES: Mapping[Name, str] = {"en": "English", "de": "Deutsch"}
-"""What each is called by those who speak it."""
+"""The name of each language in that language."""
 ENGLISH: Name = "en"
-"""The language of the code, which needs no catalogue; it is in use before another is chosen."""
+"""The language of the source code, which needs no catalogue, and the default."""
 
 Domain = Literal["window", "levels"]
-"""Who says what is in a catalogue."""
+"""The catalogues: texts of the window, and texts of the levels."""
 DOMAINS: tuple[Domain, ...] = get_args(Domain)
 
 _VARIABLES = ("LANGUAGE", "LC_ALL", "LC_MESSAGES", "LANG")
-"""Where a system says its language; of several the first that says anything counts."""
+"""The environment variables that set the language; the first that is set counts."""
 
 _used = ENGLISH
 
 
 def use(name: Name) -> None:
-    """Speak another language from now on; what was said stays as it is."""
+    """Use another language from now on; texts that were made before stay as they are."""
     global _used
     _used = name
 
@@ -100,7 +100,7 @@ def say_in(context: str, message: str) -> str:
 
 
 def plural(one: str, more: str, count: int, **values: object) -> str:
-    """Return a message of which the form depends on a count, which it has as `{count}`."""
+    """Return a message whose form depends on a count, which it contains as `{count}`."""
     return catalogue(_used).ngettext(one, more, count).format(count=count, **values)
 
 
@@ -124,7 +124,7 @@ class _Unknown(NullTranslations):
 
 @cache
 def catalogue(name: Name, domain: Domain = "window") -> NullTranslations:
-    """Return the catalogue of a language; that of English hands back what it is asked.
+    """Return the catalogue of a language; that of English returns its input.
 
     Asked for what it does not have, one of the levels raises a `LookupError`: nobody but a level
     that comes with the project says what is in it.

@@ -14,7 +14,7 @@ from sandbox.model.level import Check, Level
 from sandbox.model.prose_fields import prose
 
 Say = Callable[[str], str]
-"""Returns what is shown of words of a level."""
+"""Translates a text of a level."""
 
 
 def of(level: Level) -> Say:

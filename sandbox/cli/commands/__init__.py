@@ -41,7 +41,7 @@ COMMANDS = (
     tour,
     bench,
 )
-"""In the order of the help; a command is called as its module."""
+"""All commands in the order of the help; each is named after its module."""
 
 app = typer.Typer(
     name="sandbox",

@@ -6,7 +6,7 @@ from typing import Annotated
 import typer
 
 SHARE = 10
-"""How many levels are worth a process more, which takes half a second to begin."""
+"""How many levels justify one more process, which takes half a second to start."""
 
 
 def command(

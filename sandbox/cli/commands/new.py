@@ -24,7 +24,7 @@ def command(
         ),
     ] = "empty",
 ) -> None:
-    """Write a new level that runs, to go on from.
+    """Write a new level that runs, as a start for your own.
 
     No file is ever overwritten.
     """

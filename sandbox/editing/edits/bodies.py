@@ -12,7 +12,7 @@ import numpy as np
 from sandbox.editing.cleanup import COEFFICIENTS, first_that_loads, without_meaning
 from sandbox.editing.edits.edit_result import Made, new_name
 from sandbox.editing.edits.titling import without_empty_summary
-from sandbox.editing.layout import Json, plain
+from sandbox.editing.json_layout import Json, plain
 from sandbox.editing.outlines import centroid, simplified
 from sandbox.editing.text_patches import put, put_all, remove
 from sandbox.model.errors import SandboxError
@@ -21,16 +21,16 @@ from sandbox.model.message import Message
 from sandbox.model.shapes import XY
 
 DENSITY = 10.0
-"""kg/m², of what is drawn: a box of 0.3 m weighs about 1 kg."""
+"""kg/m², of drawn bodies: a box of 0.3 m weighs about 1 kg."""
 
 SMALLEST = 1e-12
-"""m, what is drawn smaller is a click, and no body."""
+"""m, anything drawn smaller is a click, and makes no body."""
 
 DRAWN = 12
-"""The digits of a size that is drawn: it is a difference, whose last digits are rounding."""
+"""The digits of a drawn size: it is a difference, whose last digits are rounding."""
 
 CLOSES = 0.1
-"""The share of its size within which a stroke comes back to its beginning, and is closed."""
+"""A stroke is closed if its ends are closer than this share of its size."""
 
 GRAVITY: Json = {"acceleration": [0, -9.81]}
 
@@ -128,7 +128,7 @@ def _add_dynamic(text: str, level: Level, kind: str, shape: Json, center: XY, ar
 
 
 def drawn_mass(area: float) -> float:
-    """Return the mass of what is drawn so large [kg], to three digits."""
+    """Return the mass of a drawn area [kg], to three digits."""
     return plain(float(f"{DENSITY * area:.3g}"))
 
 

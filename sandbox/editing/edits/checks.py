@@ -4,14 +4,14 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, Literal
 
 from sandbox.editing.cleanup import accepted, without_meaning
-from sandbox.editing.layout import Json
+from sandbox.editing.json_layout import Json
 from sandbox.editing.text_patches import Changes, put, put_all, remove
 from sandbox.model.expressions import Expression
 from sandbox.model.level import Level
 from sandbox.model.quantities import quantities
 
 MOST = 200
-"""How many names are offered at the most."""
+"""How many names are offered, at most."""
 
 
 def add_checks(
@@ -41,7 +41,7 @@ def set_ghost(text: str, body: str, place: tuple[Json, Json]) -> str:
 
 
 def flight(level: Level, body: str) -> tuple[Json, Json]:
-    """Return where a body would be if nothing but gravity acted on it: x + v t + a t²/2."""
+    """Return the closed form of free flight: x + v t + a t²/2."""
     said, gravity = level.bodies[body], level.effects.gravity
     pull = gravity.acceleration if gravity is not None else (None, None)
     x, y = (
@@ -71,7 +71,7 @@ def drop_told(text: str, part: Literal["checks", "ghosts"], which: int | str) ->
 
 
 def complete(level: Level, begun: str) -> list[str]:
-    """Return the names of quantities that go on from what was typed, the likeliest first.
+    """Return the names of quantities that complete a typed text, the likeliest first.
 
     Those that begin with it, then those that have it in them; `pos` finds `ball.position.x`. Of
     bodies that stand still they come last.

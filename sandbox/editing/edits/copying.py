@@ -11,12 +11,12 @@ from sandbox.editing.attached_bodies import shifted_point
 from sandbox.editing.cleanup import without_meaning
 from sandbox.editing.edits.edit_result import Made, new_name
 from sandbox.editing.text_patches import Changes, put_all
-from sandbox.model.consistency.mentions import mentions
 from sandbox.model.errors import SandboxError
 from sandbox.model.joints import Joint, Wire, bodies_of, body_of, ends_of
 from sandbox.model.level import Level
 from sandbox.model.level_parts import names_in
 from sandbox.model.message import Message
+from sandbox.model.rules.consistency.mentions import mentions
 from sandbox.model.shapes import XY, Point
 
 Data = dict[str, Any]
@@ -60,7 +60,7 @@ def copy(text: str, level: Level, names: Collection[str]) -> str:
 
 
 def paste(text: str, level: Level, copied: str, by: XY = (0.0, 0.0)) -> Made:
-    """Return a level with copies of bodies in it, so far away, under names of their own.
+    """Return a level with copies of bodies, displaced, and with names of their own.
 
     What the level says nothing of, such as friction where none is declared, is left out of them. A
     parameter or constant that the level has is its own; one that it has not comes along.
@@ -92,7 +92,7 @@ def paste(text: str, level: Level, copied: str, by: XY = (0.0, 0.0)) -> Made:
 
 
 def duplicate(text: str, level: Level, names: Collection[str], by: XY) -> Made:
-    """Return a level with bodies of it a second time, so far away."""
+    """Return a level in which bodies are duplicated, displaced."""
     return paste(text, level, copy(text, level, names), by)
 
 

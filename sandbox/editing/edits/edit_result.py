@@ -1,4 +1,4 @@
-"""The result of an edit: the new text, and the name of what was made."""
+"""The result of an edit: the new text, and the name of the new part."""
 
 from collections.abc import Container
 from itertools import count

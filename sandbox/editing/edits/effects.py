@@ -14,10 +14,10 @@ from sandbox.model.message import Message
 from sandbox.physics.run import costs
 
 COEFFICIENT = 0.5
-"""What a body that moves gets where none is said; what stands still leaves it as it is, with 1."""
+"""The coefficient of a moving body that has none; a static body gets 1, which changes nothing."""
 
 BESIDE = ("contact", "rotation")
-"""What some effects are refused without; each of them has nothing to be told."""
+"""The effects that others require, and that need no settings."""
 
 
 def declare(text: str, level: Level, effect: str, settings: Mapping[str, Any] | None = None) -> str:

@@ -2,16 +2,16 @@
 
 from sandbox.editing.cleanup import accepted
 from sandbox.editing.edits.edit_result import new_name
-from sandbox.editing.layout import Json, plain
+from sandbox.editing.json_layout import Json, plain
 from sandbox.editing.text_patches import put
 from sandbox.model.level import Level
 
 SOON = 1.0
-"""s, when a new event happens; half-way through a run that is short."""
+"""s, the time of a new event; in a short run, half of its duration."""
 
 
 def cut(text: str, level: Level, joint: str) -> str:
-    """Return a level in which a joint lets go on the way.
+    """Return a level in which an event cuts a joint.
 
     Raises
     ------

@@ -9,7 +9,7 @@ from math import floor, isfinite, log10
 from sandbox.editing.cleanup import COEFFICIENTS, accepted, without_meaning
 from sandbox.editing.edits.bodies import DENSITY
 from sandbox.editing.edits.effects import declare
-from sandbox.editing.layout import Json, plain
+from sandbox.editing.json_layout import Json, plain
 from sandbox.editing.placement import placed
 from sandbox.editing.text_patches import PatchError, put, put_all, remove, shown, type_in, value_at
 from sandbox.model.errors import LevelError, Mistake, SandboxError
@@ -30,13 +30,13 @@ _MEANT_BY: Mapping[str, str] = {
     "angular_velocity": "rotation",
     "one_way": "contact",
 }
-"""The effects without which fields of bodies mean nothing."""
+"""For each field of a body, the effects without which it means nothing."""
 
 _DEGREES = re.compile(r"\s*(-?[\d.]+)\s*\*\s*deg\s*")
 
 
 def set_field(text: str, path: Path, typed: str) -> str:
-    """Return a level in which a field says what was typed; nothing typed leaves the field out.
+    """Return a level with a field set to a typed text; an empty text removes the field.
 
     A parameter that only this field used goes with what it said. What only an effect gives a
     meaning, such as a body's friction, declares that effect. A body that is made dynamic gets a

@@ -5,7 +5,7 @@ A group is a line of `view.together`. No body is in two of them.
 
 from collections.abc import Collection
 
-from sandbox.editing.layout import Json
+from sandbox.editing.json_layout import Json
 from sandbox.editing.text_patches import put, remove
 from sandbox.model.errors import SandboxError
 from sandbox.model.level import Level

@@ -30,7 +30,8 @@ from sandbox.model.shapes import (
 )
 
 _SIDES = (-1 - 1j, 0 - 1j, 1 - 1j, 1 + 0j, 1 + 1j, 0 + 1j, -1 + 1j, -1 + 0j)
-"""Where on a box its handles are, in halves of its sides, counter-clockwise from the lower left."""
+"""The positions of a box's handles in halves of its sides, counter-clockwise from the lower
+left."""
 
 
 def handles(level: Level, name: str) -> list[XY]:
@@ -48,7 +49,7 @@ def drag_handle(text: str, level: Level, name: str, index: int, to: XY) -> str:
     index
         Of the handle, as in `handles`.
     to
-        Where it is dragged [m].
+        The position to which it is dragged [m].
 
     Raises
     ------
@@ -62,7 +63,7 @@ def drag_handle(text: str, level: Level, name: str, index: int, to: XY) -> str:
 
 
 def scale(text: str, level: Level, name: str, factor: float) -> str:
-    """Return a level in which a body is so many times as large, about its centre.
+    """Return a level in which a body is scaled about its centre.
 
     Raises
     ------
@@ -160,7 +161,7 @@ def _size(value: float) -> float:
 
 
 def _scaled(body: Placed, factor: float) -> Changes:
-    """Return what makes a body so many times as large."""
+    """Return the changes that scale a body."""
     path = ("bodies", body.name, "shape")
     match body.body.shape:
         case Disc(radius=radius) | Hoop(radius=radius) | Arc(radius=radius):

@@ -1,4 +1,4 @@
-"""Adding joints of every kind, from what was picked on the stage.
+"""Adding joints of every kind between the places that were picked on the stage.
 
 How long a joint is, it is left to the level, which takes the distance at the start.
 """
@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 from sandbox.editing.cleanup import accepted
 from sandbox.editing.edits.edit_result import Made, new_name
-from sandbox.editing.layout import Json, plain
+from sandbox.editing.json_layout import Json, plain
 from sandbox.editing.placement import Placed, distance, placed, xy
 from sandbox.editing.text_patches import put
 from sandbox.model.collision_filter import apart
@@ -21,16 +21,16 @@ from sandbox.model.message import Message, word
 from sandbox.model.shapes import XY
 
 CENTRAL = 1e-9
-"""m, within which a point of a body is its centre."""
+"""m, the distance from the centre within which a picked point counts as the centre."""
 
 OVERLAP = 1e-6
-"""m, by which two bodies that are joined may overlap and still meet."""
+"""m, two bodies that are joined meet if they overlap by less."""
 
 FREQUENCY = 1.0
-"""Hz, at which a body swings on a new spring."""
+"""Hz, the frequency of a body on a new spring."""
 
 TURNS = 1.0
-"""rad/s, how fast a new motor turns."""
+"""rad/s, the speed of a new motor."""
 
 
 class Pick(NamedTuple):
@@ -113,7 +113,7 @@ def _apart(text: str, level: Level, chosen: Sequence[Pick], where: Bodies) -> st
 
 
 def end(pick: Pick, where: Bodies) -> Json:
-    """Return what a level's file says of an end: a body, a point of one, or a point [x, y]."""
+    """Return an end as it stands in a file: a body, a point of one, or a point [x, y]."""
     if pick.body is None:
         return list(pick.point)
     at = where[pick.body].inside(complex(*pick.point))
@@ -148,7 +148,7 @@ def _rail(chosen: list[Pick], where: Bodies) -> dict[str, Json]:
 
 
 def _stop(chosen: list[Pick], where: Bodies) -> dict[str, Json]:
-    """Return stops between which the first may go on as far as it is from the second, and back."""
+    """Return stops between which the first body may move by its distance from the second."""
     line = _rail(chosen, where)
     far = abs(complex(*chosen[1].point) - complex(*chosen[0].point)) or 1.0
     return {**line, "range": [plain(-far), plain(far)]}
@@ -234,4 +234,4 @@ _MADE: Mapping[str, Callable[[list[Pick], Bodies], dict[str, Json]]] = {
     "spring": _spring,
     "wire": _wire,
 }
-"""What is not just two ends; a new kind of joint that is needs nothing here."""
+"""The kinds that are more than two ends; a new kind with just two ends needs no entry."""

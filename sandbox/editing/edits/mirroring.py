@@ -5,7 +5,7 @@ from typing import Literal
 
 from sandbox.editing.attached_bodies import attached
 from sandbox.editing.formulas import negative, shifted
-from sandbox.editing.layout import Json
+from sandbox.editing.json_layout import Json
 from sandbox.editing.placement import around, chosen
 from sandbox.editing.text_patches import Changes, put_all
 from sandbox.model.body import Body
@@ -86,7 +86,7 @@ class _Mirror:
         return changes | self._shape((*path, "shape"), body)
 
     def joint(self, path: Path, joint: Joint) -> Changes:
-        """Return what changes of a joint of which all bodies are mirrored."""
+        """Return the changes of a joint whose bodies are all mirrored."""
         changes = self.held(path, joint, set(bodies_of(joint)))
         for step, end in ends_of(joint):
             if isinstance(end, tuple):

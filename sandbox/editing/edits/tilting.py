@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 from sandbox.editing.cleanup import accepted
 from sandbox.editing.edits.fields import parameter_name
-from sandbox.editing.layout import Json, plain
+from sandbox.editing.json_layout import Json, plain
 from sandbox.editing.placement import Placed, distance, placed, xy
 from sandbox.editing.text_patches import Changes, put_all
 from sandbox.model.errors import SandboxError
@@ -21,19 +21,19 @@ from sandbox.model.message import Message
 from sandbox.model.shapes import Segment, evaluate
 
 TOUCHING = 1e-6
-"""m, within which two bodies touch."""
+"""m, bodies closer than this touch."""
 
 LEVEL = 1e-6
-"""rad, up to which a surface is level, and no slope."""
+"""rad, up to which a surface counts as level, not as a slope."""
 
 FLAT = 1e-7
-"""deg, up to which what lies on a slope lies flat."""
+"""deg, up to which a body on a slope counts as lying flat."""
 
 DIGITS = 12
-"""Of what is computed: what lies behind them is rounding."""
+"""Significant digits of computed numbers; the digits after them are rounding."""
 
 RANGES = ((5, 60), (0, 90))
-"""deg, of the slider, if the slope is within."""
+"""deg, possible ranges of the slider; the first that contains the slope is used."""
 
 
 class _Tilt(NamedTuple):
@@ -57,7 +57,7 @@ class _Tilt(NamedTuple):
         return [_sum(x), _sum(y)]
 
     def turned(self, angle: float) -> str:
-        """Return the angle of what turns with the slope, and has an angle now [rad]."""
+        """Return the angle of a body that turns with the slope [rad]."""
         more = _rounded(degrees(angle - self.angle))
         if abs(more) < FLAT:
             return self.formula

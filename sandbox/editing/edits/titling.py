@@ -1,4 +1,4 @@
-"""The title and the summary of a level that began empty, until somebody writes others."""
+"""The automatic title and summary of a level that began empty."""
 
 import json
 import re
@@ -19,17 +19,17 @@ def _empty() -> Mapping[str, Any]:
 
 
 def is_untitled(document: Mapping[str, Any]) -> bool:
-    """Whether nobody has given a level a title."""
+    """Whether a level still has its automatic title."""
     return document.get("title") == _empty()["title"]
 
 
 def entitled(text: str, title: str) -> str:
-    """Return a level with a title, if nobody has given it one."""
+    """Return a level with an automatic title, unless it has a title of its own."""
     return put(text, ("title",), title) if title and is_untitled(json.loads(text)) else text
 
 
 def entitled_by(text: str, path: Path) -> str:
-    """Return a level whose title is the name of its file, if nobody has given it one."""
+    """Return a level named after its file, unless it has a title of its own."""
     words = re.sub(r"[-_\s]+", " ", path.stem).strip()
     return entitled(text, f"{words[:1].upper()}{words[1:]}")
 

@@ -18,7 +18,7 @@ from sandbox.model.shapes import XY
 from sandbox.physics.geometry.distance import dot
 
 Side = Literal["left", "right", "top", "bottom", "center-x", "center-y"]
-"""What bodies are aligned at; `center-x` puts their centres above each other."""
+"""Where bodies are aligned; `center-x` puts their centres above each other."""
 
 Box = tuple[complex, complex]
 

@@ -40,7 +40,7 @@ _KNOWN: tuple[Callable[[Scene], Iterator[Suggestion]], ...] = (
 
 
 MOST_MOVING = 12
-"""How many bodies may move where a set-up is looked for; those that are known have a few."""
+"""Up to how many moving bodies set-ups are looked for; known set-ups have a few."""
 
 
 def suggestions(level: Level) -> list[Suggestion]:
@@ -62,7 +62,7 @@ def _recognised(level: Level, *, thorough: bool = False) -> list[Suggestion]:
 
 
 def followed(before: Level, text: str) -> str:
-    """Return a changed level whose suggested checks are about what it is now.
+    """Return a changed level with its suggested checks updated.
 
     Those that were just as they would be suggested become as they would be suggested now, and go
     where their quantity no longer has a closed form; others stay as somebody made them.
@@ -72,7 +72,7 @@ def followed(before: Level, text: str) -> str:
     before
         The level as it was.
     text
-        As it was changed to, which may have mistakes.
+        The changed text, which may have mistakes.
     """
     if not before.checks:
         return text

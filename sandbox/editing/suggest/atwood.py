@@ -8,10 +8,10 @@ from sandbox.model.joint_ends import place
 from sandbox.model.joints import Pulley, body_of
 
 EXACT = 1e-9
-"""Of the closed form: string and gravity are exact to rounding."""
+"""The bound of the check: string and gravity are exact to rounding."""
 
 STRAIGHT = 1e-9
-"""m, by which a body may hang beside its peg."""
+"""m, by which a body may hang off the vertical below its peg."""
 
 
 def suggestions(scene: Scene) -> Iterator[Suggestion]:

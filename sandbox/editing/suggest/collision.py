@@ -7,7 +7,7 @@ from sandbox.editing.suggest.scene import TOUCHING, Scene, Suggestion, check, sa
 from sandbox.model.shapes import Disc
 
 EXACT = 1e-10
-"""Of the closed form: impacts are exact to rounding."""
+"""The bound of the check: impacts are exact to rounding."""
 
 
 def suggestions(scene: Scene) -> Iterator[Suggestion]:
@@ -61,7 +61,7 @@ def _of(scene: Scene, one: str, other: str) -> Suggestion:
 
 
 def _restitution(scene: Scene, one: str, other: str) -> str:
-    """Return the coefficient of the pair: what the level says of it, else the product."""
+    """Return the coefficient of the pair: the level's own, or else the product."""
     effect = scene.level.effects.restitution
     if effect is None:
         return "0"

@@ -7,7 +7,7 @@ from math import cos, sin
 import numpy as np
 
 from sandbox.editing.formulas import negative
-from sandbox.editing.layout import plain
+from sandbox.editing.json_layout import plain
 from sandbox.editing.placement import Core, Placed
 from sandbox.editing.suggest.scene import (
     SAFE,
@@ -27,19 +27,19 @@ from sandbox.model.shapes import Box, Polygon
 from sandbox.physics.geometry.distance import Gap, gap
 
 EXACT = 1e-9
-"""Of the closed form: a uniform acceleration is exact to rounding."""
+"""The bound of the check: a uniform acceleration is exact to rounding."""
 
 LEAST, MOST = 0.01, 1.5
-"""rad, of a slope."""
+"""rad, the range of slopes."""
 
 HAIR = 1e-9
-"""m, by which what overlaps by rounding is held apart to find the side that it touches with."""
+"""m, by which bodies that overlap by rounding are separated to find the sides that touch."""
 
 FLAT = 1e-7
-"""rad, by which an angle may be off that of the slope."""
+"""rad, by which the angle of a body may differ from that of its slope."""
 
 HALF = 0.6
-"""The share of its side that must lie on the slope, so that it does not tip over the end."""
+"""The share of a body's side that must lie on the slope, so that it does not tip over the end."""
 
 
 def suggestions(scene: Scene) -> Iterator[Suggestion]:
@@ -70,7 +70,7 @@ def _lies_on(scene: Scene, block: Placed, slope: str) -> Iterator[complex]:
 
 
 def side(own: Core, core: Core, radius: float) -> Gap:
-    """Return the gap with both ends of the side, which are told only of what does not overlap.
+    """Return the gap and both ends of the side; the ends are known only without an overlap.
 
     Where a line is touched exactly, the normal may point to either side of it.
     """

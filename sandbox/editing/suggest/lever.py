@@ -8,7 +8,7 @@ from collections.abc import Iterator, Sequence
 from math import sqrt
 from typing import NamedTuple
 
-from sandbox.editing.layout import plain
+from sandbox.editing.json_layout import plain
 from sandbox.editing.placement import Placed
 from sandbox.editing.suggest.incline import friction, side
 from sandbox.editing.suggest.scene import (
@@ -26,22 +26,22 @@ from sandbox.model.shapes import Box, Disc, Point
 from sandbox.physics.geometry.distance import Gap
 
 NEAR = 1e-4
-"""Of the closed form at the rate below: the plank turns a little within the first step."""
+"""The bound of the check at the rate below: the plank turns a little within the first step."""
 
 STEPS = 2000.0
-"""Of the square of the rate, how many times the angular acceleration it is."""
+"""The square of the rate, as a multiple of the angular acceleration."""
 
 FLAT = 1e-7
-"""By which the normal of what lies on a level plank may be off."""
+"""By how much the normal of a body on a level plank may be off."""
 
 PRESSED = 0.05
-"""The least share of a weight that has to press on the plank, so that it surely stays on it."""
+"""The least share of a weight that must press on the plank, so that it stays on it."""
 
 ROUND = 9
-"""Decimals of an arm that is a number: a nanometre."""
+"""Decimals of an arm: nanometres."""
 
 STICKS = 0.8
-"""The largest share of the friction there may be that has to be enough."""
+"""The share of the available friction that must be enough."""
 
 
 class Weight(NamedTuple):
@@ -182,7 +182,7 @@ def _stay(scene: Scene, joint: Joint, weights: Sequence[Weight], form: str) -> b
 
 
 def _stays(scene: Scene, weight: Weight, plank: str, alpha: float) -> bool:
-    """Whether a plank that begins to turn presses on a weight, within its side, and holds it."""
+    """Whether a plank that begins to turn keeps a weight pressed within its side."""
     assert scene.fall is not None
     formulas = weight.mass, weight.across, weight.up, weight.moment
     mass, across, up, moment = (Expression(formula)(scene.known) for formula in formulas)

@@ -5,7 +5,7 @@ from math import pi, sqrt
 
 import numpy as np
 
-from sandbox.editing.layout import plain
+from sandbox.editing.json_layout import plain
 from sandbox.editing.suggest.scene import TOUCHING, Scene, Suggestion, check, rate_of, said
 from sandbox.model.expressions import Expression
 from sandbox.model.formulas import Formula
@@ -14,10 +14,10 @@ from sandbox.model.joints import End, Spring, body_of
 from sandbox.physics.geometry.distance import dot
 
 NEAR = 1e-4
-"""Of the closed form at the rate below: the leapfrog is second order."""
+"""The bound of the check at the rate below: leapfrog is of second order."""
 
 FEW = 40
-"""Steps of an oscillation at the least, however short the run."""
+"""The least number of steps of an oscillation, however short the run."""
 
 
 def suggestions(scene: Scene) -> Iterator[Suggestion]:

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from sandbox.editing.layout import plain
+from sandbox.editing.json_layout import plain
 from sandbox.editing.suggest.scene import (
     TOUCHING,
     Scene,
@@ -25,13 +25,14 @@ from sandbox.model.joints import Joint, Rod, Rope, body_of
 from sandbox.model.level_parts import names_in
 
 NEAR = 1e-4
-"""Of the closed form at the rate below: the leapfrog is second order."""
+"""The bound of the check at the rate below: leapfrog is of second order."""
 
 STEPS = 400
-"""Of a period."""
+"""Steps per period."""
 
 LARGEST, SMALLEST = 2.5, 1e-3
-"""rad, between which a swing has a closed form that is good enough, and is one."""
+"""rad, the amplitudes for which the closed form is accurate enough, and the swing is no
+rounding."""
 
 
 def suggestions(scene: Scene) -> Iterator[Suggestion]:

@@ -6,10 +6,10 @@ from sandbox.editing.suggest.scene import SAFE, Scene, Suggestion, check, instan
 from sandbox.model.expressions import Expression
 
 EXACT = 1e-10
-"""Of the closed form: a uniform acceleration is exact to rounding."""
+"""The bound of the check: a uniform acceleration is exact to rounding."""
 
 SHORTEST = 0.05
-"""s, of a flight that is worth a check."""
+"""s, the shortest flight that is worth a check."""
 
 
 def suggestions(scene: Scene) -> Iterator[Suggestion]:

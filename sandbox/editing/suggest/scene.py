@@ -9,30 +9,30 @@ from typing import Any, Literal
 
 import numpy as np
 
-from sandbox.editing.layout import plain
+from sandbox.editing.json_layout import plain
 from sandbox.editing.placement import Core, Placed, distance
 from sandbox.model.expressions import Expression, Values
 from sandbox.model.joints import Joint, bodies_of
 from sandbox.model.level import Level
-from sandbox.model.rules import corners
+from sandbox.model.rules.faults import corners
 
 Check = Mapping[str, Any]
-"""As it stands in a level's file."""
+"""A check, as it stands in a level's file."""
 
 TOUCHING = 1e-6
-"""m, within which two bodies touch."""
+"""m, bodies closer than this touch."""
 
 RATES = (60.0, 120.0, 240.0, 480.0, 960.0, 1920.0, 3840.0)
-"""Hz, that levels have."""
+"""Hz, the rates that levels have."""
 
 SAFE = 0.9
-"""The share of the time until something is met, at which a check asks."""
+"""The time of a check, as a share of the time until the body meets something."""
 
 SAMPLES = 400
-"""At how many times it is looked for what is in the way."""
+"""At how many times obstacles are looked for."""
 
 MOST_CORNERS = 8
-"""How many ends of the parameters' ranges are tried."""
+"""How many corners of the parameters' ranges are tried."""
 
 
 Setup = Literal[
@@ -43,16 +43,16 @@ Setup = Literal[
 
 @dataclass(frozen=True)
 class Suggestion:
-    """A known set-up, and the checks that hold it against its closed form.
+    """A known set-up, and the checks that compare it with its closed form.
 
     Attributes
     ----------
     setup
-        What it is.
+        The name of the set-up.
     about
         The bodies that it is made of.
     checks
-        As they stand in a level's file.
+        The checks, as they stand in a level's file.
     rate
         Hz, that they need at the least.
     """
@@ -87,7 +87,7 @@ class Scene:
 
     @cached_property
     def known(self) -> Values:
-        """The values of parameters and constants, for formulas that are put together anew."""
+        """The values of parameters and constants, for composing new formulas."""
         return {**self.values, **{name: c(self.values) for name, c in self.level.constants.items()}}
 
     @cached_property

@@ -9,14 +9,14 @@ from sandbox.model.joint_ends import place
 from sandbox.model.joints import Spring, body_of
 
 NEAR = 1e-4
-"""Of the energy at the rate below: the leapfrog is second order."""
+"""The bound of the energy at the rate below: leapfrog is of second order."""
 
 STEPS = 200
-"""Of an oscillation."""
+"""Steps per oscillation."""
 
 
 def suggestions(scene: Scene) -> Iterator[Suggestion]:
-    """Yield the energies of the bodies that are let go, alone, on a spring as long as it is."""
+    """Yield the energies of single bodies that are let go on an unstretched spring."""
     effects = ("gravity", "contact", "friction", "restitution", "rotation")
     if scene.fall is None or not scene.only(*effects) or len(scene.dynamic) != 1:
         return
@@ -33,7 +33,7 @@ def suggestions(scene: Scene) -> Iterator[Suggestion]:
 
 
 def _swings(scene: Scene, joint: Spring, bob: str) -> bool:
-    """Whether it is let go beside its peg, and nothing is in the reach of its energy.
+    """Whether it is let go beside its peg, with nothing in its reach.
 
     At a distance r from the peg, k (r - L)²/2 ≤ m g (r + h), where it begins h above the peg.
     """

@@ -94,12 +94,12 @@ class Effects(Model):
 
     @property
     def declarations(self) -> Iterator[Effect]:
-        """What the effects that the level declares say of themselves."""
+        """The declarations of the effects that the level declares."""
         return (EFFECTS[name] for name in self.declared)
 
     @property
     def said(self) -> Iterator[tuple[Effect, Path, Any]]:
-        """What the level says of each, and where: once, or as often as it says something."""
+        """The settings of each declared effect with their paths; of a list, those of each entry."""
         for effect in self.declarations:
             place, said = ("effects", effect.name), getattr(self, effect.name)
             if isinstance(said, tuple):
@@ -109,4 +109,4 @@ class Effects(Model):
 
 
 EFFECTS: Mapping[str, Effect] = register(Effects)
-"""What every effect says of itself, by its name; see `sandbox.model.effects.contract`."""
+"""Every effect's declaration by its name; see `sandbox.model.effects.contract`."""

@@ -25,23 +25,23 @@ from typing import Any, Literal
 from sandbox.model.expressions import Expression
 
 Book = Literal["potential", "loss", "work", "none"]
-"""What becomes of the energy that an effect takes: it is stored, lost for good, or was put in from
-outside; `none` if it does no work at all."""
+"""Where the energy goes that an effect takes: it is stored, lost for good, or was put in from
+outside; `none` if the effect does no work."""
 
 Sight = Literal["position", "angle", "velocity", "time"]
 """What a force depends on."""
 
 Settings = Mapping[str, object]
-"""What is said of an effect: its fields, as they would stand in a level's file."""
+"""The fields of an effect, as they would stand in a level's file."""
 
 
 class IncompleteError(TypeError):
-    """An effect or a joint that has not been told in full; the message says what is missing."""
+    """An effect or a joint whose declaration is incomplete; the message says what is missing."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Effect:
-    """What an effect says of itself.
+    """The declaration of an effect.
 
     Attributes
     ----------
@@ -60,7 +60,7 @@ class Effect:
     drives
         Whether one that says something is booked as `work` after all; never if left out.
     account
-        What its energy is booked as; its name if left out.
+        The account of its energy; its name if left out.
     inside
         Whether it acts between bodies only, so that all of them together get no momentum from it.
     strength
@@ -76,7 +76,7 @@ class Effect:
     twists
         Whether it turns bodies by itself, so that `rotation` is of use with it.
     pull
-        What its force is called in a free-body diagram; its name if left out.
+        The name of its force in a free-body diagram; its own name if left out.
     """
 
     name: str
@@ -135,5 +135,5 @@ class Effect:
         return self.name == name and self.book == "potential"
 
     def book_of(self, said: object) -> Book:
-        """Return what becomes of the energy that it takes, by what a level says of it."""
+        """Return where the energy goes that the effect takes, given its settings."""
         return "work" if self.drives and self.drives(said) else self.book

@@ -11,7 +11,7 @@ from sandbox.model.reference_fields import ActedOnBodies
 
 
 class Potential(Model):
-    """A potential energy U(x, y) of one's own: F = −∇U, of which the slope is taken exactly."""
+    """A potential energy U(x, y): F = −∇U, with the exact gradient."""
 
     effect: ClassVar[Effect] = Effect(
         name="potential",

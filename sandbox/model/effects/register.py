@@ -8,25 +8,25 @@ from sandbox.model.effects.contract import Effect, IncompleteError
 
 
 def register(manifest: type[Model]) -> Mapping[str, Effect]:
-    """Return what the effects of a manifest say of themselves, by name, in its order.
+    """Return the declarations of a manifest's effects, by name and in its order.
 
     Raises
     ------
     IncompleteError
-        If one says nothing of itself, or something that cannot be.
+        If a declaration is missing, or contradicts its model.
     """
     fields = manifest.model_fields.items()
     return {name: _declared(name, field.annotation) for name, field in fields}
 
 
 def _declared(name: str, kind: Any) -> Effect:  # noqa: ANN401 (a type is any object)
-    """Return what an effect says of itself, if it is whole."""
+    """Return the declaration of an effect, if it is complete."""
     model = next(_models(kind))
     place = f"the class {model.__name__} in {model.__module__.replace('.', '/')}.py"
     effect = getattr(model, "effect", None)
     if not isinstance(effect, Effect):
         rule = f"add 'effect: ClassVar[Effect] = Effect(name=\"{name}\", ...)' to {place}"
-        raise IncompleteError(f"the effect '{name}' says nothing of itself: {rule}")
+        raise IncompleteError(f"the effect '{name}' has no declaration: {rule}")
     if effect.name != name:
         rule = f"{place} says '{effect.name}'"
         raise IncompleteError(f"'{name}' in the list of effects has another name: {rule}")

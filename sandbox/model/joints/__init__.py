@@ -1,4 +1,4 @@
-"""What ties bodies together; `contract` says what a kind of joint says of itself.
+"""The joints that connect bodies; see `contract` for the declaration of a kind.
 
 All but the spring are exact: they hold to rounding at every step, whatever they carry; unless a
 level asks for pymunk's own. A spring is a force.
@@ -36,7 +36,7 @@ from sandbox.model.reference_fields import BodyName
 from sandbox.model.shapes import Point
 
 ELASTIC = Effect(name="spring", book="potential", sees=("position", "angle"))
-"""What a spring without a damper says of itself as a force."""
+"""The declaration of a spring without a damper, as a force."""
 
 
 class Rod(Model):
@@ -209,7 +209,7 @@ class Wire(Model):
 
 
 Own = Rod | Rope | Pivot | Weld | Motor
-"""What pymunk has, too."""
+"""The joints that pymunk has as well."""
 
 Joint = Annotated[
     Rod
@@ -231,7 +231,7 @@ Joint = Annotated[
 
 
 KINDS: Mapping[str, Kind] = kinds(get_args(get_args(Joint)[0]))
-"""What every kind of joint says of itself, by its type."""
+"""The declaration of every kind of joint, by its type."""
 
 
 def is_exact(joint: Joint) -> bool:

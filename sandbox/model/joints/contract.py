@@ -27,12 +27,12 @@ def _of_a_line() -> Mapping[str, str]:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Kind:
-    """What a kind of joint says of itself.
+    """The declaration of a kind of joint.
 
     Attributes
     ----------
     force
-        What it says of itself as a force; None if it holds exactly.
+        Its declaration as a force; None if it holds exactly.
     goes_slack
         Whether it pulls and never pushes, so that it can go slack, and be jerked taut.
     drives
@@ -46,7 +46,7 @@ class Kind:
     quantities
         What can be measured of it, and the units of that.
     pull
-        What its force is called in a free-body diagram.
+        The name of its force in a free-body diagram.
     """
 
     force: Effect | None = None
@@ -60,12 +60,12 @@ class Kind:
 
 
 def kinds(joints: Iterable[type[Model]]) -> Mapping[str, Kind]:
-    """Return what kinds of joints say of themselves, by their type in a level's file.
+    """Return the declarations of all kinds of joints, by their type in a level's file.
 
     Raises
     ------
     IncompleteError
-        If one says nothing of itself.
+        If a declaration is missing.
     """
     return {_type(joint): _kind(joint) for joint in joints}
 
@@ -80,5 +80,5 @@ def _kind(joint: type[Model]) -> Kind:
     if not isinstance(kind, Kind):
         place = f"the class {joint.__name__} in {joint.__module__.replace('.', '/')}"
         rule = f"add 'kind: ClassVar[Kind] = Kind(...)' to {place}"
-        raise IncompleteError(f"the joint '{_type(joint)}' says nothing of itself: {rule}")
+        raise IncompleteError(f"the joint '{_type(joint)}' has no declaration: {rule}")
     return kind

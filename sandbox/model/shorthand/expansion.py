@@ -21,11 +21,11 @@ class WrittenOut(NamedTuple):
     Attributes
     ----------
     data
-        What its JSON text would hold if it were typed out.
+        The JSON content of the level, typed out.
     placed, typed
-        From where parts have moved: out of the groups that are placed, and what repeats.
+        The origins of moved parts: of those from placed groups, and of repeated ones.
     faults
-        What is wrong with the shorthand, at the paths of the text.
+        The mistakes in the shorthand, at the paths of the text.
     """
 
     data: Any
@@ -68,12 +68,12 @@ def _has(part: Any, step: str | int) -> bool:  # noqa: ANN401 (whatever JSON hol
 
 
 def write_out(data: Any, text: str) -> WrittenOut:  # noqa: ANN401 (whatever JSON holds)
-    """Return what a level stands for; without shorthand, what it is.
+    """Return a level with its shorthand expanded; without shorthand, the level itself.
 
     Parameters
     ----------
     data
-        What its text holds.
+        The content of the text.
     text
         That text.
     """

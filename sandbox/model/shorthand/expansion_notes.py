@@ -7,14 +7,14 @@ from sandbox.model.level_parts import Fault
 from sandbox.model.message import Message
 
 MOST = 5_000_000
-"""How many characters a level may come to, about: as many as the largest file has."""
+"""The most characters of an expanded level, about: as many as the largest file has."""
 
 PLAIN = 8
-"""How many of them are counted for a number, a bracket or a comma."""
+"""How many characters a number, a bracket or a comma counts for."""
 
 
 Moves = dict[Path, Path]
-"""Paths of parts that have moved, and the paths from which they have."""
+"""The new paths of moved parts, with their old paths."""
 
 
 def followed(path: Path, moves: Moves) -> Path:
@@ -40,7 +40,7 @@ class Notes:
     placed
         Where parts of placed groups stand in those groups.
     faults
-        What is wrong, at the paths of the text.
+        The mistakes, at the paths of the text.
     left
         How many characters may still come.
     """

@@ -28,10 +28,10 @@ from sandbox.model.shorthand.expansion_notes import Notes, followed
 from sandbox.model.shorthand.repeating import GROUPS
 
 INTO_EACH = 10
-"""Into how many numbers of a body the place and the angle of a copy come, at the most."""
+"""In how many numbers of a body the position and angle of a copy appear, at most."""
 
 LARGEST = 1e100
-"""What is larger is no number of a level."""
+"""Larger numbers are not allowed in a level."""
 
 COPY = "copy"
 
@@ -178,7 +178,7 @@ class _Placing:
         self._notes.refuse(followed(path, self._notes.typed), rule)
 
     def refuse_unused(self) -> None:
-        """Tell which groups nobody has placed: what they hold would never be looked at."""
+        """Refuse groups that are never placed, since their members would never be checked."""
         for name in sorted(self._unused):
             rule = Message(
                 'nothing places this group; a body {{"{copy}": "{name}"}} does',
@@ -289,7 +289,7 @@ TURNED: Mapping[str, Callable[[_Frame, Any, _Names], Any]] = {
     "curve": _Frame.point,
     "direction": _Frame.vector,
 }
-"""What joints say of places and of bodies, and what becomes of it where their group is placed."""
+"""How each field of a joint is transformed where its group is placed."""
 
 
 def _sum(a: Number, b: Any) -> Any:  # noqa: ANN401

@@ -15,7 +15,7 @@ from sandbox.model.shorthand.expansion_notes import Notes
 Indices = Mapping[str, float]
 
 MOST_TIMES = 20_000
-"""How often one index may count: as many bodies as a level may have."""
+"""The most repetitions of an index: as many as a level may have bodies."""
 
 _BRACES = re.compile(r"\{([^{}]*)\}")
 _NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
@@ -75,11 +75,11 @@ def runs(said: Any, path: Path, indices: Indices, notes: Notes) -> Iterator[Indi
     said
         What `repeat` says: how far each index counts. The later ones may depend on those before.
     path
-        Where it was typed.
+        The path where it was typed.
     indices
         Those of what is around it.
     notes
-        What is wrong is noted here, and nothing more is yielded.
+        The notes, which receive mistakes; after one, nothing more is yielded.
     """
     if not isinstance(said, dict) or not said:
         notes.refuse(path, Message("must name an index and how far it counts: {how}", how=HOW))

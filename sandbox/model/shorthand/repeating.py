@@ -32,7 +32,7 @@ NAMED = (
 """The parts of a level whose members have names."""
 
 _IN_GROUP = 3
-"""How deep the bodies and the joints of a group stand."""
+"""The depth at which the bodies and joints of a group stand."""
 
 
 def order(names: Iterable[str]) -> list[str]:

@@ -19,7 +19,7 @@ Bound = (
     Annotated[int, Field(ge=-MOST_TIMES, le=MOST_TIMES)]
     | Annotated[str, Field(pattern=r"^\s*\{[^{}]+\}\s*$")]
 )
-"""A whole number, or what other indices make, in braces."""
+"""A whole number, or an expression in braces over other indices."""
 
 
 _TOLD = {

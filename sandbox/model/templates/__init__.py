@@ -1,4 +1,4 @@
-"""What new levels begin with: a few small ones, each of which runs and checks itself."""
+"""Templates for new levels: small levels that run and check themselves."""
 
 from pathlib import Path
 

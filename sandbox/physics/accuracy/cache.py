@@ -32,14 +32,14 @@ from sandbox.physics.state.errors import SchemeError
 
 _SETTING = TypeAdapter(Setting)
 _ENTRY = TypeAdapter(tuple[str, str, Setting])
-"""A key, what was found for it, and before that a hash of both: an entry that a hand has changed is
-not what was found."""
+"""A hash, a key and the setting found for it. The hash covers both, so that an edited entry is
+ignored."""
 
 _unkept: dict[str, Setting] = {}
-"""What could not be written, for as long as this process lives."""
+"""The entries that could not be written, for as long as this process lives."""
 
 LARGEST = 10_000
-"""Bytes of a file: what is larger was not written here."""
+"""The largest file that is read [bytes]; a larger one was not written by this program."""
 
 
 def calibrated(
@@ -58,7 +58,7 @@ def calibrated(
     level, values, target, progress, stop, also
         As for `calibrate`.
     tell
-        Is told why a setting that was found cannot be kept.
+        Is called with the reason if the setting cannot be stored.
 
     Raises
     ------
@@ -97,9 +97,9 @@ def keep(
     Parameters
     ----------
     level, values, setting
-        What was found, and for what.
+        The run, and the setting that was found for it.
     tell
-        Is told why it is not kept longer.
+        Is called with the reason if it cannot be stored.
     also
         The other quantities that are as accurate.
     """
@@ -125,7 +125,7 @@ def resolved(
     Parameters
     ----------
     level, values, stepping
-        What is run.
+        The run, and the setting that its level asks for.
     also
         Quantities that are to be so accurate, besides those of the checks and the motion.
     """
@@ -144,7 +144,7 @@ def _path(key: str) -> Path:
 
 
 def _read(path: Path, key: str, level: Level) -> Setting | None:
-    """Return what a file holds; None if it is not what was written there."""
+    """Return the setting in a file; None if the file was not written by `_write`."""
     try:
         if _link(path.parent) or (content := read_ordinary(path, LARGEST)) is None:
             return None

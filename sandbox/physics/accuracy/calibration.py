@@ -15,7 +15,7 @@ from sandbox.physics.accuracy.refinement_search import Progress
 from sandbox.physics.measuring.grading import applies
 
 BUDGET = 1.0
-"""s, for all runs of a calibration, as their work is counted."""
+"""s, for all runs of a calibration, by their counted work."""
 
 _ENERGY = Watched("system.energy")
 
@@ -27,7 +27,7 @@ class Setting:
     Attributes
     ----------
     target
-        What was asked for.
+        The requested accuracy.
     chosen
         The setting, its estimated error and its cost.
     judged_by
@@ -53,7 +53,7 @@ class Setting:
 
     @property
     def playable(self) -> Offer:
-        """What is taken where somebody looks on."""
+        """The setting for a run that somebody watches."""
         return self.in_real_time or self.chosen
 
     def __str__(self) -> str:
@@ -85,18 +85,13 @@ def calibrate(
     Parameters
     ----------
     level, values
-        What is run; the level's default values if left out.
-    target
-        The largest error that the quantities of the level's checks may have, and the places and
-        velocities of the bodies that move.
-    budget
-        How long it may take, about [s].
-    progress
-        Is told how far it is.
-    stop
-        Is asked now and then whether to give up.
-    also
-        Other quantities that are to be as accurate, such as those that are recorded.
+        The run; the level's default values if left out.
+    target, also
+        The largest error of the level's checks, of the moving bodies' positions and velocities, and
+        of some other quantities, such as those that are recorded.
+    budget, progress, stop
+        How long the search may take, about [s]; what is told its progress, and what is asked
+        whether to give up.
 
     Raises
     ------
@@ -104,12 +99,26 @@ def calibrate(
         If the accuracy cannot be had, or there is nothing whose accuracy it could be.
     Cancelled
         If `stop` said so.
-    QuantityError
-        If there is no such quantity.
-    SimulationError
-        If the level does not run at all.
+    QuantityError, SimulationError
+        If there is no such quantity, or the level does not run at all.
     """
+    _require_above_rounding(target)
     values = level.defaults if values is None else values
+    seeker = Seeker(level, values, target, budget, progress, stop)
+    wanted, judged_by = _judges(level, values, also)
+    found = seeker.found(wanted)
+    if found.chosen.error <= target:
+        return _setting(found, judged_by)
+    until = _predictable(found, target)
+    if chaos := chaotic(level, values, found.offers.fine, stop):
+        judged_by = _judged_by_energy(chaos, until)
+        found = seeker.found((_ENERGY,))
+    if found.chosen.error > target:
+        raise _refused(found, target, judged_by, until)
+    return _setting(found, judged_by)
+
+
+def _require_above_rounding(target: float) -> None:
     if not target >= FINEST:
         raise AccuracyError(
             Message(
@@ -118,30 +127,25 @@ def calibrate(
                 finest=FINEST,
             )
         )
-    seeker = Seeker(level, values, target, budget, progress, stop)
-    wanted, judged_by = _judges(level, values, also)
-    found = seeker.found(wanted)
-    if found.chosen.error <= target:
-        return _setting(found, judged_by)
-    known = foretold(found.offers.refinements, found.wanted, target)
-    chaos = chaotic(level, values, found.offers.fine, stop)
-    until = Message("not predictable at all")
-    if known:
-        until = Message("predictable until t = {t:.3g} s", t=known)
-    if chaos:
-        judged_by = Message(
-            "its energy, for it is chaotic: {chaos}; where things are is {until}",
-            chaos=chaos,
-            until=until,
-        )
-        found = seeker.found((_ENERGY,))
-    if found.chosen.error > target:
-        raise _refused(found, target, judged_by, until)
-    return _setting(found, judged_by)
+
+
+def _judged_by_energy(chaos: Message, until: Message) -> Message:
+    return Message(
+        "its energy, for it is chaotic: {chaos}; where things are is {until}",
+        chaos=chaos,
+        until=until,
+    )
+
+
+def _predictable(found: Found, target: float) -> Message:
+    """Say until when a run can be predicted to an accuracy."""
+    if known := foretold(found.offers.refinements, found.wanted, target):
+        return Message("predictable until t = {t:.3g} s", t=known)
+    return Message("not predictable at all")
 
 
 def _setting(found: Found, judged_by: str) -> Setting:
-    """Return what was found, at its cost."""
+    """Return the result of a search as a setting."""
     offer = found.timed()
     affordable = None if offer.cost <= REAL_TIME else found.in_real_time()
     verified = found.chosen.trace is not None

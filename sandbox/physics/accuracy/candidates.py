@@ -13,13 +13,13 @@ from sandbox.physics.accuracy.refinement import PARTS, SLOWEST, Refinement, furt
 from sandbox.physics.measuring.recording import Trace
 
 REAL_TIME = 0.5
-"""s of computing for a second of the scene; the rest is for drawing it."""
+"""s of computing per second of the scene; the rest is for drawing."""
 
 CAUTION = 0.7
-"""The share of the accuracy that a setting may use up by what is only expected of it."""
+"""The share of the accuracy that a setting may use where its error is extrapolated."""
 
 NOT_SEEN = 1e-3
-"""By which share an error counts as above what is asked for, where too few finer runs were seen."""
+"""The share by which an error counts as above the accuracy where too few finer runs exist."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,7 +45,7 @@ class Offer:
 
     @property
     def told(self) -> Message:
-        """The setting and what it costs, in words."""
+        """The setting and its cost, in words."""
         s = self.stepping
         setting = Message("{scheme} at {rate:g} Hz", scheme=s.scheme, rate=s.rate)
         if s.solver:
@@ -110,7 +110,7 @@ class Offers:
         return min((_candidate(work, refinement, target) for refinement, work in pairs), key=rank)
 
     def in_real_time(self, steps: Sequence[float]) -> Offer | None:
-        """Return the most accurate setting that runs in real time, where a step takes so long."""
+        """Return the most accurate setting that runs in real time, given the cost of a step."""
         pairs = zip(self.refinements, steps, strict=True)
         found = (offer for refinement, step in pairs for offer in _affordable(step, refinement))
         return min(found, key=lambda offer: offer.error, default=None)
@@ -133,7 +133,7 @@ class Offers:
 
 
 def _candidate(work: float, refinement: Refinement, target: float) -> Candidate:
-    """Return a ladder's cheapest setting, or its best, where a step is so much work [s]."""
+    """Return a refinement's cheapest setting, or its best, given the work of a step [s]."""
     last = refinement.traces[-1].stepping
     if good := refinement.cheapest(target):
         trace, error = good

@@ -24,12 +24,12 @@ NUDGE = 1e-9
 """m, by which one body is moved at the start."""
 
 CHAOTIC = 1e4
-"""By how much a change has grown, at the least, before it is asked how."""
+"""The least growth of a disturbance for it to be examined."""
 
 STEADY = 0.75
-"""The share of the digits, at the most, that are lost in half of the time where a change grows by
-the same factor again and again; what a first touch makes of it all at once is more, and what grows
-in proportion to time loses but one more in twice the time."""
+"""The largest share of the lost digits that may be lost in half of the time, if growth is
+exponential. A first touch loses more of them at once; growth in proportion to time loses hardly
+any in the second half."""
 
 
 def chaotic(level: Level, values: Values, stepping: Stepping, stop: Stop) -> Message:
@@ -40,7 +40,7 @@ def chaotic(level: Level, values: Values, stepping: Stepping, stop: Stop) -> Mes
     level, values, stepping
         The run, which is taken twice.
     stop
-        Is asked now and then whether to give up.
+        Is called now and then, and returns whether to give up.
 
     Raises
     ------
@@ -66,7 +66,7 @@ def growth(level: Level, values: Values, stepping: Stepping, stop: Stop) -> tupl
     level, values, stepping
         The run, which is taken twice.
     stop
-        Is asked now and then whether to give up.
+        Is called now and then, and returns whether to give up.
 
     Raises
     ------
@@ -102,7 +102,7 @@ def _parting(first: World, other: World, stop: Stop) -> tuple[Array, Array]:
 
 
 def foretold(refinements: Sequence[Refinement], wanted: Sequence[Watched], error: float) -> float:
-    """Return until when the two finest runs of the best refinement tell where things are [s].
+    """Return until when the two finest runs of the best refinement agree on positions [s].
 
     That is as long as they agree to an error, and nothing is found so late that it leaves a larger.
     """

@@ -28,21 +28,21 @@ from sandbox.physics.state.errors import SimulationError
 from sandbox.physics.stepping.make_world import make_world
 
 CONFIRMED = 2.0
-"""How many times the work of a search may be spent on seeing that what is promised is so."""
+"""The work of confirming a result, as a multiple of the work of the search."""
 
 FEW = 400
-"""Steps of the first run, at the most: a long run begins with steps that no one would choose."""
+"""The most steps of the first run: a long run begins with steps that no one would choose."""
 
 LONGEST = 4.0
-"""Hz, or up to twice that: the rate at which it begins at the least."""
+"""Hz, or up to twice that: the lowest first rate."""
 
 MORE_SWEEPS = 4
-"""By how much more often the solver sweeps in the runs that judge it."""
+"""How many times as many solver iterations the reference runs have."""
 
 
 @dataclass(frozen=True, slots=True)
 class Found:
-    """The cheapest setting that was found, or the most accurate, and what it was found by."""
+    """The cheapest setting, or the most accurate, and the runs from which it follows."""
 
     level: Level
     values: Values

@@ -17,28 +17,28 @@ from sandbox.physics.measuring.recording import Recorder, Trace, count_steps, ne
 from sandbox.physics.stepping.make_world import make_world
 
 Stop = Callable[[], bool]
-"""Tells whether somebody has lost patience."""
+"""Returns whether to give up."""
 
 BLOCK = 50
-"""Looks at a run between two questions of that kind."""
+"""The observations of a run between two calls of `Stop`."""
 
 SEEN = 240.0
-"""Hz, how often a run is looked at, or up to twice that: a look costs more than a step."""
+"""Hz, or up to twice that, how often a run is observed: an observation costs more than a step."""
 
 FADING = 0.5
-"""The share of itself that is left, at the most, of what fades as the step is halved."""
+"""The largest share that is left of an error that vanishes as the step is halved."""
 
 ROUNDING = 1e-12
-"""The share of the largest value by which nothing that jumps changes."""
+"""Changes below this share of the largest value are no jumps."""
 
 SAME = 1e-9
-"""Times that differ by this share are the same."""
+"""Times that differ by less than this share are the same."""
 
 LITTLE = 1e-2
-"""The share of the largest in the scene to which a small coordinate or velocity is relative."""
+"""Small coordinates or velocities are compared relative to this share of the scene's largest."""
 
 JUMPS = 5.0
-"""How many times as much as around it a velocity changes, at the least, where it jumps."""
+"""How many times the change around it a velocity's change must be to count as a jump."""
 
 
 RATES = {
@@ -46,12 +46,12 @@ RATES = {
     "position.y": ("velocity.y", "acceleration.y"),
     "angle": ("angular_velocity", "angular_acceleration"),
 }
-"""Of each coordinate: how it changes, and how that does."""
+"""The first and the second derivative of each coordinate."""
 
 
 @dataclass(frozen=True, slots=True)
 class Watched:
-    """A quantity of which the error is estimated, at every step or at an instant.
+    """A quantity whose error is estimated, at every step or at an instant.
 
     Its error is relative to its largest value, or to a scale if that is larger.
 
@@ -85,7 +85,7 @@ def watched(level: Level, values: Values, also: Iterable[str] = ()) -> tuple[Wat
     Parameters
     ----------
     level, values
-        What is run.
+        The run.
     also
         Other quantities, such as those that are recorded.
     """
@@ -145,7 +145,7 @@ def lasting(level: Level, values: Values, duration: float | None) -> Level:
 
 
 def never() -> bool:
-    """Return that nobody has lost patience."""
+    """Return that there is no need to give up."""
     return False
 
 
@@ -164,9 +164,9 @@ def record(
     level, values, stepping
         The run.
     wanted
-        What is watched.
+        The watched quantities.
     stop
-        Is asked now and then whether to give up.
+        Is called now and then, and returns whether to give up.
     seen
         How often it is looked at, or up to twice that [Hz]; at every step if that is less often, or
         if what is watched depends on every step.
@@ -278,7 +278,7 @@ def jumps(values: Array) -> Array:
 
 
 def size(trace: Trace, item: Watched) -> float:
-    """Return what the errors of what is watched are relative to: its largest value, or its scale.
+    """Return the scale of a quantity's errors: its largest value, or a given scale.
 
     In its unit; 0 if it has neither.
     """

@@ -18,7 +18,7 @@ class Estimate:
     Attributes
     ----------
     quantity, at
-        What it is the error of, at an instant or the largest over the run.
+        The quantity, at an instant or the largest error over the run.
     unit
         Of `difference`.
     error
@@ -27,7 +27,7 @@ class Estimate:
     difference
         The same in the unit.
     order
-        By which power of the step it falls; None where it is rounding, or falls by none.
+        The power of the step with which it falls; None if it is rounding, or shows none.
     """
 
     quantity: str
@@ -57,7 +57,7 @@ def estimate(
         The quantities; those of the level's checks that apply if left out, or if there are none the
         places and velocities of the bodies.
     stop
-        Is asked now and then whether to give up.
+        Is called now and then, and returns whether to give up.
 
     Returns
     -------

@@ -9,7 +9,7 @@ class AccuracyError(SandboxError):
 
 
 class Cancelled(SandboxError):  # noqa: N818 (a wish rather than an error)
-    """A calibration that somebody did not want to wait for."""
+    """A calibration that was cancelled."""
 
     def __init__(self) -> None:
         super().__init__(Message("the calibration was cancelled"))

@@ -19,10 +19,10 @@ from sandbox.physics.accuracy.compared_runs import Watched, jumps, scale, size
 from sandbox.physics.measuring.recording import Trace
 
 BY_CHANCE = 0.1
-"""The share of what a force does between two looks by which it may do more, as it changes."""
+"""The share by which a force may do more between two observations without an event."""
 
 ROUNDING = 1e-12
-"""The share of the largest velocity by which none changes at once."""
+"""Changes below this share of the largest velocity are no jumps."""
 
 
 class Off(NamedTuple):
@@ -64,7 +64,7 @@ def onset(trace: Trace, wanted: Sequence[Watched], rate: float) -> Off:
 
 
 def _found_late(trace: Trace, wanted: Sequence[Watched]) -> Iterator[tuple[Watched, "_Motion"]]:
-    """Yield the coordinates of what may be hit without being located in time.
+    """Yield the coordinates of bodies that may have impacts which are not located in time.
 
     A joint that goes taut is none: it holds at the end of the step in which it does.
     """
@@ -83,7 +83,7 @@ def _worst(trace: Trace, found: Iterator[tuple[Watched, float]], rate: float = 0
 
 
 class _Motion(NamedTuple):
-    """How a coordinate changes: (T,) each, looked at now and then."""
+    """The motion of a coordinate, sampled now and then: (T,) each."""
 
     t: Array
     velocity: Array

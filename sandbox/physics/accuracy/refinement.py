@@ -15,27 +15,27 @@ from sandbox.physics.measuring.step_timing import brief_costs
 from sandbox.physics.stepping.make_world import make_world
 
 NEARLY = 0.75
-"""The share of its order that a scheme shows where its steps are small enough for it."""
+"""The share of its order that a scheme must show where its steps are small enough."""
 
 PARTS = 4
-"""Into how many parts an octave of rates is divided: runs whose rates are in the ratio of small
-whole numbers share many instants, and can be held against each other at them."""
+"""The number of rates per octave: rates in ratios of small whole numbers share many instants, at
+which their runs can be compared."""
 
 WITNESSES = 2
-"""How many finer runs of the same scheme must be seen before a run is believed; one, if the runs
-show the order of the scheme."""
+"""How many finer runs of the same scheme confirm a run; one is enough where the runs show the order
+of the scheme."""
 
 RUNS = 4
-"""Runs, at the least, that show an order."""
+"""The least number of runs that show an order."""
 
 COUNTS = 0.1
-"""The share of the largest error from which on one must show the order."""
+"""The share of the largest error from which an error must show the order."""
 
 ROUNDING = 1e-12
-"""The share of a rate by which another is no lower."""
+"""The share by which a rate may be lower and count as equal."""
 
 SPARE = 0.8
-"""The share of an accuracy that a rate between two runs is meant to use up."""
+"""The share of the accuracy that a rate between two runs is meant to use."""
 
 SLOWEST = 30.0
 """Hz, the lowest rate that is chosen: fewer steps look like none."""
@@ -101,7 +101,7 @@ class Refinement:
         return ORDERS[self.traces[-1].stepping.scheme]
 
     def believable(self, target: float) -> bool:
-        """Whether it tells how far there is to go to an error.
+        """Whether it shows how much finer the step must be for an error.
 
         It has to show the order of its scheme: a lower one would ask for far too many steps.
         """
@@ -137,7 +137,7 @@ def step_durations(level: Level, values: Values, *steppings: Stepping) -> tuple[
 
 
 def judged(traces: Sequence[Trace], wanted: Sequence[Watched]) -> Refinement:
-    """Return runs with their errors, as far as they tell them themselves."""
+    """Return runs with their errors, as far as these follow from the runs."""
     parts = [errors for item in wanted if (errors := extrapolated(traces, item))]
     late = lateness(traces[-1], wanted).error
     worst = tuple(

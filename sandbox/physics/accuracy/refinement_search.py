@@ -19,16 +19,16 @@ from sandbox.physics.measuring.recording import Trace
 from sandbox.physics.state.errors import SimulationError
 
 Progress = Callable[[float, str], None]
-"""Is told which share of the time is spent, and what comes next."""
+"""Is called with the share of the time that is spent, and what comes next."""
 
 FEWEST = 3
-"""Runs of a scheme before it tells how far it has to go."""
+"""The runs of a scheme before its remaining work is estimated."""
 
 DEARER = 2.0
-"""How many times as much work as another, as far as both tell what they need, is too much."""
+"""A scheme is dropped if it needs this many times the work of another."""
 
 PATIENCE = 6.0
-"""How many times as long as counted the runs may take."""
+"""How many times the counted work the runs may actually take."""
 
 
 @dataclass(slots=True)
@@ -40,9 +40,9 @@ class Refiner:
     Attributes
     ----------
     level, values, wanted, target
-        What is run and watched, and how small its errors are to be.
+        The run, the watched quantities, and the largest error they may have.
     stepping
-        What is run next.
+        The stepping of the next run.
     refinement
         The runs so far; None if there are no two.
     failure
@@ -93,7 +93,7 @@ class Refiner:
 
     @property
     def needed(self) -> float:
-        """The rate from which on its errors are as small as asked for, as far as it tells [Hz]."""
+        """The rate from which its errors are small enough, as far as it shows [Hz]."""
         refinement = self.refinement
         if not refinement or len(self._traces) < FEWEST:
             return inf
@@ -101,7 +101,7 @@ class Refiner:
         return max(rate, SLOWEST) if rate <= HIGHEST_RATE else inf
 
     def lags(self, enough: float) -> bool:
-        """Whether it does not tell yet how far it has to go, and may be cheaper than enough [s]."""
+        """Whether its remaining work is still unknown, and may be less than some work [s]."""
         return self.needed == inf and self.step * self.stepping.rate <= enough
 
     @property
@@ -142,7 +142,7 @@ def refine(
 
 
 def held(refiners: Sequence[Refiner]) -> list[Refinement]:
-    """Return what has been found, each refinement with its errors against the best, that first.
+    """Return all refinements with their errors against the best, the best first.
 
     None as long as there is but stock pymunk, which agrees with itself on what is wrong.
     """

@@ -9,17 +9,16 @@ from sandbox.physics.accuracy.compared_runs import Watched, apart, size, unit
 from sandbox.physics.measuring.recording import Trace
 
 LEAST_ORDER = 0.5
-"""Differences that fall more slowly than by this power of the step show no order."""
+"""Differences that fall more slowly than this power of the step show no order."""
 
 ORDERS = {"leapfrog": 2, "fourth-order": 4, "symplectic-euler": 1, "explicit-euler": 1}
-"""The orders of the schemes; no error is expected to fall faster."""
+"""The orders of the schemes; errors are not expected to fall faster."""
 
 ROUGHLY = 2.0
-"""How many times their difference two runs may be off that show no order: rounding is a matter of
-chance."""
+"""The error of two runs without an order, as a multiple of their difference: rounding is random."""
 
 ROUNDING = 1e-15
-"""Of the size of a quantity: differences below this say nothing."""
+"""Differences below this share of the quantity mean nothing."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,11 +30,11 @@ class Errors:
     of
         The errors.
     order
-        By which power of the step they fall; None if none shows.
+        The power of the step with which they fall; None if there is none.
     unit
-        What they are relative to; 1 where the value itself is zero.
+        The scale to which they are relative; 1 where the value itself is zero.
     rise
-        By which power of the rate they grow, where they are rounding; else 0.
+        The power of the rate with which they grow, if they are rounding; else 0.
     """
 
     of: tuple[float, ...]

@@ -43,20 +43,20 @@ from sandbox.physics.scene.schemes import usable
 from sandbox.physics.stepping.make_world import make_world
 
 REFINING = 2.0
-"""s, for the runs of one scheme; the one that is under way is not cut short."""
+"""s, for the runs of one scheme; a run in progress is not cut short."""
 
 SEARCH = 4.0
-"""s, for the runs that look for a setting of which nothing hangs."""
+"""s, for the runs that look for a cheaper setting."""
 
 FINEST = 1e-10
-"""No scheme is refined further: what is left is rounding."""
+"""No scheme is refined beyond this error: the rest is rounding."""
 
 EXACT = 1e-10
-"""What a formula is off by less than that at a small step is rounding, and no approximation."""
+"""A formula that is off by less at a small step is exact, and no approximation."""
 
 
 MANY = 200
-"""Of how many quantities it is told, at the most, how far they can be trusted."""
+"""For how many quantities the trusted digits are determined, at most."""
 
 
 Stage = Literal[
@@ -95,7 +95,7 @@ class Split:
     Attributes
     ----------
     check
-        Its index in the level.
+        The index of the check in the level.
     off
         By how much the measured number may be off for the step [its unit].
     total

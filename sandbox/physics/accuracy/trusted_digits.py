@@ -10,13 +10,13 @@ from sandbox.physics.accuracy.richardson import extrapolated
 from sandbox.physics.measuring.recording import Trace
 
 SEEN = 1e-2
-"""The share of its largest value by which a quantity is seen to be off in a graph."""
+"""The share of its largest value from which an error of a quantity is visible in a graph."""
 
 MOST_DIGITS = 8
-"""There is no room for more in a column of numbers."""
+"""The most digits for which a column of numbers has room."""
 
 USUAL_DIGITS = 5
-"""Of a number that nothing is known to be off."""
+"""The digits of a number whose error is unknown."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,9 +26,9 @@ class Trust:
     Attributes
     ----------
     quantity
-        Its name.
+        The name of the quantity.
     size, off
-        Its largest value, and its largest numerical error [its unit].
+        The largest value and the largest numerical error, in the quantity's unit.
     until
         When half of the step makes a difference that is seen in a graph [s]; None if it never does.
     """
@@ -45,7 +45,7 @@ class Trust:
 
 
 def surviving(value: float, off: float) -> int:
-    """Return how many significant digits of a value survive if it may be off by so much.
+    """Return how many significant digits of a value are certain, given its error.
 
     Half a unit of the last of them is no less than that; none survives in a value that is no
     larger.

@@ -6,14 +6,14 @@ import numpy as np
 
 from sandbox.model.expressions import Values
 from sandbox.model.level import HIGHEST_RATE, Level
-from sandbox.model.rules import FEWEST, MAX_CORNERS, corners
+from sandbox.model.rules.faults import FEWEST, MAX_CORNERS, corners
 from sandbox.model.schemes import bounds_the_rate
 from sandbox.model.traversal import expressions
 from sandbox.physics.scene.scene import make_scene
 from sandbox.physics.state.errors import BreakdownError, JointFailure, SimulationError
 
 MOST_PARTS = 20_000
-"""How many bodies and joints are made at the most to see whether a rate is too low: about 2 s."""
+"""The most bodies and joints that are built to check the rate: about 2 s."""
 
 IN_MOTION = frozenset(
     {
@@ -21,8 +21,8 @@ IN_MOTION = frozenset(
         "restitution",
     }
 )  # fmt: skip
-"""What matters only once bodies move: it neither moves a surface at the start, nor bounds a rate
-that springs or drags do not bound."""
+"""Fields that matter only once bodies move: they move no surface at the start, and lower no bound
+on the rate."""
 
 
 def refusal(level: Level, *, advised: bool = False) -> SimulationError | None:

@@ -24,19 +24,17 @@ from sandbox.physics.stepping.world import World
 DIRECT = Message('with "contact": {"solver": "direct"}')
 
 SECONDS = 2.0
-"""How long trying may take in all, of the processor [s]: on a busy machine the same is found.
-
-A step that is under way is not cut short.
-"""
+"""s of processor time for all trials, so that a busy machine finds the same; a step in progress is
+not cut short."""
 
 STEPS = 50_000
-"""How many steps a trial may take."""
+"""The most steps of a trial."""
 
 FINER = 4
-"""How many times the rate is tried where none is known."""
+"""The rate of a trial where no rate is known, as a multiple of the present one."""
 
 PAST = 1.5
-"""How many times as far as the run came a trial must come, to tell anything."""
+"""How many times as far as the failed run a trial must come to count as success."""
 
 
 class Advice(NamedTuple):
@@ -88,14 +86,14 @@ def tried(
     stepping: Stepping,
     duration: float | None = None,
 ) -> SimulationError:
-    """Return the same error with what was found to help, for somebody to be told.
+    """Return the same error with the remedies that worked.
 
     Parameters
     ----------
     error
         Why the run stopped.
     level, values, stepping
-        What was run.
+        The run.
     duration
         How long it should have been [s]; as the level says if left out.
     """
@@ -115,7 +113,7 @@ def advise(
     duration: float | None = None,
     seconds: float = SECONDS,
 ) -> Advice:
-    """Try what may help, for so long [s], and return what does; for the others, see `tried`."""
+    """Try remedies for some time [s], and return those that work; for the others, see `tried`."""
     if stepping.accuracy is not None:
         return Advice(NOTHING)
     end = level.duration(values) if duration is None else duration
@@ -161,7 +159,7 @@ def _found(failed: list[_Trial], trial: _Trial) -> Message:
 
 
 def leaning(level: Level, values: Values, stepping: Stepping) -> str:
-    """Say of a level whose start did not settle what may come of it, and what was seen to help."""
+    """Say that a level's outcome is not determined by its start, and what helps."""
     text = "sweeps of the solver did not settle what rests at the start, so it may lean or fall"
     try:
         build(solved_directly(level), values, stepping)
@@ -222,7 +220,7 @@ def _attempt(
     end: float,
     until: float,
 ) -> _Trial | None:
-    """Run a remedy to the end, or as far as it comes; None if that tells nothing."""
+    """Run a remedy to the end, or as far as it comes; None if that proves nothing."""
     try:
         world = build(level, values, stepping)
     except SandboxError:
@@ -238,7 +236,7 @@ def _attempt(
 
 
 def _run(world: World, steps: int, until: float) -> bool:
-    """Observe so many steps, if time is left; return whether it was."""
+    """Observe a number of steps, if time is left; return whether it was."""
     for _ in range(steps):
         world.advance()
         if process_time() > until:

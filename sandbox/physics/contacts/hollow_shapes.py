@@ -40,16 +40,16 @@ def make_hollow(
     skin: float,
     drift: float | None,
 ) -> Hollows | None:
-    """Make hollow what is to be; None if nothing is.
+    """Make the contacts of hollow bodies; None if the level has none.
 
     Parameters
     ----------
     space
-        Which the shapes have joined.
+        The space, with all shapes in it.
     level, values
-        What they were made from.
+        The level and the parameters that the shapes were made from.
     shapes
-        Of all bodies, in the level's order.
+        The shapes of all bodies, in the level's order.
     skin
         How far flat surfaces stand proud [m].
     drift
@@ -69,17 +69,24 @@ def make_hollow(
         if own  # a sensor has none
     }
     pairs = _pairs(level, values, made)
-    if not pairs:
-        return None
+    return _make(space, made, pairs, values, skin, drift) if pairs else None
+
+
+def _make(
+    space: pymunk.Space,
+    made: Mapping[str, Made],
+    pairs: Sequence[tuple[str, str]],
+    values: Values,
+    skin: float,
+    drift: float | None,
+) -> Hollows:
+    """Make the hollow bodies of some pairs, and the feelers of the others."""
     lines: dict[str, Arc | Course] = {
         name: line_of(made[name].row, made[name].spec, values, skin)
-        for name in made
-        if any(name == hollow for hollow, _ in pairs)
+        for name in dict.fromkeys(hollow for hollow, _ in pairs)
     }
-    hollows = Hollows(
-        {(min(pair), max(pair)): frozenset(made[name].row for name in pair) for pair in pairs},
-        drift,
-    )
+    rows = {(min(pair), max(pair)): frozenset(made[name].row for name in pair) for pair in pairs}
+    hollows = Hollows(rows, drift)
     for shape in space.shapes:
         shape.filter = ORDINARY
     for shape, piece in _pieces(made, lines, values, pairs, skin):

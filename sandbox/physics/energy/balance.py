@@ -31,7 +31,7 @@ class Balance:
     unexplained_impulse
         What the momentum has grown by beyond that: (3,).
     overlaps
-        Of what is unexplained, what taking back overlaps gave, for it moves bodies [J].
+        The part of the unexplained energy that correcting overlaps gave by moving bodies [J].
     """
 
     kinetic: float

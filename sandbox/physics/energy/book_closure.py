@@ -23,10 +23,10 @@ from sandbox.physics.energy.ledger import Ledger
 from sandbox.physics.energy.step_record import Recorded
 
 ROUNDING = 1e-11
-"""The share of what was turned over that rounding may make in a run;"""
+"""The share of the turnover that rounding may make in a run;"""
 
 KNOWN = 1e-13
-"""and the share of what could be stored in the scene by which that is known."""
+"""and the share of the energy that the scene could store to which the turnover is known."""
 
 MUCH = 1 / 15
 """The share of what was turned over beyond which no books close, whatever the scheme may leave: as
@@ -34,7 +34,7 @@ much as of a spring at the lowest rate that is advised for it. Where a jerk or a
 bound, that alone would let pass what was in motion."""
 
 NOTHING = 1e-9
-"""What is turned over is nothing if it is less than this share of that."""
+"""The turnover counts as none below this share of that energy."""
 
 
 class Closing(NamedTuple):
@@ -74,7 +74,7 @@ class Closing(NamedTuple):
 
     @property
     def share(self) -> float:
-        """What is unexplained, over what was turned over; 0 if nothing was."""
+        """The unexplained energy over the turnover; 0 if there was none."""
         return self.unexplained / self.turned if self._turns else 0.0
 
     @property

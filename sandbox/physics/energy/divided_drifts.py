@@ -41,7 +41,7 @@ class Within(NamedTuple):
 def kicks_within(
     divided: "Divided", begin: Instant, seen: Motion, inertia: Callable[[float], Array]
 ) -> Iterator[Within]:
-    """Yield the kicks between the parts of a drift, of which there is one at least.
+    """Yield the kicks between the parts of a drift, of which there is at least one.
 
     The last to be yielded takes back what the next whole kick gives too much.
 

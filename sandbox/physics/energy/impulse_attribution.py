@@ -30,11 +30,11 @@ class Attribution:
     Parameters
     ----------
     run
-        Whose kicks they are.
+        The run whose kicks are attributed.
     laws
         The forces that act in them.
     entries
-        Where they are booked.
+        The entries in which they are booked.
 
     Attributes
     ----------
@@ -128,7 +128,7 @@ class Attribution:
         return impulse
 
     def _turn(self, turn: Turn, kick: Kick) -> Array:
-        """Book the impulse of what turns velocities, which does no work; return it: (n, 3)."""
+        """Book the impulse of forces that turn velocities, which do no work; return it: (n, 3)."""
         impulse = np.zeros_like(self._mass)
         change = given(turn.rate(kick.seen), kick.mean[:, :2], kick.length)
         impulse[:, :2] = kick.inertia[:, :2] * change
@@ -157,7 +157,7 @@ class Attribution:
         return together, np.where(drives, 0.0, works)
 
     def _own(self, kick: Kick, rest: Array, contacts: Contacts) -> Array:
-        """Book pymunk's own joints: what is left to the bodies they hold, but for contacts."""
+        """Book pymunk's own joints: what remains for the bodies they hold, except contacts."""
         impulse = np.zeros_like(rest)
         if not self._hung:
             return impulse

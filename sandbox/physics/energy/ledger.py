@@ -44,7 +44,7 @@ if TYPE_CHECKING:
     from sandbox.physics.forces.law import Law
 
 SEEN = 1e-12
-"""The share of a place, or of a metre, by which a body must have been moved to be seen to be."""
+"""The share of a position, or of a metre, by which a body must have moved to count as moved."""
 
 
 class Ledger:
@@ -196,7 +196,7 @@ class Ledger:
         )
 
     def _middle(self, ahead: float, velocity: Array) -> Instant:
-        """Return the motion so many steps after (or before) the last, all drifting like that."""
+        """Return the motion a number of steps after (or before) the last, at constant velocity."""
         now, later = self._step.snapshot, ahead * self._step.dt
         return Instant(
             np.asarray(self._step.t + later),

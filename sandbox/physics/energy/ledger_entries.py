@@ -12,14 +12,14 @@ from sandbox.physics.state.motion import momentum
 
 
 class Entries:
-    """What is booked so far, by what did it.
+    """The entries so far, by account.
 
     Attributes
     ----------
     works
-        What was put in, or taken out [J].
+        The energy put in, or taken out [J].
     losses
-        What was lost, as negative numbers [J].
+        The lost energy, as negative numbers [J].
     impulses
         (3,) each, what came from outside: along x and y [N s], and about the origin [N m s].
     """

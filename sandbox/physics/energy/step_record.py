@@ -54,7 +54,7 @@ class StepRecord(NamedTuple):
     acted
         What events did in its drift; None if none happened.
     divided
-        Its drift, if it was taken in parts; else None.
+        The parts of its drift, if it was taken in parts; else None.
     jump
         (n, 3), what impacts in sequence changed [m/s, rad/s]; None without.
     """
@@ -89,7 +89,7 @@ class StepRecord(NamedTuple):
 
 
 class Recorded(Protocol):
-    """A run of which books can be kept."""
+    """A run whose books can be kept."""
 
     @property
     def level(self) -> Level:
@@ -105,7 +105,7 @@ class Recorded(Protocol):
 
     @property
     def scene(self) -> Scene:
-        """The masses, the laws and the joints of what moves."""
+        """The masses, laws and joints of the bodies."""
 
     @property
     def last(self) -> StepRecord:

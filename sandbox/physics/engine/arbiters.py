@@ -73,12 +73,12 @@ class Arbiters:
         self.pairs: Pairs | None = None
 
     def changed(self) -> bool:
-        """Look at what pymunk has written down, and tell whether it is not what it was."""
+        """Return whether pymunk's records of contacts have changed."""
         before, self._raw = self._raw, self._table.read()
         return self._raw != before
 
     def read(self) -> tuple[NDArray[Any], ...] | None:
-        """Return the fields of `Contacts`, in the order of the bodies; None if nobody touches."""
+        """Return the fields of `Contacts`, in the order of the bodies; None without contacts."""
         integer, floating = self._raw
         if self.pairs is None or integer != self.pairs.raw:
             self.pairs = self._read_pairs(integer)

@@ -83,7 +83,7 @@ class Contacts(NamedTuple):
         return points[:, None] + np.stack((overlap, -overlap), axis=1)
 
     def times(self, factor: float) -> "Contacts":
-        """Return the same contacts with so many times the impulses."""
+        """Return the same contacts with their impulses times a factor."""
         return self._replace(
             normal=self.normal * factor,
             friction=self.friction * factor,
@@ -190,7 +190,7 @@ class Batch:
         return self._known
 
     def _look(self) -> "Arbiters":
-        """Return what reads contacts: it is not even loaded where nobody asks for any."""
+        """Return the reader of contacts, which is loaded only when it is needed."""
         from sandbox.physics.engine.arbiters import Arbiters
 
         return Arbiters(self._space, self._ids, self._order)

@@ -28,14 +28,14 @@ from sandbox.model.wires import along
 from sandbox.physics.state.errors import SimulationError
 
 FAR = 1000
-"""How many times its size a polygon may be away from its origin before its area is lost in the
-rounding of squares: from there on it is looked at from a corner of its own."""
+"""How many times its size a polygon may lie from its origin. Further out its area is lost in the
+rounding of squares, and its corners are taken relative to one of them."""
 
 FACETS = 96
-"""Of how many straight pieces a circle is drawn."""
+"""The number of straight pieces of a circle."""
 
 DRAWN = 512
-"""Of how many straight pieces a curve is."""
+"""The number of straight pieces of a curve."""
 
 
 def make_body(name: str, level: Level, values: Values) -> pymunk.Body:

@@ -11,23 +11,24 @@ import numpy as np
 import pymunk
 
 CROWD = 1000
-"""From how many shapes on a grid is considered: with half of that the tree is as quick."""
+"""The number of shapes from which a grid is considered: with half as many, the tree is as fast."""
 
 CELL = 3.0
-"""How wide a cell is, in widths of a small shape: then most shapes lie in one or two."""
+"""The width of a cell in widths of a small shape: most shapes then lie in one or two cells."""
 
 SMALL = 0.1
-"""The quantile of the widths that is a small one. Smaller ones are too few to crowd a cell."""
+"""The quantile of the widths that counts as small. Even smaller shapes are too few to crowd a
+cell."""
 
 SPREAD = 8
-"""How many cells there may be to a shape: a large shape in a fine grid would fill it."""
+"""The most cells per shape: a large shape would fill a fine grid."""
 
 BUCKETS = 2
-"""How many places of the hash table there are to a shape; each is visited in each step."""
+"""The slots of the hash table per shape; every step visits all of them."""
 
 FARTHEST = 2.0**30
-"""How many cells there are on each side of the origin: half of those that pymunk has numbers for.
-From the last one on, it goes through cells for ever."""
+"""The most cells on each side of the origin: half of what pymunk's numbers can hold. Beyond the
+last cell pymunk would loop for ever."""
 
 
 def choose_broad_phase(space: pymunk.Space) -> float:

@@ -9,7 +9,7 @@ from sandbox.model.expressions import Array
 from sandbox.model.shapes import XY
 
 STRENGTH = 200
-"""m/s², by which it can accelerate what it holds: about twenty times g."""
+"""m/s², the largest acceleration of the grabbed body: about twenty times g."""
 
 TINY = 1e-300
 
@@ -37,7 +37,7 @@ class Hand:
             self._grip.anchor_a = point
 
     def release(self) -> None:
-        """Let go of what is held."""
+        """Release the body."""
         if self._grip:
             self._space.remove(self._grip)
             self._grip = None

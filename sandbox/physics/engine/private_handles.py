@@ -42,7 +42,7 @@ class Memory:
     floats
         How pymunk sees them; `num` is how many it has been through.
     call
-        What it is called with.
+        The arguments of that call.
     """
 
     def __init__(self, fields: BodyFields, count: int) -> None:

@@ -48,7 +48,7 @@ class Meeting:
         return _motion(arbiter.body_a), _motion(arbiter.body_b)
 
     def bounce(self, restitution: float) -> None:
-        """Let them part so many times as fast as they approach."""
+        """Set the restitution of the pair."""
         self._arbiter.e = restitution
 
     @property

@@ -55,7 +55,7 @@ class Hook:
             self.error = error
 
     def finish(self) -> None:
-        """Do what belongs after pymunk's step, and raise what has gone wrong in it."""
+        """Do what follows pymunk's step, and raise what went wrong in it."""
         if self.error:
             raise self.error
         self._call(self._after, self.kick)

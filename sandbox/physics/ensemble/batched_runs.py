@@ -17,27 +17,27 @@ from sandbox.model.quantities import Quantity, quantity
 from sandbox.physics.engine.batch import Booleans, Integers
 from sandbox.physics.joints.exact.batched_joints import ManyJoints
 from sandbox.physics.measuring.recording import Trace
-from sandbox.physics.metering.meter import Meter
+from sandbox.physics.quantities.meter import Meter
 from sandbox.physics.state.motion import Instant, kinetic_energy
 from sandbox.physics.state.snapshot import Snapshot
 from sandbox.physics.stepping.world import World
 
 CHUNK = 500
-"""How many steps are taken between two looks at what was measured."""
+"""The steps between two looks at the measurements."""
 
 DOUBTED = 0.25
-"""The share of the energy there was that a run may gain before it is run alone: the watchdog stops
-it at once this energy, or more."""
+"""The share of its energy that a run may gain before it is run alone. The watchdog stops it at a
+gain of this, or more."""
 
 _UNKNOWN = ("tension", "push", "torque", "normal", "friction", "contact.normal", "contact.friction")
-"""What only a world of its own knows."""
+"""Quantities that only a world of its own can measure."""
 
 Stop = Callable[[Mapping[str, Array], Array, World], int | None]
-"""Returns from the columns of some instants at which a run is over; None if at none of them."""
+"""Returns the row, among some instants, at which a run is over; None if it goes on."""
 
 
 def suits(level: Level, stepping: Stepping, names: Sequence[str]) -> bool:
-    """Whether runs of a level may be taken together, as far as its text tells.
+    """Whether runs of a level may share a batch, as far as its text shows.
 
     Parameters
     ----------
@@ -71,7 +71,7 @@ class Flown:
     Attributes
     ----------
     trace
-        What was recorded; None if it must be run alone.
+        The recorded run; None if it must be run alone.
     stopped
         Whether a condition has ended it.
     """
@@ -81,7 +81,7 @@ class Flown:
 
 
 class Flight:
-    """N worlds of one level, right after their start, that go on together.
+    """N worlds of one level, right after their start, that are stepped together.
 
     Parameters
     ----------
@@ -147,7 +147,7 @@ class Flight:
         return doubted
 
     def _step(self) -> Booleans | bool:
-        """Take a step, and return which runs must be looked at alone: (N,)."""
+        """Take a step, and return which runs must be repeated alone: (N,)."""
         self._place = self._place + self._velocity * self._dt
         velocity = self._velocity.copy()
         velocity[:, :, :2] = velocity[:, :, :2] + self._kick
@@ -158,7 +158,7 @@ class Flight:
         return doubted
 
     def _sort_out(self, taken: int, doubted: Booleans | None) -> None:
-        """Take note of the runs that are over, and go on with the others."""
+        """Record the runs that are over, and keep the others."""
         going = np.ones(len(self._flying), dtype=bool)
         for at, run in enumerate(self._flying):
             if doubted is not None and doubted[at]:
@@ -174,7 +174,7 @@ class Flight:
             self._joints.keep(going)
 
     def _ended(self, run: int, taken: int) -> Flown | None:
-        """Return how a run has ended; None if it goes on."""
+        """Return how a run has ended; None if it has not."""
         parts, world = self._columns[run], self._worlds[run]
         if self._stop and len(parts) > 1:
             last = parts[-1]

@@ -22,7 +22,7 @@ BISECTIONS = 60
 """A step halved this often is shorter than a float's rounding."""
 
 NEAR = 1e-6
-"""The share of a step before its end in which nothing happens: it waits for the next drift."""
+"""The share of a step before its end in which no event happens: it waits for the next drift."""
 
 
 class Part(NamedTuple):
@@ -46,17 +46,17 @@ class Part(NamedTuple):
     smooth: Array
 
     def at(self, time: float) -> Instant:
-        """Return the motion so long after its beginning [s]."""
+        """Return the motion some time after its beginning [s]."""
         return Instant.at(self.t + time, *self.state(time))
 
     def state(self, time: float) -> tuple[Array, Array]:
-        """Return places and velocities so long after its beginning [s]: (n, 3) each."""
+        """Return positions and velocities some time after its beginning [s]: (n, 3) each."""
         velocity = self.velocity + self.acceleration * time
         return self.place + (self.velocity + velocity) * (time / 2), velocity
 
 
 class Acted(NamedTuple):
-    """What books kept in the middle of a drift must know of what happened in it; n bodies.
+    """What the books must know of an event within a drift, for n bodies.
 
     They take the kick before the drift to go on for half of it, and that after it to begin there.
 
@@ -133,7 +133,7 @@ def acted(
     parts
         One before the first of what happened, and one after each.
     laws
-        Whose works and impulses are told.
+        The laws whose works and impulses are recorded.
     inertia
         (n, 3), masses, masses and moments [kg, kg m²].
     switched

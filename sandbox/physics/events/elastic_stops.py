@@ -24,7 +24,7 @@ from sandbox.physics.joints.exact.shake import ExactJoints
 from sandbox.physics.scene.scene import Scene
 
 TOUCHING = 1e-9
-"""m or rad, from which on a stop is touched."""
+"""m or rad, the distance at which a stop counts as touched."""
 
 
 class Bounces:
@@ -76,7 +76,7 @@ class Bounces:
             self._together.calm()
 
     def release(self) -> None:
-        """Let go of what leaves the stop that it has rested on."""
+        """Release bodies that leave the stop on which they rested."""
         for side in sorted(self._resting):
             if not self._together.tension[self._rows(side)].any():
                 self._let_go(side)
@@ -108,7 +108,7 @@ class Bounces:
         return since(lambda t: bool(self._beyond(part.state(t)[0])[side] > 0), low, part.lasts)
 
     def rests(self, side: int, part: Part, wait: float) -> bool:
-        """Whether what meets a side so long after the beginning of a part would be back at once."""
+        """Whether a body that meets a stop at some time in a part would be back at once."""
         place, velocity = part.state(wait)
         comes = self._rate(place, velocity)[side]
         pressed = self._rate(place, part.acceleration)[side]

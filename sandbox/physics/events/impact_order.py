@@ -11,10 +11,10 @@ from sandbox.physics.contacts.time_of_impact import Hit
 from sandbox.physics.engine.batch import Booleans
 
 MOST = 500
-"""How many impacts a body may have in a step: they take 0.2 s."""
+"""The most impacts of a body in a step: they take 0.2 s."""
 
 INSTANT = 1e-9
-"""The share of a step within which impacts come at the same time."""
+"""Impacts within this share of a step are simultaneous."""
 
 CRAMPED = Message(
     "{body} would have more than {most} impacts in one step: it is too fast for the room that"

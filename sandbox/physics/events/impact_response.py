@@ -21,10 +21,10 @@ from sandbox.physics.scene.scene import Scene
 from sandbox.physics.state.motion import momentum
 
 ITERATIONS = 200
-"""How often the impulses at the points of an impact are gone through."""
+"""The most iterations over the impulses of an impact."""
 
 STILL = 1e-15
-"""The share of the impulses by which they may still change."""
+"""The relative change of the impulses at which the iteration has converged."""
 
 
 class Impact(NamedTuple):
@@ -39,7 +39,7 @@ class Impact(NamedTuple):
     normal
         The unit vector from the first to the second.
     points
-        Where they touched [m].
+        The points of contact [m].
     impulse
         What the second got; the first got the opposite [N s].
     kinematic, driven
@@ -165,20 +165,12 @@ class Collision:
         return float(self._coefficients.restitution[hit.bodies])
 
     def bounce(self, path: Path, hits: Sequence[Hit], *, dead: bool = False) -> Bounce:
-        """Return what comes of hits at the same time.
+        """Return the outcome of simultaneous hits along a path.
 
-        What would part for less than half a step does not part: it rests from there on. Points
-        that part already are left out where holding them would give energy: if they are driven
-        together, that is the next impact.
-
-        Parameters
-        ----------
-        path
-            Where the bodies are.
-        hits
-            Whose impulses are found at once.
-        dead
-            Whether nothing bounces, whatever its coefficient.
+        Bodies that would part for less than half a step rest on each other from there on. Points
+        that part already are left out where holding them would add energy: if they are driven
+        together, that is the next impact. If the hits are `dead`, nothing bounces, whatever its
+        coefficient.
         """
         time, of = hits[0].time, np.repeat(range(len(hits)), [len(hit.points) for hit in hits])
         place, velocity = path.at(time)
@@ -209,9 +201,8 @@ class Collision:
             given = np.einsum("k,knc->nc", push + held, jacobian[rows])
             kinematic = -float(np.sum((given * velocity)[self._mass == 0]))
             moved = self._momentum(push, response[rows], place)
-            impacts.append(
-                _impact(hit, push, works[rows], kinematic, -float(push @ runs[rows]), moved)
-            )
+            belt = -float(push @ runs[rows])
+            impacts.append(_impact(hit, push, works[rows], kinematic, belt, moved))
         struck: Booleans = np.asarray(response.any(axis=(0, 2)))
         jump, onwards = (np.tensordot(sizes, response, 1) for sizes in (impulse, holds))
         return Bounce(struck, jump, onwards, tuple(impacts))

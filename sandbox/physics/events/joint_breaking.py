@@ -31,8 +31,8 @@ from sandbox.physics.scene.scene import Scene
 from sandbox.physics.state.kick import Kick, Work
 
 SUDDEN = 0.5
-"""By how much of what a joint bears its force grows within a step where that is a blow. What grows
-less is a force that rises, and found within the drift."""
+"""The least growth of a joint's force within a step, as a share of what the joint bears, that
+counts as a blow. Slower growth is a rising force, and is located within the drift."""
 
 
 class JointBreaking:
@@ -41,7 +41,7 @@ class JointBreaking:
     Parameters
     ----------
     scene
-        Whose joints.
+        The scene of the joints.
     joints
         Those that are solved together.
     borne

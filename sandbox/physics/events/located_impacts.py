@@ -133,7 +133,7 @@ class Located:
         self.begun, self._first, self.impacts = velocity, acceleration, []
 
     def cut(self, smooth: Array, struck: Array | None) -> Cut | None:
-        """Let what would touch in the coming drift collide; return what came of it, if it did.
+        """Let bodies collide that would touch in the coming drift; return the result, if any do.
 
         Parameters
         ----------
@@ -169,14 +169,14 @@ class Located:
         return self._hand_over(path, state, acceleration) if self.impacts else None
 
     def _total(self, drifts: Array, struck: Array | None) -> Array:
-        """Return the accelerations of the last kick but for impacts in sequence: (n, 3)."""
+        """Return the accelerations of the last kick without impacts in sequence: (n, 3)."""
         if self._first is not None:
             return self._first
         total = (drifts - self.begun) / self._dt
         return total if struck is None else total - struck / self._dt
 
     def _hand_over(self, path: Path, state: Array, acceleration: Array) -> Cut:
-        """Hand pymunk what came of a path that began with this state and these accelerations."""
+        """Give pymunk the end of a path that began with this state and these accelerations."""
         drifts, hit = self.begun, path.struck
         place, velocity = path.at(self._dt)
         onwards = path.acceleration_at(self._dt)
@@ -240,7 +240,7 @@ class Located:
         return self._gates.lets_at(rows[0], rows[1], at, there)
 
     def _acceleration(self, smooth: Array, total: Array) -> Array:
-        """Return the accelerations of the last kick; of what nothing holds, without rounding."""
+        """Return the accelerations of the last kick; for free bodies, without rounding."""
         tied = self._held.copy()
         tied[self._batch.contacts().bodies] = True
         return np.where(tied[:, None], total, smooth)
@@ -305,7 +305,7 @@ class Located:
 
 
 def as_contacts(impacts: Sequence[Impact]) -> Contacts:
-    """Return impacts, of which there are some, as contacts."""
+    """Return one or more impacts as contacts."""
     two = [(i.points[0], i.points[-1]) for i in impacts]
     across = [i.impulse / i.normal for i in impacts]
     return Contacts(

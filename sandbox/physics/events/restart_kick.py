@@ -1,4 +1,4 @@
-"""The kick with which bodies go on after an event within a step.
+"""The kick after which bodies go on from an event within a step.
 
 The bodies are held where they are and kicked by pymunk's solver and the joints together, as before
 the first step. In a kick that is short enough, a slipping contact keeps slipping. A contact whose
@@ -20,19 +20,19 @@ from sandbox.physics.geometry.distance import surfaces
 from sandbox.physics.scene.scene import Scene
 
 TRIES = 16
-"""How often a kick is taken to be shorter, by `SHORTER`, until what slips before it does after."""
+"""How often a kick is shortened, by `SHORTER`, until what slips before it also slips after it."""
 
 SHORTER = 1 / 4
 
 PLACES = 1e-14
-"""How well places are known, of themselves: strings choose velocities by them."""
+"""The relative precision of positions, from which strings choose velocities."""
 
 Held = Callable[[], AbstractContextManager[None]]
 Kicker = Callable[[float, Array, float, float], Array]
 
 
 class Found(NamedTuple):
-    """How n bodies go on.
+    """The accelerations with which n bodies go on.
 
     Attributes
     ----------
@@ -51,7 +51,7 @@ class Found(NamedTuple):
 
 
 class Onwards:
-    """Finds with which accelerations bodies go on from somewhere; n bodies.
+    """Finds the accelerations with which n bodies go on after an event.
 
     Parameters
     ----------
@@ -81,7 +81,7 @@ class Onwards:
         self._blur = PLACES / dt if scene.joints.strings else 0.0
 
     def sense(self, slips: Slips, contacts: Contacts, velocity: Array, adds: Array) -> Array:
-        """Return which way what rubs slips: of velocities to which a kick adds so much."""
+        """Return the directions of slipping, given velocities and what a kick adds to them."""
         known = slips.sense(velocity, np.abs(adds) + self.adds, self._blur)
         return np.where(contacts.friction > 0, known, 0.0)
 

@@ -10,7 +10,7 @@ from sandbox.physics.events.restart_kick import Onwards
 from sandbox.physics.events.slip_phases import Slips
 
 WEAKER = 1e-6
-"""The share by which friction is below what it can be where it no longer slips."""
+"""Friction below its limit by more than this share no longer slips."""
 
 
 class Seen(NamedTuple):
@@ -50,7 +50,7 @@ class Lookout:
     coefficients
         (n, n), of the friction of each pair that slips.
     onwards
-        Tells what is a slip and what is rounding.
+        Distinguishes slips from rounding.
     dt
         The time step [s].
     """

@@ -30,18 +30,18 @@ from sandbox.physics.events.slip_phases import Phase, Slips, Stop, booked
 from sandbox.physics.scene.scene import Scene
 
 MOST = 100
-"""How often the drift of a step is cut: what ends later in it is left to pymunk."""
+"""How often the drift of a step is cut, at most; slips that end later are left to pymunk."""
 
 LATE = 0.1
-"""A slip that has turned at a step by more than this share of what a step changes it by has not
-slipped there: what seemed to was rounding."""
+"""A slip that has reversed by a larger share of its change per step did not slip there: it was
+rounding."""
 
 ALIKE = 1e-9
-"""Two kicks that differ by less than this share of what gravity and force laws do are alike: as
-long as they are, slips change about as they did, and are next looked at half-way to their end."""
+"""Two kicks are alike if they differ by less than this share of the effect of gravity and force
+laws. Slips then change at a steady rate, and are next checked half-way to their end."""
 
 FAR = 1_000_000
-"""How many steps nothing need be looked at, at the most."""
+"""The most steps without a check."""
 
 
 class Cut(NamedTuple):
@@ -74,7 +74,7 @@ class Stops:
     lookout, onwards
         See whose slipping ends, and find how bodies go on.
     smooth
-        Tells the accelerations by gravity and force laws in the last kick: (n, 3) [m/s², rad/s²].
+        Returns the accelerations by gravity and force laws in the last kick: (n, 3) [m/s², rad/s²].
     dt
         The time step [s].
 
@@ -222,7 +222,7 @@ class Stops:
         self._next, self._quiet = begun, 0
 
     def cut(self) -> Cut | None:
-        """Let slipping end in the coming drift; return what came of it, if it does."""
+        """Let slipping end in the coming drift; return the result, if it does."""
         due, self._due, self.last = self._due, None, None
         if due is None:
             return None

@@ -12,10 +12,10 @@ from sandbox.physics.engine.batch import Contacts, Integers
 from sandbox.physics.state.motion import momentum
 
 ROUNDING = 1e-12
-"""A slip slower than this share of the speeds that it is the difference of is none;"""
+"""A slip slower than this share of the speeds whose difference it is counts as none;"""
 
 FAINT = 1e-9
-"""nor is one slower than this share of what a step adds to them."""
+"""so does one slower than this share of what a step adds to them."""
 
 
 class Slips(NamedTuple):
@@ -107,7 +107,7 @@ class Phase(NamedTuple):
     forces: Contacts
 
     def at(self, time: float) -> tuple[Array, Array]:
-        """Return places and velocities so long after its beginning [s]."""
+        """Return positions and velocities some time after its beginning [s]."""
         velocity = self.velocity + self.acceleration * time
         return self.place + (self.velocity + velocity) * (time / 2), velocity
 

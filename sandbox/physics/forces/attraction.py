@@ -52,7 +52,7 @@ class Attraction:
         return energy
 
     def _look(self, motion: Motion) -> tuple[Array, Array, Array]:
-        """Return of what moves r, |r| and mu m."""
+        """Return r, |r| and mu m of the moving bodies."""
         r = motion.position[..., self._moving, :] - self._middle
         strength = self.mu * self.mass * self.share(motion.t)
         return r, np.hypot(r[..., 0], r[..., 1]), strength[..., self._moving]

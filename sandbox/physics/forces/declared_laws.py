@@ -30,12 +30,12 @@ def gravity(effects: Effects, values: Values, mass: Array, share: Share) -> Grav
 
 
 def laws(effects: Effects, given: Given) -> tuple[tuple[Law, ...], tuple[Turn, ...]]:
-    """Return the declared laws that pymunk does not apply by itself: forces, and what turns.
+    """Return the laws that pymunk does not apply by itself: forces, and turns of velocities.
 
     Raises
     ------
     IncompleteError
-        If what an effect makes is not what it says of itself.
+        If a law contradicts the declaration of its effect.
     """
     forces: list[Law] = []
     turns: list[Turn] = []
@@ -89,7 +89,7 @@ def part_of(effect: Effect, function: str) -> Callable[..., Iterable[Any]]:
 
 
 def _require(effect: Effect, law: Law | Turn) -> None:
-    """Refuse a law that is not what its effect says of itself."""
+    """Refuse a law that contradicts its effect's declaration."""
     needed = ("rate",) if effect.turns else ("add", "potential_energy")
     if lacking := [name for name in needed if not hasattr(law, name)]:
         kind = "does no work ('book' is 'none'), so it is a Turn" if effect.turns else "is a Law"
@@ -101,11 +101,8 @@ def _require(effect: Effect, law: Law | Turn) -> None:
 
 
 def _message(effect: Effect, rule: str) -> str:
-    return f"the effect '{effect.name}' is declared in {_declaration(effect)}, but {rule}"
-
-
-def _declaration(effect: Effect) -> str:
-    return f"sandbox/model/effects/{effect.name}.py"
+    declared = f"sandbox/model/effects/{effect.name}.py"
+    return f"the effect '{effect.name}' is declared in {declared}, but {rule}"
 
 
 def _file(effect: Effect) -> str:

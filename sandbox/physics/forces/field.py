@@ -21,7 +21,7 @@ SIGHTS: Mapping[str, Sight] = {
     "vy": "velocity",
     "t": "time",
 }
-"""What a force depends on that has a variable in its formula."""
+"""What a force depends on if its formula contains a variable."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,7 +34,7 @@ class Weight:
 
     @classmethod
     def of(cls, bodies: Sequence[str] | None, per: str, given: Given) -> "Weight":
-        """Return what a level says of it; all bodies that move if it names none."""
+        """Return the named bodies; all moving bodies if none are named."""
         rows = in_place(given.rows(bodies))
         return cls(rows, given.mass if per == "mass" else None, given.share)
 

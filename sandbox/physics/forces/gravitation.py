@@ -19,7 +19,7 @@ AT_ONCE = 15_000
 
 
 class Block(NamedTuple):
-    """Some bodies and all that pull at them, but for those of the blocks before.
+    """Some bodies, and all that attract them, except those of earlier blocks.
 
     Attributes
     ----------

@@ -5,7 +5,7 @@ The law of an effect is a module of its name in this folder, with a function
     def laws(said: Drag, given: Given) -> Iterator[Law]: ...
 
 which makes it from what a level says of the effect: a `Law`, or, of an effect that does no work, a
-`Turn`. What the effect says of itself is in `sandbox.model.effects`; a law hands it on.
+`Turn`. The declaration of the effect is in `sandbox.model.effects`; a law passes it on.
 """
 
 from collections.abc import Sequence
@@ -33,7 +33,7 @@ class Law(Protocol):
 
     @property
     def effect(self) -> Effect:
-        """What declares it: an effect, or what a spring says of itself."""
+        """The declaration: an effect's, or a spring's."""
         ...
 
     def add(self, motion: Motion, wrench: Array) -> None:

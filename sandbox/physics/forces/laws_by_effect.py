@@ -1,4 +1,4 @@
-"""The laws of a level one by one, each with its effect."""
+"""The laws of a level one by one, each with the settings that it comes from."""
 
 from collections.abc import Iterator
 
@@ -10,7 +10,7 @@ from sandbox.physics.forces.switched_laws import SwitchedLaw
 
 
 def one_by_one(effects: Effects, given: Given) -> Iterator[tuple[Model, Law]]:
-    """Yield each law with what a level says of it: of a list, those of each entry by themselves."""
+    """Yield each law with its settings; of a list, one for each entry."""
     for effect in effects.declarations:
         if effect.is_law and not effect.turns:
             make, said = part_of(effect, "laws"), getattr(effects, effect.name)

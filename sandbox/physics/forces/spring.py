@@ -18,10 +18,10 @@ if TYPE_CHECKING:
     from sandbox.physics.forces.switch import Switch
 
 NODES = 40
-"""At how many places a law is looked at to know what it stores."""
+"""At how many points a force law is evaluated to find its potential energy."""
 
 DAMPED = replace(ELASTIC, sees=(*ELASTIC.sees, "velocity"))
-"""What a spring with a damper says of itself as a force."""
+"""The declaration of a spring with a damper, as a force."""
 
 
 @cache
@@ -76,7 +76,7 @@ class SpringForce:
 
     @property
     def effect(self) -> Effect:
-        """What it says of itself as a force."""
+        """Its declaration as a force."""
         return DAMPED if self.damping > 0 else ELASTIC
 
     @property
@@ -86,7 +86,7 @@ class SpringForce:
 
     @property
     def steepness(self) -> float:
-        """How much more it pulls for a little more stretch, at the most [N/m]."""
+        """The largest slope of the force over the stretch [N/m]."""
         return self.stiffness + self.slope
 
     def tension(self, motion: Motion) -> Array:

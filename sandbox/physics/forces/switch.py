@@ -43,4 +43,4 @@ class Switch:
 
 
 Switches = Mapping[str, Switch]
-"""By the names of the effects, forces and springs that they switch."""
+"""Switches by the names of the effects, forces and springs that they switch."""

@@ -68,7 +68,7 @@ def switched_laws(
 
 
 def _parts(said: Any, name: str, switches: Switches) -> Iterator[tuple[Any, Switch | None]]:  # noqa: ANN401
-    """Yield what a level says of an effect, apart where it is switched apart."""
+    """Yield the settings of an effect, split where parts are switched separately."""
     whole = switches.get(name)
     if not isinstance(said, tuple):
         yield said, whole

@@ -13,7 +13,7 @@ from sandbox.physics.forces.law import Given, Law
 from sandbox.physics.state.motion import Motion
 
 SIGHTS: Mapping[str, Sight] = {"theta": "angle", "omega": "velocity", "t": "time"}
-"""What a torque depends on that has a variable in its formula."""
+"""What a torque depends on if its formula contains a variable."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,10 +10,8 @@ from sandbox.model.expressions import Array
 from sandbox.physics.engine.batch import Integers
 
 Share = Callable[[Array], Array | float]
-"""What the masses of n bodies are at a time, or at many, over those at the start: (..., n), or 1.
-
-Moments of inertia change with the mass: what leaves or comes is taken from all over the body.
-"""
+"""The masses of n bodies at a time, or at many, relative to the start: (..., n), or 1. Moments of
+inertia change with the mass: matter leaves or comes evenly over the body."""
 
 
 def steady(_t: Array) -> float:
@@ -31,7 +29,7 @@ class Flow:
     effect: str = ""  # what lets it flow
 
     def gained(self, t: Array) -> Array:
-        """Return what has come up to a time [kg]; as if it had always flowed before the start."""
+        """Return the matter gained up to a time [kg], as if it had flowed before the start, too."""
         gained: Array = self.rate * np.minimum(t, self.until)
         return gained
 
@@ -60,7 +58,7 @@ class MassFlows:
         return share
 
     def carriers(self) -> dict[str, list[int]]:
-        """Return the bodies that lose or gain matter, by the effect that lets them."""
+        """Return the bodies that lose or gain matter, by effect."""
         found: dict[str, list[int]] = {}
         for flow in self.flows:
             bodies = found.setdefault(flow.effect, [])

@@ -48,7 +48,7 @@ def turning_acceleration(rate: Array, velocity: Array, pulled: Array, length: fl
 
 
 def at_the_step(rate: Array, mean: Array, length: float) -> Array:
-    """Return the velocities (n, 2) half-way through a kick, of which these are the means."""
+    """Return the velocities (n, 2) half-way through a kick, given their means."""
     return np.asarray(mean / np.cos(rate * (length / 2))[:, None])
 
 

@@ -112,13 +112,13 @@ class Touch(NamedTuple):
     point
         The middle of what is round, or the corner, in the axes of that body [m].
     radius
-        By which that is thickened [m].
+        The radius by which that is thickened [m].
     depth
         By how much the two overlap; negative if they are apart [m].
     normal
         The unit vector from the arc to the other, so towards its centre.
     on_arc, on_other
-        Where they touch, on the surface of each, in the plane [m].
+        The points of contact on the surface of each, in the plane [m].
     sign
         1 from inside, −1 from outside; 0 where nothing is followed.
     """
@@ -158,7 +158,7 @@ Verdict = Touch | bool
 
 
 def verdict(one: Piece, other: Piece, at: Placed, there: Placed) -> Verdict:
-    """Return how two shapes touch, of which pymunk says that they overlap.
+    """Return how two shapes touch that overlap according to pymunk.
 
     Parameters
     ----------
@@ -247,7 +247,7 @@ def _at_side(side: Piece, other: Piece, at: Placed, there: Placed) -> Verdict:
 def _inside(
     arc: Arc, center: complex, body: int, point: complex, radius: float, way: complex
 ) -> Touch:
-    """Return how a point that is thickened, so far from an arc's centre, is to its inner side."""
+    """Return how a thickened point at a distance from an arc's centre meets its inner side."""
     out = way / abs(way)
     on_arc, on_other = center + arc.inner * out, center + way + radius * out
     depth = abs(way) + radius - arc.inner

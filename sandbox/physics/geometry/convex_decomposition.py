@@ -16,7 +16,7 @@ STRAIGHT = 1e-12
 """A corner counts as straight if its turn is less, relative to the square of the extent."""
 
 Part = list[int]
-"""The corners of a part by their numbers, counter-clockwise."""
+"""The indices of a part's corners, counter-clockwise."""
 
 
 def convex_parts(points: Sequence[XY]) -> list[list[XY]]:

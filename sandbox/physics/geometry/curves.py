@@ -58,7 +58,7 @@ def _course(chosen: _Chosen) -> Course:
 
 
 def verdict(one: Piece, other: Piece, at: Placed, there: Placed) -> Verdict:
-    """Return how two shapes touch, of which pymunk says that they overlap.
+    """Return how two shapes touch that overlap according to pymunk.
 
     Parameters
     ----------

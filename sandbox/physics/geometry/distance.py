@@ -109,7 +109,7 @@ def _outline(shape: pymunk.Shape, row: int, body: pymunk.Body) -> Outline:
 
 
 def _goes_on(end: complex, lines: Sequence[tuple[complex, complex]]) -> complex:
-    """Return the way from an end of a line to where another goes on from there."""
+    """Return the vector from an end of a line to the line that continues it."""
     for a, b in lines:
         if end in (a, b):
             return (b if end == a else a) - end

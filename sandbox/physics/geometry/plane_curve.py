@@ -88,9 +88,9 @@ class Course:
     Attributes
     ----------
     stretches
-        Of which it consists.
+        The stretches of which the curve consists.
     ends
-        Its first and last point; none if they are the same.
+        The first and last points; none if they are the same.
     spacing
         How far it is from a knot to the next along it, at the most [m].
     """

@@ -16,7 +16,8 @@ _BEFORE = np.array([6.0, -15.0, 20.0, -15.0, 6.0, -1.0])
 """What the quintic through six points is, one point earlier."""
 
 BETTER = 0.1
-"""The share of what equal steps are off by, at the most, that points closer at the ends may be."""
+"""Points that are closer at the ends are used if their error is less than this share of that of
+equal steps."""
 
 
 class Quintics:
@@ -75,7 +76,7 @@ def course(wire: Wire, values: Values) -> Points:
 
 
 def _off(points: Points, between: Points) -> float:
-    """Return how far quintics through points are from those half-way between, at the most [m]."""
+    """Return the largest distance of quintics through points from those half-way between [m]."""
     halves = _quintics(points, is_closed(points)) @ 0.5 ** np.arange(6)
     off = np.abs(halves - between)
     return float(off.max()) if np.isfinite(off).all() else np.inf

@@ -4,7 +4,7 @@ from collections.abc import Callable
 from math import inf
 
 CLOSE = 1e-13
-"""How close to 0 a function is that is there."""
+"""A function this close to 0 counts as 0."""
 
 TRIES = 60
 

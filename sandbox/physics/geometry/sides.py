@@ -18,16 +18,16 @@ if TYPE_CHECKING:
     from sandbox.model.expressions import Array
 
 LOOKS = 8
-"""How often the nearest point of a body, and that of the line to it, are looked for in turn."""
+"""How often the nearest points of a body and of a line are determined in turn."""
 
 HALVINGS = 40
-"""How often an edge is halved to find where it crosses a line."""
+"""How often an edge is bisected to find where it crosses a line."""
 
 SAME = 1e-12
-"""m, by which a point that is looked for again may differ from the one before."""
+"""m, by which a repeated search may find another point and count as converged."""
 
 TOUCHING = 1e-6
-"""m, by which what touches may overlap, and is still on one side."""
+"""m, the overlap of touching bodies at which they still count as on one side."""
 
 
 class Beside(NamedTuple):
@@ -145,7 +145,7 @@ def _across(line: Line, point: complex) -> float:
 
 
 def _is_on(line: Line, corner: complex, hand: int, radii: float) -> bool:
-    """Whether a corner of what touches a line is on one side of it, or beyond its ends."""
+    """Whether a corner of a body that touches a line is on one side of it, or beyond its ends."""
     beside = line.beside(corner)
     way = corner - beside.point
     across = dot(way, beside.left)

@@ -11,7 +11,6 @@ import pymunk
 
 from sandbox.model.acting_events import bouncing, tied
 from sandbox.model.base import Model
-from sandbox.model.effects.contract import IncompleteError
 from sandbox.model.expressions import Array, Values
 from sandbox.model.joint_ends import span
 from sandbox.model.joints import (
@@ -42,7 +41,7 @@ from sandbox.physics.joints.exact.distances import Row
 from sandbox.physics.joints.exact.equation_count import refuse_too_many
 from sandbox.physics.joints.exact.joint_system import JointSystem
 from sandbox.physics.joints.exact.shake import ExactJoints
-from sandbox.physics.joints.joint_equations import JointEquations, Solved, counted_from
+from sandbox.physics.joints.joint_equations import JointEquations, Solved, counted_from, not_made
 from sandbox.physics.joints.joints import Joints
 from sandbox.physics.joints.latches import Latches
 from sandbox.physics.joints.pymunk_joints import OwnJoint
@@ -235,10 +234,9 @@ class _Assembly:
 
 
 def _require_made(joint: Model) -> None:
-    """Refuse a joint that nothing here makes, which mypy tells before."""
+    """Refuse a joint that nothing here makes, which mypy reports as well."""
     if not isinstance(joint, Solved | Spring):
-        rule = f"take up {type(joint).__name__} in sandbox/physics/joints/joint_equations.py"
-        raise IncompleteError(f"a joint is made by nothing: {rule}")
+        raise not_made(joint)
 
 
 def _ours(level: Level) -> dict[str, Joint]:

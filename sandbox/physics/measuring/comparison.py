@@ -17,9 +17,9 @@ class Difference:
     Attributes
     ----------
     label
-        What it is, in a few words.
+        A short description.
     quantity, unit
-        What was measured.
+        The measured quantity.
     at
         The instant that counts; None if it is the time at which the runs are furthest apart.
     t
@@ -27,7 +27,7 @@ class Difference:
     before, after
         The quantity in the first run and in the second; None where the instant never came.
     scale
-        What is largest of the quantity in the first run; at an instant its value there.
+        The largest value in the first run; at an instant, the value there.
     share
         Their difference over what is largest of the quantity in both runs, from 0 to 2; infinite
         where the instant came in one of them only.
@@ -52,7 +52,7 @@ class Difference:
 
 
 def watched(level: Level) -> list[str]:
-    """Return what tells two runs of a level apart: its checks' quantities, and where bodies are."""
+    """Return the quantities by which runs are compared: those of checks, and positions."""
     dynamic = [name for name, body in level.bodies.items() if body.type == "dynamic"]
     parts = ["position.x", "position.y", *(["angle"] if level.effects.rotation else [])]
     places = [f"{name}.{part}" for name in dynamic for part in parts]

@@ -61,7 +61,7 @@ def to_csv(
     disturbed: bool = False,
     change: Change | None = None,
 ) -> str:
-    """Return a run as CSV: comments that tell how to get it again, a header, a line an instant.
+    """Return a run as CSV: comments that say how to repeat it, a header, and a line per instant.
 
     Every number has the digits that give back its exact bits.
 
@@ -76,7 +76,7 @@ def to_csv(
     disturbed
         Whether a hand has touched the scene, so that nobody can run it again.
     change
-        What was run instead of the level of that source.
+        The change of the level that was run, if it was not the level itself.
     """
     chosen = trace.columns if names is None else names
     columns = [name for name in dict.fromkeys(chosen) if name != "t"]

@@ -25,7 +25,7 @@ def value_at(t: Array, samples: Array, at: float, *, smooth: bool = False) -> fl
 
 
 def value_before(t: Array, samples: Array, at: float, first: int) -> float:
-    """Return the value at a time shortly before four samples, the first of which is given [s]."""
+    """Return the value at a time shortly before four samples, given the first's time [s]."""
     end = first + 3
     return _Polynomial(samples, end)(float(at - t[end]) / float(t[end] - t[first]) * 3)
 

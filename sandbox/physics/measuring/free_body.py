@@ -7,7 +7,7 @@ from typing import NamedTuple
 from sandbox.model.shapes import XY
 
 IMPACT, NORMAL, FRICTION, HAND = "impact", "normal force", "friction", "hand"
-"""The forces that neither an effect nor a joint gives."""
+"""The forces that come neither from an effect nor from a joint."""
 
 
 class Acting(NamedTuple):
@@ -16,11 +16,11 @@ class Acting(NamedTuple):
     Attributes
     ----------
     name
-        What it is called: `weight`, `normal force`, `tension`.
+        The name of the force: `weight`, `normal force`, `tension`.
     by
         Who gives it: a body, a joint; empty where its name says it.
     force
-        Its components [N].
+        The components [N].
     at
         The point that it acts on [m].
     couple
@@ -72,13 +72,13 @@ class FreeBody:
     Attributes
     ----------
     body
-        Its name.
+        The name of the body.
     t
         The time [s].
     mass, moment
         Then [kg, kg m²]; the moment is 0 of what cannot turn.
     center
-        Its centre of mass [m].
+        The centre of mass [m].
     forces
         On it; what is nothing is left out.
     acceleration, angular_acceleration

@@ -131,7 +131,7 @@ class FreeBodies:
         return Acting.of(law.effect.called, "", (x, y), torque, kick.center, arm)
 
     def _called(self, joint: str) -> str:
-        """Return what the force of a joint is called; what has stuck is none of the level's."""
+        """Return the name of a joint's force; bodies that stuck have a joint without a name."""
         known = self._world.level.joints.get(joint)
         return known.kind.pull if known else "reaction"
 

@@ -22,7 +22,7 @@ class Outcome:
     Attributes
     ----------
     goal
-        What was to be reached.
+        The goal.
     unit
         Of the quantity.
     t, measured

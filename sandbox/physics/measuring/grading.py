@@ -22,10 +22,10 @@ from sandbox.physics.measuring.recording import Trace
 Verdict = Literal["passed", "failed", "waiting", "not applicable"]
 
 ROUNDING = 1e-12
-"""A last step that is earlier than the time of a check by this share of it is not too early."""
+"""A run that ends before the time of a check by less than this share of it reaches that time."""
 
 ZERO = 1e-9
-"""An expected value below this, in its SI unit, counts as zero: its error is absolute."""
+"""An expected value below this, in its SI unit, counts as zero: its error is then absolute."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,7 +35,7 @@ class Result:
     Attributes
     ----------
     check
-        What was checked.
+        The check.
     unit
         Of the measured and the expected value.
     t
@@ -105,7 +105,7 @@ def grade_check(check: Check, trace: Trace) -> Result:
 
 
 def least_scale(check: Check, values: Values) -> float:
-    """Return what the errors of a check are relative to at the least; 0 if it does not say."""
+    """Return the least scale of a check's errors; 0 if it gives none."""
     return check.scale(values) if check.scale else 0.0
 
 
@@ -120,14 +120,14 @@ def applies(check: Check, values: Values) -> bool:
 
 
 def samples(trace: Trace, quantity: str, at: Instant | None) -> tuple[Array, Array] | None:
-    """Return the times that count and what was measured there; None if they have not come.
+    """Return the times that count and the values there; None if the run has not come so far.
 
     Parameters
     ----------
     trace
         A run that recorded the quantity, and those that `needed` names for the instant.
     quantity
-        What is measured.
+        The measured quantity.
     at
         A time or an event; every step if None.
     """

@@ -19,7 +19,7 @@ from sandbox.physics.engine.batch import Integers
 from sandbox.physics.stepping.world import World
 
 SUDDEN = 2.0
-"""How many times as much as forces do in a step an impact changes a velocity, at the least."""
+"""The least change of velocity in an impact, as a multiple of what forces cause in a step."""
 
 
 class Impacts(NamedTuple):

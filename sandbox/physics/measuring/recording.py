@@ -24,7 +24,7 @@ from sandbox.physics.energy.book_closure import Closing
 from sandbox.physics.energy.ledger import Ledger
 from sandbox.physics.engine.batch import Integers
 from sandbox.physics.measuring.running_aggregates import over_time
-from sandbox.physics.metering.meter import Meter
+from sandbox.physics.quantities.meter import Meter
 from sandbox.physics.state.errors import SimulationError
 from sandbox.physics.state.snapshot import Snapshot
 from sandbox.physics.stepping.world import Pair, World
@@ -36,13 +36,13 @@ if TYPE_CHECKING:
 Met = TypeVar("Met")
 
 MANY = 1000
-"""How many snapshots are kept before they are measured, at the most."""
+"""The most snapshots that are collected before they are measured."""
 
 STATES = 1_000_000
-"""How many states of bodies these may hold together: some 100 MB."""
+"""The most states of bodies among them: some 100 MB."""
 
 LARGEST = 1e9
-"""Bytes of what is recorded of a run, at the most."""
+"""The most bytes that a recorded run may have."""
 
 
 class Meeting(NamedTuple):
@@ -67,7 +67,7 @@ class Trace:
     Attributes
     ----------
     level, values, stepping
-        What was run.
+        The run.
     t
         (T,), times [s].
     columns
@@ -101,7 +101,7 @@ class Trace:
 
     @property
     def complete(self) -> bool:
-        """Whether it lasts as long as its level says, but for rounding."""
+        """Whether it lasts as long as its level, apart from rounding."""
         return bool(self.t[-1] >= self.level.duration(self.values) * (1 - 1e-12))
 
     def until(self, t: float) -> "Trace":
@@ -210,11 +210,11 @@ class Recorder:
 
     @property
     def full(self) -> bool:
-        """Whether so many instants are noted that memory should hold no more."""
+        """Whether it must not grow any more, for lack of memory."""
         return self._count >= self._most
 
     def require(self, count: int) -> None:
-        """Refuse to record so many instants, if they are more than memory should hold.
+        """Refuse to record more instants than memory should hold.
 
         Raises
         ------
@@ -261,7 +261,7 @@ class Recorder:
             yield float(force * impulse[shared].sum() / total) if total else 0.0
 
     def _measure(self) -> None:
-        """Measure what is fresh, and let go of its snapshots."""
+        """Measure the new snapshots, and drop them."""
         if self._fresh:
             known = len(self._last)
             stack = Snapshot.stack([*self._last, *self._fresh])
@@ -276,7 +276,7 @@ class Recorder:
 
     @property
     def trace(self) -> Trace:
-        """Everything noted so far."""
+        """Everything recorded so far."""
         self._measure()
         if len(self._measured) > 1:
             times, parts = zip(*self._measured, strict=True)
@@ -325,7 +325,7 @@ def needed(level: Level) -> list[str]:
 
 
 def needed_at(quantity: str, at: Instant | None) -> list[str]:
-    """Return a quantity and the one that tells when an instant has come."""
+    """Return a quantity and the one that locates an instant."""
     match at:
         case CrossingEvent(quantity=crossing):
             return [quantity, crossing]

@@ -13,13 +13,13 @@ from sandbox.physics.stepping.world import World
 Step = Callable[[], object]
 
 REPEATS = 5
-"""How often each is run from its start."""
+"""How often each run is timed from its start."""
 
 STEPS = 120
-"""How many steps are taken at the most, in blocks of `BLOCK`."""
+"""The most steps of a timed run, in blocks of `BLOCK`."""
 
 BLOCK = 10
-"""How many steps are timed together: long against the clock, short against what disturbs it."""
+"""The steps that are timed together: long against the clock, short against disturbances."""
 
 
 def step_seconds(
@@ -84,5 +84,5 @@ def _stepping(first: World, start: Callable[[], World]) -> Callable[[], Step]:
 
 
 def brief_costs(*starts: Callable[[], World]) -> tuple[float, ...]:
-    """Return what a step of some worlds costs [s], where somebody waits for the answer."""
+    """Return the cost of a step of some worlds [s], measured quickly."""
     return step_costs(*starts, most=60, repeats=3)

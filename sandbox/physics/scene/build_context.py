@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 class Pairs(NamedTuple):
-    """What `Scene` says of pairs of bodies, and the coefficients of impacts in a sequence."""
+    """The part of a `Scene` about pairs of bodies, and the coefficients of impacts in sequence."""
 
     callbacks: int = 0
     sticking: "Mapping[frozenset[int], Sticking]" = {}  # noqa: RUF012 (nobody writes to it)

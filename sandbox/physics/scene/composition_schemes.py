@@ -1,4 +1,4 @@
-"""Composition schemes: the drifts and kicks of which a fourth-order step is made.
+"""Composition schemes: the drifts and kicks that make up a fourth-order step.
 
 A scheme of higher order is a row of drifts and kicks of different lengths, some of which go back in
 time. The kick at the end of a step belongs in equal parts to that step and to the next. pymunk
@@ -25,7 +25,7 @@ class Composition(NamedTuple):
 
 
 def _composed(half: Sequence[float], reach: float) -> Composition:
-    """Compose leapfrog's steps, of which the first half and the middle one are given.
+    """Compose leapfrog steps, given the first half and the middle one.
 
     Each kick lasts as long as half of the drifts beside it.
     """
@@ -35,7 +35,7 @@ def _composed(half: Sequence[float], reach: float) -> Composition:
 
 
 def _split(drifts: Sequence[float], kicks: Sequence[float], reach: float) -> Composition:
-    """Make a symmetric row of its first drifts and kicks, of which the next is what is left.
+    """Make a symmetric scheme from its first drifts and kicks; the rest follows.
 
     It begins with the first kick, which is therefore half of that at the end of a step.
     """

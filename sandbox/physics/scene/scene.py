@@ -108,23 +108,16 @@ def make_scene(level: Level, values: Values, stepping: Stepping) -> Scene:
     Raises
     ------
     SimulationError
-        If springs are too stiff for the rate, or a drag too strong; if bodies overlap, and the
-        level does not say that they may.
+        If springs or drags are too strong for the rate, or bodies overlap that may not.
     """
-    space = pymunk.Space()
-    space.iterations = stepping.iterations
-    bodies = {name: make_body(name, level, values) for name in level.bodies}
-    space.add(*bodies.values())
+    space, bodies = _make_space(level, values, stepping)
     pairs = _touching(space, bodies, level, values, stepping)
-    mass, moment, inertia = _inertia(list(bodies.values()))
-    inverse_mass = np.divide(1.0, inertia, out=np.zeros_like(inertia), where=inertia > 0)
+    mass, moment, inertia, inverse_mass = _inertia(list(bodies.values()))
     share = mass_share(level.effects, values, list(bodies), mass)
-    field = gravity(level.effects, values, mass, share)
-    if field:
+    if field := gravity(level.effects, values, mass, share):
         space.gravity = field.acceleration
     batch = Batch(space, list(bodies.values()))
-    direct = is_direct(level, stepping)
-    joints = _make_joints(level, values, bodies, batch, inverse_mass, pairs, direct=direct)
+    joints = _make_joints(level, values, stepping, bodies, batch, inverse_mass, pairs)
     switches = _make_switches(level, joints)
     given = Given(level, values, list(bodies), mass, share, 1 / stepping.rate, switches)
     forces, turns = laws(level.effects, given)
@@ -156,6 +149,17 @@ def make_scene(level: Level, values: Values, stepping: Stepping) -> Scene:
     )
 
 
+def _make_space(
+    level: Level, values: Values, stepping: Stepping
+) -> tuple[pymunk.Space, dict[str, pymunk.Body]]:
+    """Make the space, and the bodies in it."""
+    space = pymunk.Space()
+    space.iterations = stepping.iterations
+    bodies = {name: make_body(name, level, values) for name in level.bodies}
+    space.add(*bodies.values())
+    return space, bodies
+
+
 def _hooked(
     made: Made, forces: tuple[Law, ...], turns: tuple[Turn, ...], share: Share
 ) -> tuple[Law, ...]:
@@ -168,16 +172,18 @@ def _hooked(
     return (*forces, *hooked_springs(made, share))
 
 
-def _inertia(bodies: Sequence[pymunk.Body]) -> tuple[Array, Array, Array]:
+def _inertia(bodies: Sequence[pymunk.Body]) -> tuple[Array, Array, Array, Array]:
     """Return masses and moments, 0 where nothing moves or turns [kg, kg m²].
 
-    (n,) and (n,), and side by side for the coordinates x, y, θ: (n, 3).
+    (n,) and (n,), and for the coordinates x, y, θ: (n, 3), and the inverse of that, 0 for 0.
     """
     dynamic = [body.body_type == pymunk.Body.DYNAMIC for body in bodies]
     moment = np.array([body.moment for body in bodies])
     mass = np.where(dynamic, [body.mass for body in bodies], 0.0)
     moment = np.where(np.isfinite(moment) & dynamic, moment, 0.0)
-    return mass, moment, np.stack((mass, mass, moment), axis=1)
+    inertia = np.stack((mass, mass, moment), axis=1)
+    inverse = np.divide(1.0, inertia, out=np.zeros_like(inertia), where=inertia > 0)
+    return mass, moment, inertia, inverse
 
 
 def _touching(
@@ -198,12 +204,11 @@ def _touching(
 def _make_joints(
     level: Level,
     values: Values,
+    stepping: Stepping,
     bodies: dict[str, pymunk.Body],
     batch: Batch,
     inverse_mass: Array,
     pairs: Pairs,
-    *,
-    direct: bool,
 ) -> Joints:
     """Make the joints, if anything may ever hold bodies together."""
     contact = level.effects.contact
@@ -214,7 +219,7 @@ def _make_joints(
 
     space = next(iter(bodies.values())).space
     assert space
-    touches = touches_of(space, level)
+    touches, direct = touches_of(space, level), is_direct(level, stepping)
     joints = assemble(level, values, bodies, batch, inverse_mass, touches, direct=direct)
     if contact and not contact.overlaps:
         from sandbox.physics.contacts.overlaps import refuse_overlaps

@@ -16,16 +16,16 @@ from sandbox.physics.state.errors import SimulationError
 from sandbox.physics.state.motion import Instant, Motion
 
 MARGIN = 4
-"""How many times the least rate is advised: there the energy swings by 6 % at the most."""
+"""The advised rate as a multiple of the least: there the energy swings by 6 % at most."""
 
 READABLE = 1e9
-"""Hz, up to which a rate is told to the last digit."""
+"""Hz, up to which a rate is given to the last digit."""
 
 CLOSE = 1 + 1e-9
-"""By how much a rate may be too low, for rounding."""
+"""How much a rate may be too low, by rounding."""
 
 PROBE = 1e-6
-"""m/s, at which it is asked how strongly what is at rest would be slowed down."""
+"""m/s, the velocity at which the damping of bodies at rest is determined."""
 
 
 def check_drag(

@@ -9,7 +9,7 @@ from sandbox.physics.joints.joints import Joints
 
 
 def make_switches(level: Level, joints: Joints) -> Switches:
-    """Make the switches of what events switch, and give springs that are cut theirs."""
+    """Make a switch for everything that events switch, and connect the springs among it."""
     switches = {name: Switch(first) for name, first in switched(level).items()}
     for name in switches.keys() & joints.springs.keys():
         joints.springs[name] = replace(joints.springs[name], switch=switches[name])

@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
 Look = Callable[[], None]
-"""Looks at what goes on; raises a `SandboxError` to break it off."""
+"""Looks at the situation; raises a `SandboxError` to cancel."""
 
 _asked: tuple[Look, ...] = ()
 
@@ -20,7 +20,7 @@ def cancellation_point() -> None:
     Raises
     ------
     SandboxError
-        What they raise.
+        The errors they raise.
     """
     for look in _asked:
         look()

@@ -28,7 +28,7 @@ class SimulationError(SandboxError):
     rate
         Steps a second at which it should hold; None if no rate that a level may have does [Hz].
     reason
-        What is wrong.
+        The message.
     hint
         What may help, which nobody has tried; empty if nothing is known.
     place
@@ -78,7 +78,7 @@ class SimulationError(SandboxError):
         return SimulationError(self.subject, self.time, reason, self.rate, self._path, self.hint)
 
     def advised(self, hint: Message, rate: float | None) -> "SimulationError":
-        """Return the same with what was found to help, and a rate that holds [Hz]."""
+        """Return the same error with remedies, and a rate that works [Hz]."""
         found = SimulationError(self.subject, self.time, self.reason, rate, self._path, hint)
         found.place = self.place
         return found
@@ -86,7 +86,7 @@ class SimulationError(SandboxError):
     def refuse(self, level: Level) -> None:
         """Say where in a level that cannot start the cause stands, instead of when it stopped.
 
-        That is the subject, if nothing else is known.
+        The subject of the message, if nothing else is known.
         """
         parts = (part for part in ("joints", "bodies") if self.subject in getattr(level, part))
         path = self._path or next(((part, self.subject) for part in parts), ())
@@ -94,7 +94,7 @@ class SimulationError(SandboxError):
 
 
 class BreakdownError(SimulationError):
-    """A run that ended for a reason that nothing has foreseen: a defect, told as well as can be.
+    """A run that ended for an unforeseen reason: a defect of the program.
 
     What was raised is its cause.
     """

@@ -14,7 +14,7 @@ class Clock:
     steps: int = 0
 
     def after(self, ahead: float) -> float:
-        """Return the time [s] so many steps on."""
+        """Return the time [s] a number of steps later."""
         return (self.steps + ahead) * self.dt
 
 
@@ -67,4 +67,4 @@ class Kick:
 
 
 Work = Callable[[Kick], None]
-"""What is done in a kick, and told which it is."""
+"""A part of a kick; it is called with the kick."""

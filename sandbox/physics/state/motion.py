@@ -61,7 +61,7 @@ class Instant(NamedTuple):
 
 
 class Reading:
-    """The motion of n bodies as one array, of which a law takes what it looks at; see `Motion`.
+    """The motion of n bodies as one array, from which laws take what they need; see `Motion`.
 
     Attributes
     ----------

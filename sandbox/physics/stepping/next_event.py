@@ -12,7 +12,7 @@ from sandbox.model.acting_events import Crossing, Happening, loads
 from sandbox.model.expressions import Array
 from sandbox.physics.events.drift_events import NEAR, Part, crosses, within
 from sandbox.physics.events.joint_breaking import SUDDEN
-from sandbox.physics.metering.meter import Meter
+from sandbox.physics.quantities.meter import Meter
 from sandbox.physics.state.snapshot import Snapshot
 from sandbox.physics.stepping.stage import Setup
 

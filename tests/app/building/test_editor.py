@@ -8,7 +8,7 @@ import pytest
 
 from sandbox.app.building.drafts import OFTEN
 from sandbox.app.building.editor import Editor
-from sandbox.app.building.file_offers import offers
+from sandbox.app.building.recovery_choices import offers
 from sandbox.app.window import Window
 from sandbox.editing import recovery
 from sandbox.model import catalog

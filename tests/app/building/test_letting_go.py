@@ -5,7 +5,7 @@ import json
 import pytest
 
 from sandbox.app.building.drafts import Drafts
-from sandbox.app.building.parsed_parts import Readings
+from sandbox.app.building.part_cache import Readings
 from sandbox.app.building.partial_level import Sketch, _body
 from sandbox.model import catalog
 from sandbox.model.body import Body

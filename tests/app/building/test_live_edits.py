@@ -5,7 +5,7 @@ from typing import Any
 import pygame
 import pytest
 
-from sandbox.app.pages.build import content
+from sandbox.app.pages.build import sections
 from sandbox.app.pages.page import Page
 from sandbox.app.pages.register import PAGES
 from sandbox.app.runs import runfile
@@ -241,8 +241,8 @@ def test_a_drop_onto_another_body_is_refused_and_the_run_goes_on_as_it_was(
 
 def test_the_page_tells_that_no_check_holds_for_a_run_that_was_changed(running: Builder) -> None:
     dropped(running)
-    told = [block.text for block in content.above(running.editor, running.person.session)]
-    assert content.NO_FORMULA in told
+    told = [block.text for block in sections.above(running.editor, running.person.session)]
+    assert sections.NO_FORMULA in told
 
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)

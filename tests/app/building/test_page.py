@@ -3,13 +3,13 @@
 import pygame
 
 from sandbox.app.drawing import theme
-from sandbox.app.pages.build import content
+from sandbox.app.pages.build import sections
 from sandbox.app.widgets.widget_helpers import scrolled
 from tests.app.building.builder import Builder
 
 
 def texts(builder: Builder) -> list[str]:
-    return [block.text for block in content.subject(builder.editor)]
+    return [block.text for block in sections.subject(builder.editor)]
 
 
 def test_it_says_when_effects_and_checks_are_shown_and_a_button_leads_there(

@@ -8,7 +8,7 @@ import pytest
 
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
-from sandbox.app.frame_load import FRAME, Load
+from sandbox.app.frame_time import FRAME, Load
 from sandbox.app.pages.accuracy import diagram
 from sandbox.app.pages.accuracy.panel import AccuracyPage
 from sandbox.app.pages.accuracy.studying import Studying

@@ -9,9 +9,9 @@ from pygame_gui.elements import UIButton
 
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
-from sandbox.app.files import own_files
-from sandbox.app.observing.history import History
-from sandbox.app.observing.trail import CAPACITY
+from sandbox.app.files import save_folder
+from sandbox.app.observing.state_history import History
+from sandbox.app.observing.thinned_series import CAPACITY
 from sandbox.app.pages.graph.card import graphs, measured, span_of
 from sandbox.app.pages.graph.choice import Choice, offered
 from sandbox.app.pages.graph.panel import GraphPage
@@ -391,7 +391,7 @@ def test_what_lies_far_beyond_a_closely_seen_part_leaves_its_line_there(pen: Pen
 def test_what_is_saved_is_what_is_seen(
     grapher: Person, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
-    monkeypatch.setattr(own_files, "folder", lambda: tmp_path / "files")
+    monkeypatch.setattr(save_folder, "folder", lambda: tmp_path / "files")
     grapher.drag(on_graph(grapher, 1.0), on_graph(grapher, 2.0))
     across = zoomed(grapher).across
     assert across is not None

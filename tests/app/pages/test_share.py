@@ -10,7 +10,7 @@ import pytest
 
 from sandbox.app import film
 from sandbox.app.background import Background
-from sandbox.app.files import own_files
+from sandbox.app.files import save_folder
 from sandbox.app.pages.share.panel import KINDS, SharePage
 from sandbox.app.runs import runfile
 from sandbox.app.runs.session import Session
@@ -24,7 +24,7 @@ from tests.app.person import Person
 def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """The person's own folder."""
     place = tmp_path / "documents"
-    monkeypatch.setattr(own_files, "folder", lambda: place)
+    monkeypatch.setattr(save_folder, "folder", lambda: place)
     return place
 
 

@@ -7,7 +7,7 @@ import pygame
 import pytest
 
 from sandbox.app.drawing.text import Pen
-from sandbox.app.files import own_files
+from sandbox.app.files import save_folder
 from sandbox.app.pages.table import card
 from sandbox.app.pages.table.panel import TablePage
 from sandbox.app.runs.session import Session
@@ -20,7 +20,7 @@ from tests.app.writing import noted
 @pytest.fixture
 def seated(person: Person, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Person:
     """Somebody who has opened the table after half a second of a throw."""
-    monkeypatch.setattr(own_files, "folder", lambda: tmp_path / "files")
+    monkeypatch.setattr(save_folder, "folder", lambda: tmp_path / "files")
     person.window.open_level("kinematics/projectile")
     for _ in range(30):
         person.press(pygame.K_RIGHT)

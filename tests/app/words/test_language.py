@@ -16,7 +16,7 @@ from sandbox import app
 from sandbox.app.cards.card import Card
 from sandbox.app.cards.energy import ledger
 from sandbox.app.drawing.text import Pen
-from sandbox.app.files import own_files, preferences
+from sandbox.app.files import preferences, save_folder
 from sandbox.app.pages.challenge.panel import ChallengePage
 from sandbox.app.pages.effects.panel import EffectsPage
 from sandbox.app.pages.page import Page
@@ -58,7 +58,7 @@ def few() -> int:
 @pytest.fixture
 def speech(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Speech:
     """Everything that is written, in a window that speaks in capitals and names nothing."""
-    monkeypatch.setattr(own_files, "folder", lambda: Path("/"))
+    monkeypatch.setattr(save_folder, "folder", lambda: Path("/"))
     monkeypatch.setattr(catalog, "root", lambda: tmp_path)
     return Speech(monkeypatch)
 

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 import sandbox
-from sandbox.app.declared_words import has_words
+from sandbox.app.translatable_texts import has_words
 from sandbox.app.words import language
 from sandbox.cli.texts import said_in
 from sandbox.model.errors import LevelError

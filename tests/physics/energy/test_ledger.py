@@ -17,7 +17,7 @@ from sandbox.model.quantities import QuantityError
 from sandbox.physics.energy.balance import Balance
 from sandbox.physics.energy.ledger import Ledger
 from sandbox.physics.measuring.recording import count_steps
-from sandbox.physics.metering.meter import Meter
+from sandbox.physics.quantities.meter import Meter
 from sandbox.physics.run import build, simulate
 from sandbox.physics.stepping.world import World
 from tests.physics.scenes import GRAVITY, G, Spec, atwood, box, disc, floor, incline, level, orbit

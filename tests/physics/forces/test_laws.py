@@ -22,7 +22,7 @@ from sandbox.physics.forces.law import Law
 from sandbox.physics.forces.spring import SpringForce, SpringRows
 from sandbox.physics.forces.thrust import Thrust
 from sandbox.physics.forces.variable_mass import Flow
-from sandbox.physics.metering.meter import Meter
+from sandbox.physics.quantities.meter import Meter
 from sandbox.physics.run import build
 from sandbox.physics.state.anchor import Anchor
 from sandbox.physics.state.motion import Instant

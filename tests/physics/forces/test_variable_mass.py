@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from sandbox.model.expressions import Array
 from sandbox.model.level import Level
-from sandbox.physics.metering.meter import Meter
+from sandbox.physics.quantities.meter import Meter
 from sandbox.physics.run import build
 from tests.physics.scenes import GRAVITY, G, Spec, box, disc, floor, level, measured, worst
 

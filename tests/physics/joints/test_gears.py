@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from sandbox.model.level import Level
 from sandbox.physics.energy.ledger import Ledger
-from sandbox.physics.metering.meter import Meter
+from sandbox.physics.quantities.meter import Meter
 from sandbox.physics.run import build
 from tests.physics.scenes import box, disc, level
 

@@ -9,7 +9,7 @@ import pytest
 from sandbox.model.level import Level
 from sandbox.model.loading import parse
 from sandbox.physics.joints import pulley as pulley_string
-from sandbox.physics.metering.meter import Meter
+from sandbox.physics.quantities.meter import Meter
 from sandbox.physics.run import build
 from sandbox.physics.state.errors import SimulationError
 from tests.physics.scenes import (

@@ -15,8 +15,9 @@ from sandbox.model.level import Level
 from sandbox.model.quantities import quantities
 from sandbox.model.reference_fields import NAMES
 from sandbox.model.schemes import unsmooth
+from sandbox.physics.joints.joint_equations import _rows
 from sandbox.physics.joints.joint_forces import pulls_of
-from sandbox.physics.metering.meter import Meter
+from sandbox.physics.quantities.meter import Meter
 from sandbox.physics.run import build
 from tests.effects import SCHEMA, Part, resolved
 from tests.physics.scenes import GRAVITY, disc, level
@@ -118,10 +119,17 @@ def test_a_joint_that_nothing_makes_is_told_when_its_level_is_built() -> None:
     unmade = Whole(type="whole", ends=("a", "b"))
     this = scene("rod").model_copy(update={"joints": {"tie": unmade}})
 
-    with pytest.raises(SandboxError, match="a joint is made by nothing: take up Whole in") as told:
+    with pytest.raises(SandboxError, match="no code makes this joint: add Whole to") as told:
         build(this)
 
     assert "numbers" not in str(told.value)  # they are not to blame
+
+
+def test_a_joint_in_a_union_without_a_case_is_told() -> None:
+    unmade: Any = Whole(type="whole", ends=("a", "b"))
+
+    with pytest.raises(IncompleteError, match="no code makes this joint: add Whole to"):
+        _rows("tie", unmade, (), 1.0, {})
 
 
 def test_a_joint_that_says_nothing_of_itself_is_told_with_its_place() -> None:
@@ -130,6 +138,6 @@ def test_a_joint_that_says_nothing_of_itself_is_told_with_its_place() -> None:
         kinds([Whole, Cable])
 
     assert str(told.value) == (
-        "the joint 'cable' says nothing of itself: add 'kind: ClassVar[Kind] = Kind(...)' to the"
+        "the joint 'cable' has no declaration: add 'kind: ClassVar[Kind] = Kind(...)' to the"
         " class Cable in tests/physics/joints/test_register"
     )

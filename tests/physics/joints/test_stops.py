@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from sandbox.model.errors import LevelError
 from sandbox.model.level import Level
 from sandbox.physics.energy.ledger import Ledger
-from sandbox.physics.metering.meter import Meter
+from sandbox.physics.quantities.meter import Meter
 from sandbox.physics.run import build
 from tests.physics.scenes import GRAVITY, G, box, disc, floor, level
 

@@ -5,7 +5,7 @@ from math import cos, hypot, pi, sin
 from validation.compose.scene_builder import Draft, held
 
 ROOM = 0.05
-"""m, that is left between bodies at the start."""
+"""m, the least distance between bodies at the start."""
 
 
 def tree(draft: Draft) -> None:
@@ -68,7 +68,7 @@ def _place(
 
 
 def _body(draft: Draft, name: str, place: tuple[float, float], reach: float) -> None:
-    """Add a body of any shape that reaches so far, and turns anyhow."""
+    """Add a body of any shape with some radius, turned at random."""
     shape: dict[str, object]
     match draft.pick(("disc", "box", "polygon")):
         case "disc":

@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterable
 from typing import Protocol, TypeVar
 
 TITLES = {"newton": "Newton's laws", "lagrange": "Lagrangian mechanics"}
-"""Of chapters that are not called as their folders are."""
+"""The titles of chapters that differ from the names of their folders."""
 
 T = TypeVar("T")
 
@@ -24,7 +24,7 @@ class OfLevel(Protocol):
 
 
 def by_chapter(things: Iterable[T], whose: Callable[[T], OfLevel]) -> list[tuple[str, list[T]]]:
-    """Return things chapter by chapter, each by the level of what it is about."""
+    """Group things by chapter, given the level of each."""
     groups: dict[str, list[T]] = {}
     for thing in things:
         groups.setdefault(chapter(whose(thing).level), []).append(thing)

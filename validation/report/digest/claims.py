@@ -12,7 +12,7 @@ from validation.cost.summary import ROUNDING
 from validation.report.digest.chapters import by_chapter
 
 CLOSEST = 5
-"""How many cases are shown that come closest to their bounds."""
+"""How many of the cases closest to their bounds are shown."""
 
 
 @dataclass(frozen=True, slots=True)

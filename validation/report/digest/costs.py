@@ -10,7 +10,7 @@ from validation.cost.sweep import NAIVE, OURS, Sweep
 from validation.report.digest.chapters import by_chapter
 
 Row = tuple[Sweep, Headline, float | None]
-"""A sweep, its headline, and the order of ours."""
+"""A sweep, its headline, and the order of the sandbox's scheme."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,4 +1,4 @@
-"""The outcome of the hard cases, and how hard they can be made."""
+"""The outcome of the hard cases, and their frontiers."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -12,7 +12,7 @@ GROUPS = {
     "C": "standing, holding together, or keeping their energy",
     "D": "beyond pymunk's own solver",
 }
-"""What is claimed of the hard cases."""
+"""The claims of the groups of hard cases."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,7 +26,7 @@ class HardCases:
     failed
         What does not hold, and should.
     out_of_reach
-        What is known not to hold, and why.
+        The known failures, and why.
     """
 
     cases: tuple[Hard, ...]

@@ -27,7 +27,7 @@ SEARCHED = (
     compositions,
     dumbbells,
 )
-"""Those with frontiers."""
+"""The families with frontiers."""
 
 FAMILIES = (exact, bounces, *SEARCHED)
 

@@ -24,7 +24,7 @@ from validation.stability.scene import (
 FAMILY = "chains"
 
 HOLDS = 0.01
-"""Of a link."""
+"""As a share of a link's length."""
 
 TRUE = 1e-4
 SWINGS = "energy, of the kinetic, and lengths, of a link, to 1e-4: what the levels promise"

@@ -29,10 +29,10 @@ FAMILY = "compositions"
 RATE = 240.0  # Hz
 
 CARRIES = 1e-9
-"""Of the force."""
+"""As a share of the force."""
 
 ROLLS = 1e-6
-"""Of the force."""
+"""As a share of the force."""
 
 WHEEL = 10.0  # kg
 AXLES = {"back": -0.5, "front": 0.5}  # m
@@ -44,7 +44,7 @@ MARGIN = 0.01
 
 SLIPS = 0.25  # s
 CREEPS = 0.01
-"""Of the way that the heavier weight has slipped at the end."""
+"""As a share of the way that the heavier weight has slipped at the end."""
 
 STANDS = 1e-9  # m
 

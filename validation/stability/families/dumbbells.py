@@ -23,11 +23,11 @@ BOUNCES = 1e-10  # m/s
 AS_ONE = "the ends leave the floor as those of one rigid body, to 1e-10 of the speed of the fall"
 
 DUMBBELLS = ((20, 1.0, True), (35, 0.6, False), (70, 0.3, True), (10, 0.0, False), (85, 0.8, True))
-"""Their angles [°], restitution, and whether the upper end is the heavy one."""
+"""Angle [°], restitution, and whether the upper end is the heavy one."""
 
 
 def dumbbells(ratio: float) -> Document:
-    """Return dumbbells of 1 m that fall on a smooth floor aslant, one end so many times heavier."""
+    """Return slanted dumbbells of 1 m that fall on a smooth floor, with one end heavier."""
     bodies: Document = {"ground": block((0, -0.5), 20, 1, restitution=1)}
     joints: Document = {}
     checks = []
@@ -61,7 +61,7 @@ def _masses(ratio: float, *, top_heavy: bool) -> tuple[float, float]:
 
 
 def misses(run: Run) -> float:
-    """Return how far a dumbbell leaves the floor otherwise than as one body, at the most [m/s].
+    """Return by how much a dumbbell leaves the floor differently from one rigid body [m/s].
 
     Looked at in the first instant after its impact: the velocity of its centre of mass, and its
     spin times its length of 1 m.

@@ -32,7 +32,7 @@ from validation.stability.scene import (
 FAMILY = "oscillators"
 
 SECOND = 1.9
-"""The power of the step by which an error of second order is seen to fall, at the least."""
+"""The least power of the step with which an error of second order must fall."""
 
 NEAR, ECCENTRICITY, PULL = 1.5, 0.5, 8.0  # m, 1, m³/s²
 YEAR = kepler_period(NEAR / (1 - ECCENTRICITY), PULL)  # s
@@ -71,7 +71,7 @@ def strays(run: Run) -> float:
 
 
 def pendulum(degrees: float, rate: float = RATE, far: float = 0.0) -> Document:
-    """Return a pendulum of 1 m that is let go at an angle, somewhere [m]."""
+    """Return a pendulum of 1 m that is let go at an angle, at some position [m]."""
     angle = np.radians(degrees)
     return level(
         f"A pendulum of {degrees:g}°",
@@ -137,7 +137,7 @@ def damped(run: Run) -> float:
 
 
 def stiff(share: float = 1.99, rate: float = RATE) -> Document:
-    """Return a spring of which ω dt is a given number."""
+    """Return a spring with a given ω dt."""
     stiffness = (share * rate) ** 2
     return level(
         f"A spring at ω dt = {share:g}",

@@ -17,11 +17,11 @@ from sandbox.model.level import Level
 from sandbox.model.shapes import XY
 
 FINER = 10
-"""How many lines there are for one of the grid, where what is drawn is too small for that."""
+"""How many times as fine the grid becomes where a shape is too small for it."""
 
 
 class Stretching(ABC):
-    """Press, drag and let go; or click twice."""
+    """Draws by pressing, dragging and releasing, or by two clicks."""
 
     begins = ""
     """what the first point is"""

@@ -52,7 +52,7 @@ CLICKS: Mapping[str, Clicks] = {
     ),
     "wire": Clicks((later("Click the bead"), later("Click a point that its wire goes through"))),
 }
-"""What is clicked for joints that are not simply held at two ends."""
+"""What to click for joints that do not simply connect two ends."""
 
 
 class JoinTool:

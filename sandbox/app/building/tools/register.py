@@ -17,7 +17,7 @@ TOOLS: tuple[Kind, ...] = (
     Kind("join", "Joint", "7", "tie bodies together, or to the plane", JoinTool),
     Kind("delete", "Delete", "8", "delete what is clicked on", DeleteTool),
 )
-"""In the order of the palette; the first is in hand at first."""
+"""All tools in the order of the palette; the first is active at first."""
 
 
 def kind(name: str) -> Kind:

@@ -22,11 +22,12 @@ from sandbox.model.level import Level
 from sandbox.model.shapes import XY
 
 STEP = radians(5)
-"""rad, to whole ones of which a body is turned unless Alt is held."""
+"""rad, bodies turn by whole multiples of this unless Alt is held."""
 
 
 CROWD = 60
-"""How many bodies are drawn where they are moved to; of more only the frame around them is."""
+"""Up to how many bodies are drawn where they are moved to; beyond that, only a frame around
+them."""
 
 NOWHERE = Snapped((0.0, 0.0), "")
 
@@ -122,12 +123,12 @@ class SelectTool:
             self._way = self._snapped((x - a, y - b), spot)
 
     def _snapped(self, by: XY, spot: Spot) -> Snapped:
-        """Return by how much what is selected is moved [m]; Alt lets go."""
+        """Return by how much the selection moves [m]; with Alt it does not snap."""
         moved = self._moved
         return self._bench.snapped_by(moved, by) if moved and not spot.loose else Snapped(by, "")
 
     def release(self, spot: Spot) -> None:
-        """Change what was dragged, and select what was caught."""
+        """Apply the drag, and select what is inside the frame."""
         start, doing = self._start, self._doing
         if start is None:
             return
@@ -172,10 +173,10 @@ class SelectTool:
         self._bench.change(say("resize"), edit)
 
     def finish(self) -> None:
-        """Do nothing: to let go ends it."""
+        """Do nothing: releasing the mouse ends it."""
 
     def cancel(self) -> None:
-        """Let go of what is dragged, as it was."""
+        """Put back what is dragged."""
         self._doing, self._handle, self._start, self._now = Doing.NOTHING, None, None, None
         self._way = NOWHERE
         self._bench.ignored = frozenset()

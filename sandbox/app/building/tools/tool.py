@@ -23,7 +23,7 @@ class Bench(Protocol):
     Attributes
     ----------
     camera
-        From where the stage is seen.
+        The camera of the stage.
     sketch
         The level as it is drawn.
     selected
@@ -46,7 +46,7 @@ class Bench(Protocol):
         ...
 
     def tell(self, text: str) -> None:
-        """Tell something in the banner."""
+        """Show a message in the banner."""
         ...
 
     def select(self, parts: Sequence[Part]) -> None:
@@ -96,7 +96,7 @@ class Tool(Protocol):
         ...
 
     def cancel(self) -> None:
-        """Give up what was begun, or the last part of it."""
+        """Cancel what was begun, or its last part."""
         ...
 
     def draw(self, surface: pygame.Surface, pen: Pen) -> None:

@@ -68,7 +68,7 @@ class Tracing:
         """Do nothing: a click has set a point already."""
 
     def finish(self) -> None:
-        """Make what is set so far, if that is enough."""
+        """Make the shape from the points so far, if they are enough."""
         points = tuple(self._points)
         if len(points) >= self.least:
             self._points.clear()
@@ -166,7 +166,7 @@ class CurveTool:
             self._bench.make(say("draw freely"), edit)
 
     def finish(self) -> None:
-        """Do nothing: to let go ends it."""
+        """Do nothing: releasing the mouse ends it."""
 
     def cancel(self) -> None:
         """Forget the stroke."""

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import pygame
 
-from sandbox.app.drawing import lines, signs, theme
+from sandbox.app.drawing import curve_markers, lines, theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
 from sandbox.app.words import formatting
@@ -16,7 +16,7 @@ from sandbox.physics.accuracy.study import Here, Point
 
 LEFT, BELOW, ABOVE, RIGHT = 38, 36, 8, 18  # px, around the field
 LEAST = 1e-16
-"""Of an error: what is less is drawn there."""
+"""The smallest error that is drawn; smaller ones are drawn here."""
 
 
 def colors() -> Mapping[str, Color]:
@@ -41,7 +41,7 @@ class Axis(NamedTuple):
         return self.start + share * (self.end - self.start)
 
     def powers(self, most: int) -> Iterator[int]:
-        """Yield exponents to be written, at most so many."""
+        """Yield exponents to label, at most so many."""
         every = max(ceil((self.high - self.low + 1) / most), 1)
         return iter(range(self.low, self.high + 1, every))
 
@@ -75,7 +75,7 @@ def draw(
         line = [_pixel(p, across, up) for p in points if p.scheme == scheme]
         lines.path(surface, theme.faded(color, 0.6), line, 1)
         for pixel in line:
-            signs.sign(surface, _place(scheme), color, pixel)
+            curve_markers.sign(surface, _place(scheme), color, pixel)
     if here:
         pygame.draw.aacircle(surface, theme.TEXT, _pixel(here, across, up), 8, 2)
     return surface
@@ -110,7 +110,7 @@ def legend(pen: Pen, width: int, points: Sequence[Point]) -> pygame.Surface:
     surface.fill(theme.PANEL)
     for i, scheme in enumerate(schemes):
         x, y = (i % 2) * width // 2, (i // 2) * height
-        signs.sign(surface, _place(scheme), colors()[scheme], (x + 6, y + height // 2))
+        curve_markers.sign(surface, _place(scheme), colors()[scheme], (x + 6, y + height // 2))
         surface.blit(pen.write(formatting.scheme(scheme), 12, theme.DIM), (x + 16, y))
     return surface
 

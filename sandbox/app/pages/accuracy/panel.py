@@ -18,9 +18,9 @@ DIAGRAM = 158  # px, its height
 MEASURE, CANCEL = later("Measure"), later("Cancel")
 HEIGHT = 26  # px, of the button
 DIAL = 2, 10
-"""The digits that can be asked for, from fast to exact."""
+"""The range of digits that can be asked for, from fast to exact."""
 UNASKED = 6
-"""Where the dial stands while none are asked for."""
+"""The position of the dial while no accuracy is asked for."""
 
 
 class AccuracyPage:

@@ -1,4 +1,4 @@
-"""The study of the run's accuracy: what is known so far, and the work that goes on."""
+"""The study of the run's accuracy: its results so far, and the work in progress."""
 
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
@@ -77,7 +77,7 @@ class Studying:
         return self._work.pid
 
     def follow(self, session: Session, seconds: float, *, watched: bool) -> str | None:
-        """Find out what is not known of a session, and play with what was looked for.
+        """Study what is unknown about a session's run, and apply a setting that was found.
 
         Returns the message for it. The study goes on only while the page is open.
         """
@@ -150,7 +150,7 @@ class Studying:
         self.progress, self.news = None, object()
 
     def _look(self) -> Setting | None:
-        """Take in what was found since; return a setting that was looked for."""
+        """Take in new results; return a setting that was searched for."""
         was_running, found = self._work.running, None
         for finding in self._work.found():
             self.news = object()

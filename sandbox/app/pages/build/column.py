@@ -17,7 +17,7 @@ from sandbox.app.widgets.text_field import Field
 HEIGHT = 24  # px, of a button and of a field
 GAP = 4  # px, between two
 SMALL = "@small"
-"""The look of these buttons, and of their fields."""
+"""The style of these buttons, and of their fields."""
 SIZE = 12  # of their captions, as widgets.json says
 PADDING = 14  # px, beside a caption, left and right together
 
@@ -103,7 +103,7 @@ class Column:
         return button
 
     def buttons(self, acts: Sequence[Act], x: int = 0) -> list[UIButton]:
-        """Put buttons beside each other, and go on below them."""
+        """Put buttons in a row, and continue below it."""
         places = beside(self._sheet.pen, [act.caption for act in acts], self._sheet.width - x)
         made = [
             self.button(place.move(x, 0), act.caption, act.tip)

@@ -21,7 +21,7 @@ UNIT = 44  # px
 SLIDER = 44  # px
 INDENT = 10  # px, of what belongs to a section
 MOST = 300
-"""Letters; what is longer is no line to type."""
+"""Characters; a longer text is not edited in a line."""
 TOO_LONG = later("too long for one line: edit it in the file")
 SWITCHED: Mapping[str, str] = {later("no"): "false", later("yes"): "true"}
 
@@ -55,7 +55,7 @@ class Inspector:
         self._focused: Path | None = None
 
     def shape(self, rows: Sequence[Row], numbers: Collection[Path]) -> tuple[object, ...]:
-        """Return what must be built anew if it changes: all but what is typed."""
+        """Return everything that requires new widgets when it changes: all but the typed text."""
         found: list[object] = []
         for row in rows:
             if isinstance(row, Section):
@@ -184,7 +184,7 @@ class Inspector:
         return [(line, line.field) for line in self._lines.values() if line.field is not None]
 
     def keep(self) -> None:
-        """Note what is being typed, or was refused, before all is built anew."""
+        """Note what is being typed, or was refused, before the widgets are rebuilt."""
         self._focused = next((li.entry.path for li, f in self._fields if f.is_focused), None)
         self._kept = {
             line.entry.path: (field.get_text(), line.shown)
@@ -259,7 +259,7 @@ class Inspector:
 
 
 def _options(entry: Entry) -> Mapping[str, str]:
-    """Return what there is to choose from, and what a level says for it."""
+    """Return the options of a choice, and the option that the level has."""
     if entry.sort == "switch":
         return {say(caption): means for caption, means in SWITCHED.items()}
     return {say(caption_of(choice)): choice for choice in entry.choices}

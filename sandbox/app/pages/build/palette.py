@@ -17,7 +17,7 @@ from sandbox.app.widgets.widget_helpers import allow, press, stretched
 from sandbox.app.words.language import later, say, say_in
 
 ACROSS = 4
-"""How many tools stand beside each other."""
+"""The number of tools in a row."""
 TRY, STOP = later("Try it"), later("Back to building")
 
 

@@ -12,11 +12,11 @@ from sandbox.app.building import inspection
 from sandbox.app.building.button_action import Act
 from sandbox.app.building.editor import Editor
 from sandbox.app.building.fields import Row
-from sandbox.app.pages.build import content
+from sandbox.app.pages.build import sections
 from sandbox.app.pages.build.column import GAP, HEIGHT, Column
-from sandbox.app.pages.build.content import Block
 from sandbox.app.pages.build.inspector import Inspector, Line
 from sandbox.app.pages.build.palette import Palette
+from sandbox.app.pages.build.sections import Block
 from sandbox.app.pages.page import Desk
 from sandbox.app.widgets.sheet import Sheet
 from sandbox.app.widgets.widget_helpers import press, scroll
@@ -64,7 +64,7 @@ class BuildPage:
     # what is asked for
 
     def process(self, event: pygame.event.Event) -> str | None:
-        """Do what was clicked on or typed; the editor shows the message for it."""
+        """Handle a click or a typed text; the editor shows the message for it."""
         for line in self.inspector.left():
             self._set(line)
         if event.type == UI_BUTTON_PRESSED:
@@ -107,7 +107,7 @@ class BuildPage:
         self._assign(line, means)
 
     def _enter(self, element: object) -> bool:
-        """Take what was typed; a field that is done with leaves the keys to the tools."""
+        """Apply a typed text; a field that is finished returns the keys to the tools."""
         if element is self._name:
             self._save_here()
             return True
@@ -189,12 +189,12 @@ class BuildPage:
     def _blocks(self) -> Blocks:
         """Return what stands above the name that is asked for, and below that."""
         editor = self._editor
-        below = content.subject(editor)
+        below = sections.subject(editor)
         if editor.saving.naming:
             here = Act(say("Save here"), say("write the file (Enter)"), self._save_here)
             leave = Act(say("Do not save"), say("go on without (Esc)"), editor.saving.stop_naming)
             below.insert(0, Block("", acts=(here, leave)))
-        return content.above(editor, self._session), [*below, *content.arranging(editor)]
+        return sections.above(editor, self._session), [*below, *sections.arranging(editor)]
 
     def _build(
         self, blocks: Blocks, rows: Sequence[Row], numbers: Collection[json_positions.Path]
@@ -229,7 +229,7 @@ class BuildPage:
             self._sheet.manager.set_focus_set(self._name.get_focus_set())
 
     def _refresh(self, blocks: Blocks) -> None:
-        """Let the buttons do what they say of the level as it is now."""
+        """Connect the buttons to the present level."""
         shown = [block for part in blocks for block in part]
         acts = [act for block in shown for act in block.acts]
         pressed = [act.caption in block.pressed for block in shown for act in block.acts]

@@ -47,7 +47,7 @@ def standing(pen: Pen, width: int, session: Session, best: int) -> pygame.Surfac
     Parameters
     ----------
     pen, width, session
-        What it is drawn with, how wide [px], and whose challenge.
+        The pen, the width [px], and the session of the challenge.
     best
         The most stars that were earned before.
     """
@@ -131,7 +131,7 @@ def _goal(card: Card, outcome: Outcome, label: str) -> None:
 
 
 _SIGNS: dict[Standing, str] = {"met": "✓", "missed": "×", "open": "…"}
-"""A standing must not be told by its colour alone."""
+"""A sign for each standing, which must not be shown by its colour alone."""
 
 
 def _color(standing: Standing) -> Color:

@@ -6,7 +6,7 @@ from sandbox.app.words.language import later, say
 
 
 class Judge:
-    """Watches runs, and tells when one earns more stars than any before.
+    """Watches runs, and reports when one earns more stars than any before.
 
     Attributes
     ----------
@@ -29,7 +29,7 @@ class Judge:
         return self._progress.stars(session.original.title)
 
     def follow(self, session: Session, seconds: float, *, watched: bool) -> str | None:  # noqa: ARG002
-        """Look at a run that is over; return what it has earned, None if nothing is to be told."""
+        """Judge a finished run; return its result, None if there is nothing to report."""
         found = session.attempt()
         if found is None or not found.complete or found is self._told:
             return None

@@ -90,7 +90,7 @@ class EffectsPage:
         return self._switches[effect]
 
     def scale(self, effect: str, times: float) -> UIButton:
-        """Return the button that makes an effect so many times as strong."""
+        """Return the button that scales the strength of an effect."""
         return next(b for b, said in self._scales.items() if said == (effect, times))
 
     @property

@@ -18,7 +18,7 @@ DECLARED = later("as the level declares it")
 
 
 def toggle(session: Session, effect: str) -> None:
-    """Switch an effect off or on, and start anew.
+    """Switch an effect off or on, and restart the comparison.
 
     Raises
     ------
@@ -34,7 +34,7 @@ def toggle(session: Session, effect: str) -> None:
 
 
 def strengthen(session: Session, effect: str, times: float) -> None:
-    """Make an effect that was switched on so many times as strong, and start anew; see `toggle`."""
+    """Scale an effect that was switched on, and restart the comparison; see `toggle`."""
     before = session.changes.strength
     strength = {**before, effect: before.get(effect, 1.0) * times}
     change(session, replace(session.changes, strength=strength))

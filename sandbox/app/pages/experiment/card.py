@@ -56,7 +56,7 @@ def curve(
 
 
 def unit_of(level: Level, chosen: Chosen) -> str:
-    """Return the unit of what is measured; empty where it has none, or cannot be measured."""
+    """Return the unit of the measured quantity; empty if it has none, or is unknown."""
     try:
         return parse(chosen.measure, level, until=False).unit
     except MeasureError:
@@ -75,7 +75,7 @@ def nearest(points: Sequence[Point], at: float) -> Point | None:
 
 
 def _series(points: Sequence[Point]) -> Iterator[Series]:
-    """Yield the closed form, and what was measured."""
+    """Yield the closed form, and the measured values."""
     at = np.array([p.at for p in points])
     for color, dashed, column in (
         (theme.mix(theme.BODIES[0], theme.TEXT, 0.5), True, [p.expected for p in points]),
@@ -87,7 +87,7 @@ def _series(points: Sequence[Point]) -> Iterator[Series]:
 
 
 def _point_text(card: Card, level: Level, chosen: Chosen, point: Point | None) -> None:
-    """Tell what came of a run, in figures."""
+    """Describe the result of a run in numbers."""
     if point is None:
         card.text(say(HINT), 12, theme.DIM)
         return

@@ -26,7 +26,7 @@ class Exploring:
     Attributes
     ----------
     points
-        What is known by now, in the order of the parameter.
+        The points so far, in the order of the parameter.
     failure
         Why nothing can be run; empty if something can.
     news
@@ -82,7 +82,7 @@ class Exploring:
             self.news = object()
 
     def follow(self, session: Session, seconds: float, *, watched: bool) -> str | None:
-        """Make the runs of what is shown, while it is watched."""
+        """Run the samples of the shown curve while the page is open."""
         chosen = self.chosen(session)
         scene = _scene(session, chosen)
         if scene != self._scene:
@@ -98,7 +98,7 @@ class Exploring:
         return None
 
     def _look(self) -> None:
-        """Take in what was found since."""
+        """Take in new results."""
         was_running = self._work.running
         for finding in self._work.found():
             self.news = object()
@@ -124,7 +124,7 @@ def measures(session: Session) -> list[str]:
 
 
 def _scene(session: Session, chosen: Chosen | None) -> object:
-    """Return what the curve depends on: not on the value of what is varied."""
+    """Return what the curve depends on: everything but the value of the varied parameter."""
     varied = chosen.parameter if chosen else ""
     rest = tuple((name, value) for name, value in session.values.items() if name != varied)
     return session.original, session.changes, session.world.stepping, rest, chosen

@@ -19,7 +19,7 @@ MOST_ROWS = 4, 8  # of the two lists
 
 
 class ExperimentPage:
-    """A curve, and below it the lists of what can be varied, and what measured."""
+    """A curve, and lists of what can be varied and measured."""
 
     def __init__(self, sheet: Sheet, desk: Desk) -> None:
         self._sheet, self._session = sheet, desk.session
@@ -54,7 +54,7 @@ class ExperimentPage:
         return self._field.move(self._curve.rect.topleft)
 
     def process(self, event: pygame.event.Event) -> str | None:
-        """Draw what was chosen, tell what is under the mouse, and run what is clicked on."""
+        """Draw the chosen curve, describe the point under the mouse, and run it on a click."""
         if event.type == pygame.MOUSEMOTION:
             self._follow(event.pos)
         elif event.type == pygame.MOUSEBUTTONDOWN and event.button == 1:
@@ -100,7 +100,7 @@ class ExperimentPage:
             self._show()
 
     def _show(self) -> None:
-        """Draw the curve anew, and put the lists below it."""
+        """Draw the curve again, with the lists below it."""
         self._sheet.replace(self._curve, self._drawn())
         y = below(self._curve) + 8
         for title, chooser in zip(self._titles, self.lists, strict=True):

@@ -18,7 +18,7 @@ COUNT = 65
 
 
 class Point(NamedTuple):
-    """What came of one run."""
+    """The result of one run."""
 
     at: float
     """the parameter's value"""
@@ -35,7 +35,7 @@ class Refused(NamedTuple):
 
 
 def sample(level: Level, values: Values, parameter: str, measure: str) -> Iterator[Point | Refused]:
-    """Yield the points of a curve, those that tell most of its form first.
+    """Yield the points of a curve, those that reveal most of its form first.
 
     Parameters
     ----------
@@ -44,7 +44,7 @@ def sample(level: Level, values: Values, parameter: str, measure: str) -> Iterat
     values
         Of all parameters; that which is varied takes those of its range instead.
     parameter, measure
-        What is varied, and what is measured, as an experiment writes it.
+        The varied parameter and the measure, in the form of an experiment's file.
     """
     try:
         plan = _plan(level, values, parameter, measure)

@@ -10,7 +10,7 @@ ALONG_X: XY = (1.0, 0.0)
 
 
 class Axes:
-    """Remembers what was chosen, for as long as the window is open.
+    """Remembers the choice of axes, as long as the window is open.
 
     Attributes
     ----------

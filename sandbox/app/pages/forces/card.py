@@ -28,7 +28,7 @@ CLOSED = later("One force was computed from the others and m a, so their sum pro
 
 
 def forces(pen: Pen, width: int, session: Session, axes: Axes) -> pygame.Surface:
-    """Draw the forces on the body that is looked at."""
+    """Draw the forces on the selected body."""
     card, body = Card(pen, width), session.looking.body(session.level)
     card.heading(say("Forces on {body}", body=body) if body else say("Forces"))
     found = session.looking.at(session.world)

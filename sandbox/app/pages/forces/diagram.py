@@ -21,7 +21,7 @@ APART = 7.0  # px, between arrows that would lie on each other
 FURTHER = range(16, 45, 14)  # px, how far off words may stand from their arrow
 SIMILAR = 0.12  # rad, between directions that look alike
 FLAT = 0.04
-"""The least share of its length that a polygon is wide, if it is not to be drawn apart."""
+"""A polygon that is narrower than this share of its length is drawn pulled apart."""
 
 
 def free_body(pen: Pen, size: tuple[int, int], found: FreeBody) -> pygame.Surface:

@@ -47,7 +47,7 @@ class ForcesPage:
         return None
 
     def update(self) -> None:
-        """Draw the forces anew."""
+        """Draw the forces again."""
         for button, inclined in self._buttons:
             press(button, self._axes.inclined is inclined)
         self._sheet.replace(self._image, self._drawn())

@@ -7,11 +7,11 @@ import numpy as np
 import pygame
 
 from sandbox.app.cards.card import GAP, Card
-from sandbox.app.drawing import signs, theme
+from sandbox.app.drawing import curve_markers, theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
 from sandbox.app.observing.earlier_runs import alike
-from sandbox.app.observing.history import History
+from sandbox.app.observing.state_history import History
 from sandbox.app.pages.graph.zoom import WHOLE, Graph, Zoom
 from sandbox.app.runs.session import Session
 from sandbox.app.widgets import plot
@@ -23,7 +23,7 @@ from sandbox.model.expressions import Array
 from sandbox.model.quantities import TIME
 from sandbox.physics.accuracy.trusted_digits import Trust
 from sandbox.physics.measuring.grading import applies
-from sandbox.physics.metering.meter import Meter
+from sandbox.physics.quantities.meter import Meter
 from sandbox.physics.stepping.world import World
 
 HEIGHT = 150  # px, of a graph
@@ -42,14 +42,14 @@ def graphs(
     pen: Pen, width: int, session: Session, up: Sequence[str], across: str, cursor: float | None,
     trust: Mapping[str, Trust] = NOT_KNOWN, zoom: Zoom = WHOLE,
 ) -> Graphs:  # fmt: skip
-    """Draw quantities of the run so far against another; fainter, what is known to come.
+    """Draw quantities of the run so far against another; fainter, the known future.
 
     Parameters
     ----------
     pen, width
-        What it is drawn with, and how wide [px].
+        The pen, and the width [px].
     session
-        Whose run.
+        The session of the run.
     up, across
         The names of the quantities.
     cursor
@@ -100,7 +100,7 @@ def _put(
 def _other_runs(
     session: Session, names: Sequence[str]
 ) -> tuple[Sequence[Mapping[str, Array]], Mapping[str, Array] | None]:
-    """Return quantities of the earlier runs, and of what the present one comes to, if known."""
+    """Return quantities of earlier runs, and of the known future of the present one."""
     earlier = [measured(run.world, run.history, names)[0] for run in session.earlier]
     run = session.later
     return earlier, measured(run.world, run.history, names)[0] if run else None
@@ -157,7 +157,7 @@ def _values(
         )
         if (sign := _sign(name, up)) is not None:
             mark = pygame.Surface((indent, left.height), pygame.SRCALPHA)
-            signs.sign(mark, sign, _color(name, up), (indent / 2 - 2, left.height / 2), 4)
+            curve_markers.sign(mark, sign, _color(name, up), (indent / 2 - 2, left.height / 2), 4)
             card.put(mark, 0)
         card.put(left, indent)
         card.put(right, card.width - right.width)
@@ -189,7 +189,7 @@ def _faint(
 def _ahead(
     later: Mapping[str, Array] | None, these: Sequence[str], up: Sequence[str], across: str
 ) -> Iterator[Series]:
-    """Yield the lines of what the run comes to after what is shown, as far as that is known."""
+    """Yield the lines of the run after the shown step, as far as it is known."""
     for name in these if later else ():
         assert later is not None
         yield Series(theme.faded(_color(name, up), 0.5), later[across], later[name])
@@ -207,7 +207,7 @@ def _closed(
 def closed_forms(
     session: Session, columns: Mapping[str, Array], these: Sequence[str], across: str
 ) -> Iterator[tuple[str, Array, Array]]:
-    """Yield the closed forms of what holds at every step, where they still describe the run.
+    """Yield the closed forms of checks at every step, where they still describe the run.
 
     Each is the name of its quantity, what it is drawn against, and its values: (k,). The columns
     have the time.

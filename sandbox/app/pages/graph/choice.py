@@ -12,11 +12,11 @@ from sandbox.model.level import Level
 from sandbox.model.quantities import TIME, momentary
 
 MOST = 400
-"""How many quantities can be chosen from: of a crowd, those of its first bodies."""
+"""How many quantities can be chosen from; in a crowd, those of its first bodies."""
 
 
 def offered(level: Level) -> list[str]:
-    """Return the quantities that can be drawn: all that a state tells by itself.
+    """Return the quantities that can be drawn: all that follow from a state alone.
 
     Those of bodies that never move come last.
     """
@@ -27,7 +27,7 @@ def offered(level: Level) -> list[str]:
 
 
 class Choice:
-    """Remembers what was chosen, and draws it for a file.
+    """Remembers the chosen quantities, and draws them into a file.
 
     Attributes
     ----------
@@ -74,7 +74,7 @@ class Choice:
         self.look(session, WHOLE)
 
     def zoom(self, session: Session) -> Zoom:
-        """Return which part of them is looked at: all, at first."""
+        """Return the visible part of the graphs: at first, all of them."""
         return self._zooms.get(session.original.title, WHOLE)
 
     def look(self, session: Session, zoom: Zoom) -> None:

@@ -18,13 +18,13 @@ from sandbox.optional_packages import needed_for
 
 WIDTH, HEIGHT = 7.0, 3.2  # inches, of each graph
 STYLES = {"run": ("-", 1.6), "closed": ("--", 1.0), "earlier": ("-", 0.8)}
-"""How lines are drawn: their dashes and their widths [pt]."""
+"""The dashes and the widths of the lines [pt]."""
 FAINT = 0.45
-"""How strong earlier runs are."""
+"""The opacity of earlier runs."""
 
 
 class Curve(NamedTuple):
-    """A line: what it is called, which colour it has among the quantities, and its points."""
+    """A line: its name, its index among the colours of quantities, and its points."""
 
     label: str
     kind: Literal["run", "closed", "earlier"]

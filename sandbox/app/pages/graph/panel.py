@@ -34,7 +34,7 @@ FIELD = 26  # px
 
 
 class GraphPage:
-    """Graphs, and below them the lists of what can be drawn, and against what.
+    """Graphs, and lists of the quantities that can be drawn and used as an axis.
 
     Attributes
     ----------
@@ -75,7 +75,7 @@ class GraphPage:
     def _list(
         self, height: int, names: list[str], *, several: bool, chosen: Sequence[str]
     ) -> UISelectionList:
-        """Put a list of quantities, of which one or several can be chosen."""
+        """Add a list of quantities, from which one or several can be chosen."""
         rect = pygame.Rect(self._sheet.margin, 0, self._sheet.width, height)
         first: list[str | tuple[str, str]] | str = [*chosen] if several else chosen[0]
         return UISelectionList(
@@ -85,7 +85,7 @@ class GraphPage:
         )  # fmt: skip
 
     def process(self, event: pygame.event.Event) -> str | None:
-        """Draw what was chosen, and follow the mouse."""
+        """Draw the chosen quantities, and follow the mouse."""
         if event.type == UI_BUTTON_PRESSED and event.ui_element in self._acts:
             return self._acts[event.ui_element]()
         if event.type in (pygame.MOUSEBUTTONDOWN, pygame.MOUSEBUTTONUP):
@@ -143,7 +143,7 @@ class GraphPage:
         return next(button for button in self._acts if button.text == caption)
 
     def _act(self, act: Callable[[], object]) -> str:
-        """Do what a button is for, and return what is to be told."""
+        """Perform the action of a button, and return the message for it."""
         told = act()
         self._zoomed(changed=True)
         return told if isinstance(told, str) else ""
@@ -214,7 +214,7 @@ class GraphPage:
         return self._zoomed(zoomed) is not None
 
     def _zoomed(self, changed: bool) -> str | None:
-        """Draw what is looked at now, if it has changed; then there is an answer."""
+        """Redraw if the visible part has changed, and return the message for it."""
         if not changed:
             return None
         self._choice.look(self._session, self._zooming.zoom)
@@ -252,7 +252,7 @@ class GraphPage:
             self.update()
 
     def update(self) -> None:
-        """Draw the graphs anew, and put the lists below them."""
+        """Draw the graphs again, with the lists below them."""
         sheet = self._sheet
         sheet.replace(self._graphs, self._drawn())
         y = below(self._graphs) + 8

@@ -11,11 +11,11 @@ from sandbox.app.widgets.plot import Scale
 Interval = tuple[float, float]
 
 NOTCH = 0.8
-"""What a notch of the wheel, or a button, leaves of what is seen."""
+"""The factor by which a notch of the wheel, or a button, scales the visible range."""
 SHIFT = 0.25
-"""The part of what is seen by which a button moves on."""
+"""The share of the visible range by which a button moves it."""
 CLOSEST = 1e-9
-"""The smallest part of the whole that can be looked at."""
+"""The smallest visible range, as a share of the whole."""
 CLICK = 5  # px; a box that is smaller is none, and one that is lower or narrower spans all
 TWICE = 500  # ms, between the two presses of a double click
 
@@ -26,9 +26,9 @@ class Graph(NamedTuple):
     Attributes
     ----------
     unit
-        Of what it shows.
+        The unit of the quantities that it shows.
     place
-        Where it is in the picture [px].
+        Its place in the picture [px].
     across, up
         Its axes, with pixels from its own corner.
     """
@@ -41,7 +41,7 @@ class Graph(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Zoom:
-    """What is looked at: an interval along each axis; all of it where none is said.
+    """The visible part of the graphs: an interval along each axis, or all of it.
 
     Attributes
     ----------
@@ -58,7 +58,7 @@ class Zoom:
         return self.across is not None or bool(self.up)
 
     def on(self, scale: Scale, unit: str | None = None) -> Scale:
-        """Return the part of a scale that is looked at: the shared one if there is no unit."""
+        """Return the visible interval of a scale; without a unit, of the shared axis."""
         interval = self.across if unit is None else self.up.get(unit)
         return scale if interval is None else scale._replace(low=interval[0], high=interval[1])
 
@@ -75,7 +75,7 @@ WHOLE = Zoom()
 
 
 def about(scale: Scale, value: float, factor: float) -> Interval:
-    """Return so many times as much of an axis, with a value where it is."""
+    """Scale an axis' interval about a value that stays in place."""
     return value - (value - scale.low) * factor, value + (scale.high - value) * factor
 
 
@@ -90,11 +90,11 @@ class Zooming:
     Attributes
     ----------
     zoom
-        What is looked at.
+        The visible intervals.
     graphs
         The graphs as they were drawn last.
     box
-        What is being marked, in the picture [px]; None if nothing is.
+        The part being marked, in the picture [px]; None if there is none.
     clicked
         The value across that was clicked on last; None if the button was let go of elsewhere.
     """
@@ -157,7 +157,7 @@ class Zooming:
         return box.clip(field)
 
     def release(self) -> bool:
-        """Look at what was marked; return whether a button was held over a graph."""
+        """Zoom to the marked part; return whether a button was held over a graph."""
         graph, box, self.box, self._on = self._on, self.box, None, None
         self.clicked = None
         if graph is None:
@@ -187,7 +187,7 @@ class Zooming:
         return True
 
     def step(self, factor: float = 1.0, shift: float = 0.0) -> None:
-        """Zoom about the middle, and move on by a part of what is seen, along the shared axis."""
+        """Zoom about the middle, or shift by a part of what is visible, along the shared axis."""
         if self.graphs:
             scale = self.graphs[0].across
             middle, spread = (scale.low + scale.high) / 2, scale.high - scale.low

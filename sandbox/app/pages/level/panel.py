@@ -57,7 +57,7 @@ class LevelPage:
         sheet.end(below(self._checks) + 2)
 
     def process(self, event: pygame.event.Event) -> str | None:
-        """Let changes act from now on, or from the start; what is changed is told elsewhere."""
+        """Apply changes now, or from the start; the message for them comes from elsewhere."""
         if event.type != UI_BUTTON_PRESSED or event.ui_element is not self.onwards:
             return None
         return turn(self._session)

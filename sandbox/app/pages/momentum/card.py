@@ -18,7 +18,7 @@ from sandbox.model.expressions import Array
 from sandbox.physics.stepping.world import World
 
 MOST = 10
-"""So many bodies have bars of their own; those of the others are one."""
+"""How many bodies have bars of their own; the others share one."""
 LABEL, AXIS, NUMBER = 82, 14, 104  # px: left of a bar, its axis, right of it
 COLUMN = 68  # px, of numbers along y
 
@@ -61,7 +61,7 @@ def given(session: Session) -> list[Momentum]:
 
 
 def momentum(pen: Pen, width: int, session: Session) -> pygame.Surface:
-    """Draw momenta as bars, along x and along y, above what has become of their sum."""
+    """Draw momenta as bars, along x and along y, above the books of their sum."""
     card, world = Card(pen, width), session.world
     scale = momenta.scale(session, world, session.history.snapshots)
     card.heading(say("Momentum"))

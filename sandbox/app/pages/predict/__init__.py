@@ -1,4 +1,4 @@
-"""The page of predictions: somebody says what will come of a run before it goes on."""
+"""The page of predictions: the user predicts a result before the run goes on."""
 
 from sandbox.app.pages.page import Page
 from sandbox.app.pages.predict.panel import PredictPage

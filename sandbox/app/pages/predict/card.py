@@ -22,7 +22,7 @@ CHANGED = later(
 )
 NEVER = later("That did not happen in this run.")
 NOTICED = 1e-4
-"""A change by a smaller share is none that anybody would look for."""
+"""Relative changes smaller than this are not mentioned."""
 
 
 def intro(pen: Pen, width: int, session: Session, *, possible: bool) -> pygame.Surface:
@@ -55,7 +55,7 @@ def asked(
 
 
 def refused(pen: Pen, width: int, refusal: str) -> pygame.Surface:
-    """Draw why what was typed is no answer, or how to give one."""
+    """Draw why the typed text is no answer, or how to answer."""
     card = Card(pen, width)
     if refusal:
         card.text(say(refusal), 13, theme.FAILED)
@@ -68,7 +68,7 @@ def result(
     pen: Pen, width: int, session: Session, outcome: Outcome | None, trials: Sequence[Trial],
     trying: Trying | None,
 ) -> pygame.Surface:  # fmt: skip
-    """Draw what came of a prediction, and which neglected effects would change that."""
+    """Draw the result of a prediction, and the neglected effects that would change it."""
     card = Card(pen, width)
     if outcome is None:
         over = session.failure is not None or session.world.steps >= session.end
@@ -147,7 +147,7 @@ def _explained(
 
 
 def _change(outcome: Outcome, trial: Trial) -> float:
-    """Return by how much an effect changes what was asked for, relative if it can be."""
+    """Return by how much an effect changes the predicted quantity, relative if possible."""
     if trial.before is None or trial.after is None:
         return 0.0 if trial.before is trial.after else float("inf")
     return abs(trial.after - trial.before) / (outcome.scale or 1.0)

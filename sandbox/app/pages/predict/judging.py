@@ -12,12 +12,12 @@ from sandbox.physics.measuring.grading import ZERO, Result, grade_check, least_s
 from sandbox.physics.measuring.recording import Trace
 
 LIMITS: Sequence[float] = (0.01, 0.05, 0.2)
-"""How far a prediction may be off to be called within 1 %, 5 %, 20 %."""
+"""The grades of a prediction: within 1 %, 5 % or 20 %."""
 
 
 @dataclass(frozen=True, slots=True)
 class Outcome:
-    """What came of a prediction.
+    """The outcome of a prediction.
 
     Attributes
     ----------
@@ -59,7 +59,7 @@ class Outcome:
 def judged(
     check: Check, trace: Trace, predicted: float, *, formula_holds: bool = True
 ) -> Outcome | None:
-    """Hold a prediction against a run; None while what was asked for has not come."""
+    """Compare a prediction with a run; None while the run has not come so far."""
     result = grade_check(check, trace)
     if result.measured is None:
         return None
@@ -69,7 +69,7 @@ def judged(
 
 
 def _scale(result: Result, formula: float | None, trace: Trace) -> float | None:
-    """Return the size of what the formula says, or else of what was measured.
+    """Return the size of the formula's value, or else of the measured one.
 
     Where that is zero, it is the size of the quantity in the run.
     """

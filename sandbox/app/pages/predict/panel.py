@@ -22,7 +22,7 @@ UNIT = 84  # px, what is kept for the unit beside it
 ROW = 20  # px, of the list
 BESIDE = 24  # px, of the list, beside its words
 MOST = 6
-"""So many rows of the list are seen at once."""
+"""How many rows of the list are visible at once."""
 
 
 CAPTIONS = PREDICT, PUT_OFF, ANOTHER = (
@@ -37,7 +37,7 @@ TIPS = {
 
 
 class PredictPage:
-    """A list of what can be asked; then a field; then what came of it."""
+    """A list of questions; then a field for the answer; then the result."""
 
     def __init__(self, sheet: Sheet, desk: Desk) -> None:
         self._sheet, self._session = sheet, desk.session
@@ -58,7 +58,7 @@ class PredictPage:
         self.update()
 
     def process(self, event: pygame.event.Event) -> str | None:
-        """Ask what was chosen, take what was typed, or begin anew."""
+        """Ask the chosen question, take the typed answer, or start over."""
         predicting = self._predicting
         if event.type == UI_TEXT_ENTRY_FINISHED and event.ui_element is self.field:
             if not self._open:
@@ -102,7 +102,7 @@ class PredictPage:
         return short if len(set(short)) == len(short) else names
 
     def update(self) -> None:
-        """Show what is asked now, and what has come of it."""
+        """Show the present question and its result."""
         predicting, sheet = self._predicting, self._sheet
         self._offer()
         question, is_open = predicting.question, self._open
@@ -126,7 +126,7 @@ class PredictPage:
         sheet.end(y)
 
     def _offer(self) -> None:
-        """List what can be asked of the level as it is now."""
+        """List the questions about the present level."""
         found = questions(self._session.level, self._session.values)
         if found == self._questions:
             return
@@ -135,7 +135,7 @@ class PredictPage:
         self.list = self._listed(self._names())
 
     def _listed(self, names: list[str]) -> UISelectionList:
-        """Return a list of what can be asked, with the first chosen."""
+        """Return a list of questions, with the first chosen."""
         height = min(len(names), MOST) * self._sheet.px(ROW) + 6
         return UISelectionList(
             pygame.Rect(self._sheet.margin, 0, self._sheet.width, height), list(names),

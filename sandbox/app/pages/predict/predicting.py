@@ -1,4 +1,4 @@
-"""The prediction in progress: what was asked and answered, and how it came out."""
+"""The prediction in progress: the question, the answer, and the outcome."""
 
 from typing import TYPE_CHECKING
 
@@ -22,12 +22,12 @@ CHANGED = later("The level has changed, and so has the question.")
 
 
 class Predicting:
-    """Keeps a run locked until somebody has said what will come of it, and tells what did.
+    """Keeps a run locked until the user has predicted its result, and then shows the outcome.
 
     Attributes
     ----------
     question
-        What was asked; None if nothing was.
+        The question; None if there is none.
     predicted
         The answer, in SI; None while it is waited for.
     refusal
@@ -84,7 +84,7 @@ class Predicting:
         self._forget()
 
     def answer(self, session: Session, typed: str) -> bool:
-        """Take a prediction, and let the run go on; return whether it is one."""
+        """Take a prediction, and let the run go on; return whether the text is a prediction."""
         self.news = object()
         assert self.question is not None
         try:
@@ -108,7 +108,7 @@ class Predicting:
         )
 
     def follow(self, session: Session, seconds: float, *, watched: bool) -> str | None:  # noqa: ARG002
-        """Keep the run locked or judge it; return what is to be told."""
+        """Keep the run locked, or judge it; return a message for the user."""
         if session is not self._session:
             self._forget()
             self._session = session
@@ -155,7 +155,7 @@ class Predicting:
         self.trying, self.news = Trying("", 0.0), object()
 
     def _look(self) -> None:
-        """Take in what was found since."""
+        """Take in new results."""
         was_running = self._work.running
         for finding in self._work.found():
             self.news = object()

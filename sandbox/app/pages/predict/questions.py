@@ -30,7 +30,8 @@ FACTORS: Mapping[str, Mapping[str, float]] = {
     "J": {"mJ": 1e-3, "kJ": 1e3},
     "N": {"mN": 1e-3, "kN": 1e3},
 }
-"""What else a number may be typed in, for each SI unit, and what one of it is in that."""
+"""Other units in which a number may be typed, for each SI unit, with the value of one SI unit in
+them."""
 
 
 def questions(level: Level, values: Values) -> tuple[Check, ...]:
@@ -69,7 +70,7 @@ def _again(nth: int) -> str:
 
 
 def unit_of(check: Check, level: Level) -> str:
-    """Return the SI unit of what is asked for; empty if it has none."""
+    """Return the SI unit of the predicted quantity; empty if it has none."""
     return quantity(check.quantity, level).unit
 
 

@@ -5,7 +5,7 @@ from collections.abc import Mapping, Sequence
 import pygame
 
 from sandbox.app.cards.card import GAP, Card
-from sandbox.app.drawing import lines, signs, theme
+from sandbox.app.drawing import curve_markers, lines, theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
 from sandbox.app.pages.race import race
@@ -37,7 +37,7 @@ def standing(pen: Pen, width: int, session: Session) -> pygame.Surface:
 
 
 def _lanes(pen: Pen, width: int, found: Sequence[Lane], rate: float) -> pygame.Surface:
-    """Draw how a race stands: for every scheme its error so far, and its clock."""
+    """Draw the standings of a race: each scheme's error so far, and its computing time."""
     card = Card(pen, width)
     if not found:
         return card.drawn()
@@ -66,5 +66,5 @@ def _swatch(color: Color | None, lane: int) -> pygame.Surface:
         line.fill(theme.ACCENT, (0, 1, 18, 3))
         return line
     for y in (1, 2, 3):
-        lines.dashed(line, color, ((0, y), (18, y)), *signs.dash(lane))
+        lines.dashed(line, color, ((0, y), (18, y)), *curve_markers.dash(lane))
     return line

@@ -16,7 +16,7 @@ HEIGHT = 30  # px, of the button
 
 
 class RacePage:
-    """Starts and ends the race, and tells how it stands."""
+    """Starts and ends the race, and shows its standings."""
 
     def __init__(self, sheet: Sheet, desk: Desk) -> None:
         self._sheet, self._session = sheet, desk.session

@@ -8,9 +8,9 @@ from typing import NamedTuple
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.theme import Color
 from sandbox.app.pages.effects import whatif
-from sandbox.app.runs.clock import Clock
 from sandbox.app.runs.companions import Variant, worst
 from sandbox.app.runs.session import Session
+from sandbox.app.runs.step_clock import Clock
 from sandbox.app.words import formatting
 from sandbox.app.words.language import say
 from sandbox.model.errors import SandboxError
@@ -44,7 +44,7 @@ def racing(session: Session) -> bool:
 
 
 def toggle(session: Session) -> None:
-    """Start the race anew with every scheme that the level can use, or end it.
+    """Start the race again with every scheme that the level can use, or end it.
 
     Raises
     ------

@@ -34,7 +34,7 @@ class Choice(NamedTuple):
 
 
 class Setting(NamedTuple):
-    """Choices of which one is made."""
+    """A setting: several choices, one of which is active."""
 
     title: str
     help: str
@@ -170,10 +170,10 @@ class SettingsPage:
         return next(button for button, each in self._buttons.items() if each.caption == caption)
 
     def process(self, event: pygame.event.Event) -> str | None:
-        """Choose what was pressed; the window is built anew for it."""
+        """Apply the pressed choice; the window is rebuilt for it."""
         if event.type != UI_BUTTON_PRESSED or event.ui_element not in self._buttons:
             return None
         return self._buttons[event.ui_element].choose()
 
     def update(self) -> None:
-        """Leave all as it is: what is chosen anew is shown by another page of this kind."""
+        """Do nothing: a new page shows a changed setting."""

@@ -1,4 +1,4 @@
-"""Films, made in another process while the window goes on."""
+"""Films, made in another process while the window keeps working."""
 
 from sandbox.app.background import Background
 from sandbox.app.film import Kind, film
@@ -30,7 +30,7 @@ class Filming:
         return self._work.running
 
     def begin(self, session: Session, kind: Kind) -> str:
-        """Begin a film of the run so far, and return the message for it.
+        """Begin a film of the run so far, and return the message for the user.
 
         One that is being made is not given up: then it is told that the next must wait.
 

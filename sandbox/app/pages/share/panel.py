@@ -11,7 +11,7 @@ from pygame_gui.elements import UIButton
 from sandbox.app.cards.card import Card
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
-from sandbox.app.files import own_files
+from sandbox.app.files import save_folder
 from sandbox.app.pages.page import Desk
 from sandbox.app.pages.share import saving
 from sandbox.app.pages.share.filming import Filming
@@ -68,7 +68,7 @@ class SharePage:
         return next(button for button in self._actions if button.text == caption)
 
     def process(self, event: pygame.event.Event) -> str | None:
-        """Save what was asked for, and return where it is, or why it cannot be."""
+        """Save what a button names, and return where it is, or why that failed."""
         if event.type != UI_BUTTON_PRESSED or event.ui_element not in self._actions:
             return None
         try:
@@ -101,5 +101,5 @@ class SharePage:
 def _intro(pen: Pen, width: int) -> pygame.Surface:
     card = Card(pen, width)
     card.heading(say("Take away"))
-    card.text(say("Files go to {folder}", folder=own_files.folder()), 13, theme.DIM)
+    card.text(say("Files go to {folder}", folder=save_folder.folder()), 13, theme.DIM)
     return card.drawn()

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pygame
 
-from sandbox.app.files import own_files
+from sandbox.app.files import save_folder
 from sandbox.app.runs import runfile
 from sandbox.app.runs.session import Session
 from sandbox.model.errors import SandboxError
@@ -18,18 +18,18 @@ from sandbox.model.quantities import TIME
 from sandbox.model.writing import text
 from sandbox.physics.measuring.csv_export import write_csv
 from sandbox.physics.measuring.recording import Trace
-from sandbox.physics.metering.meter import Meter
+from sandbox.physics.quantities.meter import Meter
 
 
 def path_for(session: Session, suffix: str) -> Path:
-    """Return a name for a file that nobody has yet: the level's title and the time.
+    """Return an unused file name: the level's title and the time.
 
     Raises
     ------
     SandboxError
         If the folder cannot be made or written to.
     """
-    folder, title = own_files.folder(), own_files.stem(session.original.title)
+    folder, title = save_folder.folder(), save_folder.stem(session.original.title)
     make_folder(folder)
     now = datetime.now().strftime("%Y-%m-%d %H.%M.%S")
     found = folder / f"{title} {now}{suffix}"
@@ -52,7 +52,7 @@ def screenshot(session: Session) -> Path:
 
 
 def run(session: Session) -> Path:
-    """Save the run so far, to be replayed."""
+    """Save the run so far, so that it can be replayed."""
     path = path_for(session, runfile.SUFFIX)
     runfile.save(runfile.run_of(session), path)
     return path

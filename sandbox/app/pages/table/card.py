@@ -14,13 +14,13 @@ from sandbox.app.words.language import say
 from sandbox.physics.accuracy.trusted_digits import Trust
 
 ROWS = 24
-"""How many instants are shown, about: evenly spaced, the last one always."""
+"""About how many instants are shown, evenly spaced, the last one included."""
 
 COLUMNS = 3
-"""For how many quantities there is room beside the time; a file has all."""
+"""How many quantities fit beside the time; a file contains all of them."""
 
 DIGITS = 4
-"""How many are shown of what nobody has studied; else those that survive its error."""
+"""How many digits are shown while the error is unknown; afterwards, those that can be trusted."""
 
 SIZE = 12  # of letters
 GAP = 10  # px, between columns
@@ -35,9 +35,9 @@ def values(
     Parameters
     ----------
     pen, width
-        What it is drawn with, and how wide [px].
+        The pen, and the width [px].
     session
-        Whose run.
+        The session of the run.
     names
         The quantities; those for which there is no room are counted.
     trust

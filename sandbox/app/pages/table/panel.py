@@ -51,7 +51,7 @@ class TablePage:
         return say("saved {path}", path=path)
 
     def update(self) -> None:
-        """Draw the table and the stopwatch anew."""
+        """Draw the table and the stopwatch again."""
         self._sheet.replace(self._table, self._drawn())
         self.timing.update()
         self._sheet.end(self.timing.put(below(self._table) + GAP))

@@ -14,7 +14,7 @@ from sandbox.app.runs.session import Session
 from sandbox.app.words.language import say
 
 BETWEEN = 0.01
-"""The part of a step by which the time of an event is known that lies between two steps."""
+"""The resolution of an event's time between two steps, as a share of a step."""
 CORNER = 16, 62  # px, from the upper right, clear of a banner of one line
 PADDING = 8  # px
 DIAL = 8  # px, the radius of the sign beside the time
@@ -45,7 +45,7 @@ class Reading(NamedTuple):
 
     @property
     def color(self) -> Color:
-        """What it is written in: that tells whether it goes."""
+        """The colour of the display, which shows whether the stopwatch runs."""
         return theme.NOTICE if self.going else theme.TEXT if self.begun else theme.DIM
 
 
@@ -69,7 +69,7 @@ class Stopwatch:
         self.put_away()
 
     def put_away(self) -> None:
-        """Forget what it has timed, and what was to start and stop it."""
+        """Forget the measured time and the triggers."""
         self.starts = self.stops = BY_HAND
         self.reset()
         self.shown = False
@@ -89,7 +89,7 @@ class Stopwatch:
         self.shown = True
 
     def press(self, session: Session) -> str | None:
-        """Start it now, or stop it; return what is to be told, if that cannot be."""
+        """Start or stop it; return a message if that is impossible."""
         self._take_up(session)
         self.shown, self.news = True, object()
         if BY_HAND not in (self.starts, self.stops):
@@ -167,5 +167,5 @@ class Stopwatch:
 
 
 def _decimals(resolution: float) -> int:
-    """Return how many decimals a time has that is known so far [s]."""
+    """Return how many decimals of a time are known [s]."""
     return max(ceil(-log10(resolution) - 1e-9), 0)

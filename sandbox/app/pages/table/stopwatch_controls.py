@@ -22,7 +22,7 @@ class Timing:
     Attributes
     ----------
     press, reset
-        Its buttons.
+        The buttons of the stopwatch.
     starts, stops
         The lists of what does so.
     """
@@ -73,7 +73,7 @@ class Timing:
         return y
 
     def process(self, event: pygame.event.Event) -> str | None:
-        """Do what was clicked on; return what is to be told, None if nothing was."""
+        """Handle a click; return the message for it, None if nothing was clicked."""
         if event.type == UI_BUTTON_PRESSED and event.ui_element is self.press:
             return self._watch.press(self._session) or ""
         if event.type == UI_BUTTON_PRESSED and event.ui_element is self.reset:

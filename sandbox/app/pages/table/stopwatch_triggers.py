@@ -14,15 +14,15 @@ from sandbox.model.quantities import QuantityError
 from sandbox.model.traversal import expressions
 from sandbox.physics.measuring.grading import time_of
 from sandbox.physics.measuring.recording import Trace, needed_at
-from sandbox.physics.metering.meter import Meter
+from sandbox.physics.quantities.meter import Meter
 
 Moment = Expression | ContactEvent | CrossingEvent | ApexEvent | LandingEvent
-"""A time [s], or an event of which the first counts."""
+"""A time [s], or an event, of which the first occurrence counts."""
 
 FEW = 12
 """Up to so many bodies, the apex and the landing of each are offered."""
 MOST = 60
-"""How many can be chosen from."""
+"""How many triggers can be chosen from."""
 
 
 class Occasion(NamedTuple):
@@ -68,7 +68,7 @@ AT_ONCE = Occasion(Expression(0))
 
 
 def occasions(session: Session) -> list[Occasion]:
-    """Return what can be chosen in a run; the pairs that have touched so far among them."""
+    """Return the triggers to choose from in a run, with the pairs that have touched so far."""
     pairs = (sorted(pair) for pair in session.run.contacts.met if len(pair) == 2)
     met = (ContactEvent(event="contact", bodies=(first, second)) for first, second in pairs)
     instants = (*_instants(session.level), *met)
@@ -99,7 +99,7 @@ def _occasion(at: Moment, values: Values) -> Occasion:
 
 
 def find(at: Moment, run: LiveRun) -> Found | None:
-    """Return when something happened in a run so far; None if it has not.
+    """Return the time of an event in a run so far; None if it has not occurred.
 
     Nor has it where the run was changed on the way, and lacks a body or parameter that it names.
     """
@@ -117,7 +117,7 @@ def find(at: Moment, run: LiveRun) -> Found | None:
 
 
 def _trace(at: Moment, run: LiveRun) -> Trace:
-    """Return what tells when an instant was, of the states that are kept."""
+    """Return the recorded states in the form in which instants are found."""
     world, states = run.world, run.history.snapshots
     meter = Meter(world, needed_at("t", at))
     units = {name: quantity.unit for name, quantity in meter.quantities.items()}

@@ -1,4 +1,4 @@
-"""Arrows: the velocities of what moves, and the given forces."""
+"""Arrows of the velocities of moving bodies, and of the given forces."""
 
 import pygame
 
@@ -8,7 +8,7 @@ from sandbox.app.stage.view import View
 from sandbox.model.shapes import XY
 
 AT_REST = 1e-6
-"""A body that goes less far than this part of what is seen is at rest, but for rounding."""
+"""A body that moves less than this share of the visible width counts as at rest."""
 
 
 def seconds(view: View) -> float | None:

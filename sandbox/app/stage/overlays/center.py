@@ -1,4 +1,4 @@
-"""The centre of mass of what moves."""
+"""The centre of mass of the moving bodies."""
 
 import pygame
 

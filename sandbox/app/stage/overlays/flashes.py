@@ -12,11 +12,11 @@ from sandbox.app.stage.view import View
 
 LARGEST, SMALLEST = 30, 6  # px, the radius of the hardest: about that of the body that was struck
 LEAST = 0.35
-"""The radius of the faintest, as a part of that of the hardest."""
+"""The radius of the faintest flash, relative to the hardest."""
 RINGS = 12
-"""Of how many discs, one over the other, the glow is made."""
+"""How many discs on top of each other make the glow."""
 MOST = 24
-"""How many are drawn at once, the latest."""
+"""How many flashes are drawn at once, the latest."""
 
 
 def _draw(surface: pygame.Surface, view: View) -> None:

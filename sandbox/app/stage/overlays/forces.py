@@ -6,7 +6,7 @@ import pygame
 
 from sandbox.app.drawing import lines, theme
 from sandbox.app.observing import selected_body
-from sandbox.app.stage.forces import LONGEST, write_beside
+from sandbox.app.stage.given_forces import LONGEST, write_beside
 from sandbox.app.stage.overlays.overlay import Overlay
 from sandbox.app.stage.view import View
 from sandbox.model.effects.force import Force
@@ -15,7 +15,7 @@ from sandbox.physics.measuring.free_body import FRICTION, FreeBody
 
 WIDTH = 3.5  # px
 CUT = 1.5
-"""How many times as long as the longest arrow one may be drawn, where an impact is stronger."""
+"""How many times the usual longest arrow the force of an impact may be drawn."""
 SURFACE = 300.0  # px, how far along a surface words keep off it
 RING = 4.0  # px, the radius of the mark at the centre of mass
 

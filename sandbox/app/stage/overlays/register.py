@@ -26,7 +26,7 @@ OVERLAYS: tuple[Overlay, ...] = (
     center.OVERLAY,
     names.OVERLAY,
 )
-"""In the order in which they are drawn over each other."""
+"""All overlays, in the order in which they are drawn over each other."""
 
 
 def at_first() -> dict[str, bool]:

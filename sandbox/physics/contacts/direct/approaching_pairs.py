@@ -1,8 +1,8 @@
 """Pairs of bodies that do not touch, but might within a drift.
 
-The distance of a pair is computed again only when the two may have moved that far against each
-other since the last time. So a falling body is looked at about ten times, and a body that stands
-beside another only once.
+The distance of a pair is computed again only when the two may have moved that far relative to each
+other since the last time: about ten times for a body that falls, once for one that stands beside
+another.
 """
 
 from collections.abc import Iterable
@@ -24,22 +24,22 @@ from sandbox.physics.geometry.distance import Outline, outlines
 from sandbox.physics.joints.exact.constraints import Coordinates, planes
 
 MOST = 6
-"""How many times as far as the coordinate that goes furthest two bodies may go together."""
+"""The largest relative motion of two bodies, as a multiple of the largest coordinate change."""
 
 
 class ApproachingPairs:
-    """Knows how far bodies may move before they meet; n bodies.
+    """Keeps lower bounds of the distances between bodies, to find those that may meet; n bodies.
 
     Parameters
     ----------
     query
-        Knows the bodies, and which of them are let through others.
+        Knows the bodies, and which of them pass through others.
     shapes
-        Theirs.
+        Their parts.
     surfaces
-        How they touch, and which pairs to look at.
+        Their contact properties, and the pairs to consider.
     moves
-        (n,), which of them anything can move.
+        (n,), which of them are dynamic.
     """
 
     def __init__(
@@ -57,12 +57,12 @@ class ApproachingPairs:
         self._outlines: dict[int, list[Outline]] = {}
         reach = np.where(known, shapes.reach, 0.0)
         self._weights = np.concatenate((np.ones(2 * len(reach) + 2), reach, (0.0,)))
-        self._room = np.zeros(len(self._first))  # how far two are apart at the least [m]
-        self._calm = 0.0  # how far any two may go before all are to be looked at [m]
-        self._seen: Array | None = None  # where all were when all were looked at last
-        self._touch: Integers | None = None  # who touched then
-        self._ahead = b""  # how far they were to go
-        self._found: list[Pair] = []  # what came of it
+        self._room = np.zeros(len(self._first))  # lower bounds of their distances [m]
+        self._calm = 0.0  # the least of these [m]
+        self._seen: Array | None = None  # the positions at the last search
+        self._touch: Integers | None = None  # the contacts then
+        self._ahead = b""  # the displacements that were expected then
+        self._found: list[Pair] = []  # its result
 
     def near(self, contacts: Contacts, place: Coordinates, way: Array) -> list[Pair]:
         """Return the pairs that do not touch, but might within the drift.
@@ -70,11 +70,11 @@ class ApproachingPairs:
         Parameters
         ----------
         contacts
-            Who touches.
+            The contacts.
         place
-            Where bodies are.
+            The positions of the bodies.
         way
-            (3 N,), how far they go in it [m, rad].
+            (3 N,), their displacements in the drift [m, rad].
         """
         if not len(self._first):
             return []
@@ -89,7 +89,7 @@ class ApproachingPairs:
         return self._found
 
     def meet(self, path: Path, lasts: float, pairs: Iterable[Pair]) -> list[Hit]:
-        """Return where the bodies of pairs meet on a path that is so long [s]."""
+        """Return the impacts of pairs of bodies on a path of length `lasts` [s]."""
         gives = np.stack((path.acceleration * lasts,) * 2)
         separation = Separation(self._shapes, path, lasts)
         found = (
@@ -100,14 +100,14 @@ class ApproachingPairs:
         return [hit for hit in found if hit]
 
     def _outline(self, body: int) -> list[Outline]:
-        """Return the outlines of a body's shapes, by the numbers of its parts."""
+        """Return the outlines of a body's shapes, in the order of its parts."""
         if body not in self._outlines:
             own = outlines([self._bodies[body]])
             self._outlines[body] = [replace(outline, body=body) for outline in own]
         return self._outlines[body]
 
     def _search(self, contacts: Contacts, place: Coordinates, way: Array) -> list[Pair]:
-        """Look at all pairs that may have come close."""
+        """Return the pairs that may meet, and update the bounds of those that have come close."""
         first = self._seen is None
         if self._seen is not None:
             went = (place.values - self._seen) * self._weights
@@ -119,7 +119,7 @@ class ApproachingPairs:
         for row in np.flatnonzero(self._room < ahead).tolist():
             pair = int(self._first[row]), int(self._second[row])
             if pair in touch:
-                self._room[row], room[row] = 0.0, np.inf  # it is looked at once they part
+                self._room[row], room[row] = 0.0, np.inf  # computed once they part
                 continue
             gap = self._shapes.gap(pair, here)
             if (first or gap <= ahead[row]) and self._never_meet(pair):
@@ -131,26 +131,26 @@ class ApproachingPairs:
         return found
 
     def _is_let(self, pair: Pair, place: Coordinates) -> bool:
-        """Return whether one of two bodies lets the other through from where they are."""
+        """Return whether one of two bodies lets the other pass through from this side."""
         if self._gates is None:
             return False
         at, there = ((complex(place.plane[b]), complex(place.turned[b])) for b in pair)
         return self._gates.lets_at(*pair, at, there)
 
     def _between(self, way: Array) -> Array:
-        """Return how much closer ways, (3 N,) [m], bring the bodies of each pair at most [m]."""
+        """Return a bound of how much closer displacements, (3 N,) [m], bring each pair [m]."""
         count = len(way) // 3
         plane, turn = planes(way), np.abs(way[2 * count :])
         first, second = self._first, self._second
         return np.asarray(np.abs(plane[first] - plane[second]) + turn[first] + turn[second])
 
     def _never_meet(self, pair: Pair) -> bool:
-        """Return whether two bodies go through each other, or are parts of one solid."""
+        """Return whether two bodies do not collide, or are parts of one solid."""
         one, other = (self._bodies[body] for body in pair)
         return not meets(one, other) or _are_one(one, other)
 
 
 def _are_one(one: pymunk.Body, other: pymunk.Body) -> bool:
-    """Return whether two bodies are welded or stuck together, and do not touch each other."""
+    """Return whether two bodies are welded or stuck together, so that they do not collide."""
     group, same = ({shape.filter.group for shape in body.shapes} for body in (one, other))
     return bool(group & same - {0})

@@ -7,13 +7,13 @@ mass (the Delassus operator). Three kinds of rows ask for
     contacts    x >= 0,  r >= 0,  x r = 0                        (and ropes, which only pull)
     friction    |x| <= b, with r = 0 where it is less than b, and against the slip where it is b
 
-with b = mu (x of its contact). Once it is known which rows are active this is a linear
-system, solved exactly; which they are is guessed from the step before and mended until every
-condition holds (a primal-dual active set method: Hintermüller, Ito and Kunisch 2003; for contact
-problems Alart and Curnier 1991). Where that goes in circles, Lemke's method finds the way.
+with b = mu (x of its contact). For a given set of active rows this is a linear system, solved
+exactly. The set is taken from the step before and updated until every condition holds (a
+primal-dual active set method: Hintermüller, Ito and Kunisch 2003; for contact problems Alart and
+Curnier 1991). Where the updates cycle, Lemke's method takes over.
 
-Rows may repeat each other, as the two feet of a welded table do: the forces are then not unique,
-only what they add up to. The least that contacts can give are taken.
+Rows may be redundant, as at the feet of a welded table: their forces are then not unique, only
+their resultants. The smallest forces that contacts can give are taken.
 """
 
 from math import inf, sqrt
@@ -35,31 +35,31 @@ from sandbox.physics.engine.batch import Integers
 from sandbox.physics.state.cancellation import cancellation_point
 
 TOLERANCE = 1e-11
-"""The share of the largest impulse, or rate, by which a condition may be missed."""
+"""The tolerance of each condition, as a share of the largest impulse or rate."""
 
 GUESSES = 15
-"""How often the active rows are mended before something else has to help."""
+"""The most updates of the active set before another method is tried."""
 
 GIVES = (1e-9, 1e-7, 1e-5)
-"""What is added to each row's own inverse mass to find out which rows hold, where many could: the
-problem then has one answer, which goes over into the least impulses that hold."""
+"""Compliances, as shares of each row's own inverse mass, that are tried where several active sets
+are possible: the problem then has a unique solution, close to the smallest impulses."""
 
 MISSED = 1e-7
-"""The share of the largest rate by which impulses of Lemke's method may miss what they
-ask for, for it goes a long way; Newton's method goes on from there."""
+"""The tolerance of a solution by Lemke's method, as a share of the largest rate. Its many pivots
+accumulate rounding, which the next step of Newton's method removes."""
 
 
 CONTRADICTS = 1e-3
-"""The share of the largest rate by which rows that repeat each other may contradict each other, as
-they do while Newton's method is on its way."""
+"""How far redundant rows may contradict each other, as a share of the largest rate: before Newton's
+method has converged, they do."""
 
 SOFT = (1e-11, 1e-9, 1e-7)
-"""What is added to each row's own inverse mass for Lemke's method: what gives way by nothing but
-rounding is no way out for it. The next is tried where one leads nowhere."""
+"""Compliances, as shares of each row's own inverse mass, that Lemke's method tries in turn: without
+any, directions that only rounding leaves open would mislead it."""
 
 
 class Unsolvable(Exception):  # noqa: N818 (whoever knows the bodies tells it)
-    """No impulses were found; `row` is the one that is furthest off."""
+    """No impulses satisfy the rows; `row` is the one with the largest error."""
 
     def __init__(self, row: int) -> None:
         self.row = row
@@ -74,7 +74,7 @@ def solve(
     blur: float = 0.0,
     lets: float = inf,
 ) -> tuple[Array, Active]:
-    """Return the impulses, (m,) [N s or N m s], and which rows hold with them.
+    """Return the impulses, (m,) [N s or N m s], and the active rows.
 
     Parameters
     ----------
@@ -83,17 +83,16 @@ def solve(
     rate
         (m,), w above: the rates without impulses [m/s or rad/s].
     guess
-        Which rows may hold.
+        The active rows to begin with.
     blur
-        How well rates are known [m/s, rad/s].
+        The rounding error of the rates [m/s, rad/s].
     lets
-        By how much rows that repeat each other may contradict each other at the most, whatever
-        `CONTRADICTS` says [m/s, rad/s].
+        How far redundant rows may contradict each other, besides `CONTRADICTS` [m/s, rad/s].
 
     Raises
     ------
     Unsolvable
-        If no impulses are found.
+        If no impulses satisfy the rows.
     """
     size = _sizes(delassus, problem.alike)
     own = delassus / (size[:, None] * size)
@@ -103,12 +102,12 @@ def solve(
 
 
 def solve_one(delassus: float, rate: float, blur: float, lets: float) -> float:
-    """Return the impulse of a single row of a joint [N s or N m s]; the parameters are as above.
+    """Return the impulse of a single row of a joint [N s or N m s]; for the parameters see `solve`.
 
     Raises
     ------
     Unsolvable
-        If it does not hold.
+        If no impulse satisfies the row.
     """
     size = sqrt(delassus) if delassus > 0 else 1.0
     own, rate = delassus / (size * size), rate / size
@@ -119,7 +118,7 @@ def solve_one(delassus: float, rate: float, blur: float, lets: float) -> float:
 
 
 def _sizes(delassus: Array, alike: Integers | None) -> Array:
-    """Return the root of each row's own inverse mass, or of the mean of those that are alike."""
+    """Return the root of each row's inverse mass, averaged over the rows that are scaled alike."""
     own = delassus.diagonal()
     if alike is not None:
         own = np.maximum(own, 0.0)
@@ -128,7 +127,7 @@ def _sizes(delassus: Array, alike: Integers | None) -> Array:
 
 
 class _Scaled:
-    """The problem with all rows' own inverse masses near one; each may `give` way a little."""
+    """The problem, scaled to inverse masses of the rows near one, with a compliance `give`."""
 
     def __init__(
         self,
@@ -147,17 +146,17 @@ class _Scaled:
         self._row = problem.friction.row
         self._settled = not (len(self._row) or np.count_nonzero(problem.pushes))  # joints alone
         self._largest = 0.0 if self._settled else most(rate)
-        self._circles: set[bytes] = set()  # what leads nowhere
+        self._circles: set[bytes] = set()  # active sets that are known to cycle
 
     @property
     def _asked(self) -> float:
-        """The largest rate that anything is asked for: what is slack asks nothing."""
+        """The largest rate that impulses have to change; slack rows have none."""
         if self._settled:
             return most(self._rate)
         return most(np.where(self._problem.pushes, np.minimum(self._rate, 0.0), self._rate))
 
     def solve(self, active: Active) -> tuple[Array, Active]:
-        """Return the impulses, and which rows hold."""
+        """Return the impulses and the active rows."""
         impulse, found = self.mend(active)
         if found is None:
             impulse, found = self.mend(self._resting())
@@ -170,23 +169,22 @@ class _Scaled:
         return (impulse, found) if found is not None else self._by_corners()
 
     def _resting(self) -> Active:
-        """Return that everything holds that asks for something, as in a pile that rests.
+        """Return the active set of a pile at rest: all rows that take part.
 
-        Where nothing is known yet, only its lowest layer is seen to meet what is below it, and each
-        mending would let but one more hold. In an impact what is slack asks for nothing, nor does
-        what is yet to strike.
+        Without a guess, only the lowest layer approaches what is below it, and each update would
+        add only one layer. Slack ropes, and contacts yet to strike, take no part in an impact.
         """
         on = self._problem.free | self._problem.pushes
         on[self._row] = True
         return Active(on, np.zeros(len(self._row), dtype=np.intp))
 
     def _softer(self, give: float) -> "_Scaled":
-        """Return the same with rows that give way."""
+        """Return the same problem with a compliance."""
         problem, size, blur = self._problem, self._size, self._blur
         return _Scaled(problem, self._delassus, self._rate, size, blur, self._lets, give)
 
     def _by_corners(self) -> tuple[Array, Active]:
-        """Return the same by Lemke's method."""
+        """Return the solution by Lemke's method."""
         least = MISSED * self._asked + most(self._blur)
         missed = self._missed(np.zeros_like(self._rate))
         bounds = self._friction.slipping_by_each()
@@ -207,7 +205,10 @@ class _Scaled:
         raise Unsolvable(int(np.argmax(missed)))
 
     def mend(self, active: Active) -> tuple[Array, Active | None]:
-        """Solve and mend the guess until it holds; None if that goes in circles."""
+        """Return the impulses and the active rows, updated until all conditions hold.
+
+        The rows are None if the updates cycle.
+        """
         seen: set[bytes] = set()
         for _ in range(GUESSES):
             cancellation_point()
@@ -228,7 +229,7 @@ class _Scaled:
         return impulse, None
 
     def _with(self, active: Active) -> tuple[Array, bool]:
-        """Return the impulses if these rows hold, (m,), and whether some repeat each other."""
+        """Return the impulses, (m,), that keep the active rows, and whether any are redundant."""
         rows = active.on.nonzero()[0]
         if len(rows) == len(self._rate):
             return solved(self._delassus, -self._rate)
@@ -244,9 +245,10 @@ class _Scaled:
         return gives @ found, repeats
 
     def _shared(self, impulse: Array, active: Active) -> Array:
-        """Return the least of all impulses that do the same, and that contacts can give: (m,).
+        """Return the smallest equivalent impulses that contacts can give, (m,), of redundant rows.
 
-        The same, if there are none: a least distance problem (Lawson and Hanson 1974, chapter 23).
+        A least distance problem (Lawson and Hanson 1974, chapter 23); if it has no solution, the
+        impulses stay as they are.
         """
         rows = np.flatnonzero(active.on)
         gives = self._friction.follow(active.slip)[:, rows]
@@ -261,7 +263,7 @@ class _Scaled:
         return impulse if way is None else impulse + ways @ way
 
     def _holds(self, rate: Array, active: Active) -> bool:
-        """Return whether rows that are to hold do, and do not contradict each other."""
+        """Return whether the active rows are kept, and do not contradict each other."""
         allowed: Array | float = CONTRADICTS * self._asked
         if self._lets < inf:
             allowed = np.minimum(allowed, self._lets / self._size)
@@ -269,7 +271,7 @@ class _Scaled:
         return not np.count_nonzero(active.on & ~within)
 
     def _judge(self, impulse: Array, rate: Array, active: Active) -> Active | None:
-        """Return which rows rather hold at such rates; None if those do."""
+        """Return a better active set for these impulses and rates; None if this one is right."""
         if self._settled:
             return None
         close = TOLERANCE * most(impulse)
@@ -293,7 +295,7 @@ class _Scaled:
         return None if better.key == active.key else better
 
     def _guess(self, impulse: Array) -> Active:
-        """Return which rows hold if impulses are about these."""
+        """Return the active set that approximate impulses suggest."""
         close = TOLERANCE * most(impulse)
         on = self._problem.free | (self._problem.pushes & (impulse > close))
         slip = np.zeros(len(self._row), dtype=np.intp)
@@ -305,10 +307,10 @@ class _Scaled:
         return Active(on, slip)
 
     def _missed(self, impulse: Array) -> Array:
-        """Return by how much each row misses what it asks for: (m,).
+        """Return the residual of each row's condition: (m,).
 
-        Of contacts that is min(x, r), and of friction by how much x changes if r is taken from it
-        and its bound is kept: both are 0 where the conditions hold, and nowhere else.
+        For a contact it is min(x, r). For friction it is the change of x by a projected step,
+        clip(x - r, ±bound) - x. Both vanish exactly where the conditions hold.
         """
         rate = self._rate + self._delassus @ impulse
         missed = np.abs(np.where(self._problem.free, rate, np.minimum(impulse, rate)))

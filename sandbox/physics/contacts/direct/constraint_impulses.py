@@ -1,4 +1,4 @@
-"""The impulses with which contacts and joints hold after a drift."""
+"""The impulses that satisfy contacts and joints at the end of a drift."""
 
 import numpy as np
 
@@ -13,39 +13,39 @@ from sandbox.physics.joints.exact.constraints import GROWS
 from sandbox.physics.state.errors import JointFailure, NoForces
 
 GIVES = 1e-3
-"""The share of the kinetic energy that surfaces may give in a kick by pressing on each other: they
-give none but for what a step is too long for. Seen are 2e-4 in what is smooth, and 8e-2 where heavy
-bodies squeeze out a light one between them."""
+"""The share of the kinetic energy that normal forces may add in a kick. With short enough steps
+they would add none. Measured: 2e-4 in smooth motion, 8e-2 where heavy bodies squeeze out a light
+one between them."""
 
 Held = tuple[Array, Array, Active]
-"""Impulses, (r,), the velocities with them, (3 N,), and which rows hold."""
+"""Impulses, (r,), the velocities with them, (3 N,), and the active rows."""
 
 
 def hold(
     kick: Kick, motion: Array, guess: tuple[Array, Active], *, driven: bool, placed: bool = False
 ) -> Held:
-    """Return impulses with which all rows hold after the drift, and the velocities then.
+    """Return impulses that satisfy all rows at the end of the drift, and the velocities with them.
 
-    Newton's method starts with the forces of the last step. If it does not converge, or its result
-    has energy that nothing gave, then bodies are jammed or squeezed out: the contacts cannot give
-    way far enough within one step. In that case velocities are constrained instead of positions,
-    which never adds energy.
+    Newton's method starts with the forces of the last step. If it does not converge, or if its
+    result gains energy from nowhere, bodies are jammed or squeezed out: contacts cannot yield far
+    enough within one step. Then velocities are constrained instead of positions, which never adds
+    energy.
 
     Parameters
     ----------
     motion
         (3 N,), the velocities without impulses [m/s, rad/s].
     guess
-        The impulses, and which rows hold.
+        The impulses and the active rows to begin with.
     driven
-        Whether surfaces that run, or kinematic bodies, may give energy.
+        Whether running surfaces or kinematic bodies may add energy.
     placed
-        Whether velocities are not to be constrained instead of positions.
+        Whether positions must be constrained: velocities will not do.
 
     Raises
     ------
     JointFailure, NoForces
-        If there are none.
+        If no impulses are found.
     """
     found = without_held(kick)
     if found is None:
@@ -94,7 +94,7 @@ def _found(
 def _grows(kick: Kick, motion: Array, found: Held, energy: float) -> bool:
     """Return whether energy comes from nowhere: from no winch, belt or kinematic body.
 
-    Without impulses there is so much of it [J].
+    `energy` is the kinetic energy without impulses [J].
     """
     impulse, moved, _ = found
     joints, jacobian, layout = kick.joints, kick.here.jacobian, kick.layout
@@ -110,10 +110,10 @@ def _grows(kick: Kick, motion: Array, found: Held, energy: float) -> bool:
 
 
 def _squeezes(kick: Kick, motion: Array, found: Held, energy: float) -> bool:
-    """Return whether surfaces give energy by pressing on each other; see `_grows`.
+    """Return whether normal forces add energy; see `_grows`.
 
-    Without the joints a body that is lifted at one end turns, and leaves with its other end what
-    presses on that: what surfaces give is seen beside a motion that joints allow.
+    Their work is compared with the free motion, and with the motion that the joints allow: without
+    its joints a body that is lifted at one end would turn, and its other end would come free.
     """
     impulse, moved, _ = found
     gaps, least = kick.layout.gaps, GIVES * energy
@@ -126,7 +126,7 @@ def _squeezes(kick: Kick, motion: Array, found: Held, energy: float) -> bool:
 
 
 def _joined(kick: Kick, motion: Array) -> Array:
-    """Return the velocities, (3 N,), that joints alone make of others [m/s, rad/s]."""
+    """Return velocities, (3 N,), after the impulses of the joints alone [m/s, rad/s]."""
     held = np.flatnonzero(kick.layout.problem.free)
     if not len(held):
         return motion

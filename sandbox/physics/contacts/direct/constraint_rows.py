@@ -1,4 +1,4 @@
-"""The rows of constraints: what each asks for, and which are active."""
+"""The rows of constraints: their conditions, and which are active."""
 
 from dataclasses import dataclass
 from functools import cached_property
@@ -13,16 +13,16 @@ from sandbox.physics.engine.batch import Booleans, Integers
 
 @dataclass(frozen=True)
 class Friction:
-    """The rows whose impulses are bounded; f of them.
+    """The rows of friction, whose impulses are bounded; f of them.
 
     Attributes
     ----------
     row
         (f,), which rows.
     contact
-        (2, f), the rows whose impulses bound them, added up; −1 for none.
+        (2, f), the contact rows whose impulses, added up, bound them; −1 for none.
     sticks, slips
-        (f,), the coefficients while it sticks and while it slips.
+        (f,), the coefficients of static and of kinetic friction.
     """
 
     row: Integers
@@ -32,12 +32,12 @@ class Friction:
 
     @cached_property
     def there(self) -> Booleans:
-        """Whether there is such a contact: (2, f)."""
+        """Whether there is such a contact row: (2, f)."""
         return np.asarray(self.contact >= 0)
 
     @cached_property
     def shares(self) -> tuple[Array, Array]:
-        """The coefficients of each contact while it sticks, and while it slips: (2, f) each."""
+        """The static and the kinetic coefficients of each contact row: (2, f) each."""
         return self.sticks * self.there, self.slips * self.there
 
 
@@ -50,14 +50,14 @@ NO_FRICTION = Friction(
 
 
 class Active(NamedTuple):
-    """Which rows hold; m rows, f of friction.
+    """The active rows; m rows, f of friction.
 
     Attributes
     ----------
     on
-        (m,), whose rate is kept at zero.
+        (m,), the rows whose rate is kept at zero.
     slip
-        (f,), the sign of the impulses that are at their bound; 0 of others.
+        (f,), the sign of friction impulses that are at their bound; 0 for others.
     """
 
     on: Booleans
@@ -65,24 +65,24 @@ class Active(NamedTuple):
 
     @property
     def key(self) -> bytes:
-        """The same, to be compared."""
+        """The active set as a hashable key."""
         return self.on.tobytes() + self.slip.tobytes()
 
 
 class Problem(NamedTuple):
-    """What rows ask for; m of them.
+    """The kinds of the rows; m of them.
 
     Attributes
     ----------
     free
-        (m,), whose impulse may have any sign and size: joints.
+        (m,), rows with an impulse of any sign and size: joints.
     pushes
-        (m,), whose impulse is not negative: contacts, ropes.
+        (m,), rows with a non-negative impulse: contacts, ropes.
     friction
-        All others.
+        All other rows.
     alike
-        (m,), rows of the same number are scaled alike: those of one joint, which point along axes
-        that anybody may have turned. No row's is like another's if left out.
+        (m,), rows with the same number are scaled alike: those of one joint, so that the result
+        does not depend on the directions of its axes. If left out, each row is scaled by itself.
     """
 
     free: Booleans
@@ -92,7 +92,7 @@ class Problem(NamedTuple):
 
 
 class TooMuch(Exception):  # noqa: N818 (whoever knows the time tells it)
-    """More to solve than a step can carry; `body` is the index of one that has part in it."""
+    """A system that is too large for a step; `body` is the index of a body that takes part."""
 
     def __init__(self, body: int, reason: Message) -> None:
         self.body, self.reason = body, reason

@@ -1,6 +1,6 @@
-"""Convex parts of bodies in plain numbers: how far apart they are, and which overlap.
+"""Convex parts of bodies, and their distances and overlaps.
 
-They have few corners, and few of them are looked at in a step: arrays would take longer.
+They have few corners, and a step needs few of them, so plain numbers are faster than arrays.
 """
 
 from collections.abc import Iterator, Sequence
@@ -19,10 +19,10 @@ if TYPE_CHECKING:
     from sandbox.physics.engine.batch import Booleans
 
 PLACES = 2
-"""How many are remembered: a drift is looked at from its start to its end."""
+"""How many placements are remembered: those at the start and at the end of a drift."""
 
 Pair = tuple[int, int]
-"""Two bodies, the lower number first; or a part of each."""
+"""Two bodies, the lower index first; or the indices of a part of each."""
 
 
 class Part(NamedTuple):
@@ -31,15 +31,15 @@ class Part(NamedTuple):
     Attributes
     ----------
     corners
-        (k,), counter-clockwise; two are a line, one is the middle of a disc [m].
+        (k,), counter-clockwise; two for a segment, one, the centre, for a disc [m].
     normals
-        (k,), of the sides from each to the next, outwards; a disc has none.
+        (k,), the outward normals of the sides, each from a corner to the next; none for a disc.
     lengths
-        (k,), of these sides [m].
+        (k,), the lengths of these sides [m].
     rounding
-        How far its surface lies beyond them [m].
+        The distance of its surface from the polygon of its corners [m].
     middle, radius
-        Of a disc around it [m].
+        A disc that encloses it [m].
     """
 
     corners: list[complex]
@@ -51,7 +51,7 @@ class Part(NamedTuple):
 
     @classmethod
     def of(cls, shape: pymunk.Shape) -> "Part":
-        """Return that of a disc, a polygon or a segment."""
+        """Return the part of a disc, a polygon or a segment."""
         if isinstance(shape, pymunk.Circle):
             middle = complex(*shape.offset)
             return cls([middle], [], [], shape.radius, middle, shape.radius)
@@ -71,11 +71,11 @@ class Part(NamedTuple):
 
     @property
     def reach(self) -> float:
-        """How far from the body's middle it has corners [m]."""
+        """The largest distance of its corners from the body's centre of mass [m]."""
         return max(map(abs, self.corners))
 
     def placed(self, place: complex, turned: complex) -> "Part":
-        """Return it in the plane."""
+        """Return it in the plane, with its body at a place and rotated."""
         return Part(
             [place + corner * turned for corner in self.corners],
             [normal * turned for normal in self.normals],
@@ -86,15 +86,15 @@ class Part(NamedTuple):
         )
 
     def seen(self, other: "Part", side: int) -> list[complex]:
-        """Return where the corners of another are: how far in front of a side, + i along it [m]."""
+        """Return the corners of another part, seen from a side: height + i way along it [m]."""
         corner, across = self.corners[side], self.normals[side].conjugate()
         proud = self.rounding + other.rounding
         return [(far - corner) * across - proud for far in other.corners]
 
     def shows(self, other: "Part") -> tuple[float, int]:
-        """Return how far another is in front of the side that shows it best, and that side [m].
+        """Return the largest separation of another part from a side, and that side [m].
 
-        By less than nothing where they overlap; a disc shows nothing.
+        The separation is negative where they overlap, and -inf for a disc, which has no sides.
         """
         best, chosen, corners, others = -inf, 0, self.corners, other.corners
         for side, normal in enumerate(self.normals):
@@ -110,13 +110,13 @@ class Part(NamedTuple):
         return best - (self.rounding + other.rounding), chosen
 
     def lowest(self, other: "Part", side: int) -> float:
-        """Return how far another is in front of a side at the least [m]."""
+        """Return the separation of another part from a side [m]."""
         corner, across = self.corners[side], self.normals[side].conjugate()
         least = min([((far - corner) * across).real for far in other.corners])
         return least - (self.rounding + other.rounding)
 
     def gap(self, other: "Part") -> float:
-        """Return how far two parts are apart at the least [m]: nothing if that is not seen."""
+        """Return a lower bound of the distance between two parts [m]."""
         around = abs(self.middle - other.middle) - self.radius - other.radius
         if around > 0 or not (self.normals or other.normals):
             return around
@@ -126,7 +126,7 @@ class Part(NamedTuple):
 def parts_of(shapes: Sequence[pymunk.Shape]) -> list[Part]:
     """Return the parts of a body, in an order that does not depend on memory addresses.
 
-    None if it has a shape of another kind.
+    A body with a shape of another kind has none.
     """
     own = plain(shapes)
     if not all(isinstance(s, pymunk.Circle | pymunk.Poly | pymunk.Segment) for s in own):
@@ -136,14 +136,14 @@ def parts_of(shapes: Sequence[pymunk.Shape]) -> list[Part]:
 
 
 class Placed:
-    """The parts of bodies somewhere; each is placed once, when it is first asked for.
+    """The parts of bodies at some positions; each is placed when it is first asked for.
 
     Parameters
     ----------
     parts
-        Those of each body, along its axes.
+        The parts of each body, along its axes.
     place
-        Where the bodies are.
+        The positions of the bodies.
     """
 
     def __init__(self, parts: Sequence[Sequence[Part]], place: Coordinates) -> None:
@@ -151,7 +151,7 @@ class Placed:
         self._known: dict[Pair, Part] = {}
 
     def part(self, body: int, number: int) -> Part:
-        """Return one of the parts of a body."""
+        """Return a part of a body."""
         if (known := self._known.get((body, number))) is None:
             where, turned = complex(self.place.plane[body]), complex(self.place.turned[body])
             known = self._known[body, number] = self._parts[body][number].placed(where, turned)
@@ -173,9 +173,9 @@ class Shapes:
     Attributes
     ----------
     sided, single
-        (n,), whether all parts of a body have sides, and whether it has but one.
+        (n,), whether all parts of a body have sides, and whether it has only one part.
     reach
-        (n,), how far from its middle a body reaches; without any parts it has no end [m].
+        (n,), the largest distance of corners from the centre of mass; inf without any parts [m].
     """
 
     def __init__(self, bodies: Sequence[pymunk.Body]) -> None:
@@ -186,10 +186,10 @@ class Shapes:
         self.sided: Booleans = np.array(sided, dtype=bool)
         self.single: Booleans = np.array([len(own) == 1 for own in parts], dtype=bool)
         self.reach = np.array([max((p.reach for p in own), default=np.inf) for own in parts])
-        self._placed: dict[bytes, Placed] = {}  # the last ones, by where that was
+        self._placed: dict[bytes, Placed] = {}  # the last ones, by the bodies' positions
 
     def at(self, place: Coordinates) -> Placed:
-        """Return them somewhere; where they were asked for last, they are placed already."""
+        """Return the parts with the bodies at some positions; the last placements are reused."""
         where = place.values.tobytes()
         if (known := self._placed.pop(where, None)) is None:
             known = Placed(self._parts, place)
@@ -199,7 +199,7 @@ class Shapes:
         return known
 
     def close(self, pair: Pair, there: Placed) -> Iterator[Pair]:
-        """Yield the parts of two bodies that may be in each other there."""
+        """Yield the pairs of parts of two bodies that may overlap."""
         if self.single[pair[0]] and self.single[pair[1]]:
             one, other = there.both(pair, (0, 0))
             if abs(one.middle - other.middle) < one.radius + other.radius:
@@ -209,12 +209,12 @@ class Shapes:
             yield from ((int(first), int(second)) for first, second in near.tolist())
 
     def pairs(self, pair: Pair) -> Iterator[Pair]:
-        """Return the parts of two bodies, each of the one with each of the other."""
+        """Yield all pairs of parts of two bodies."""
         one, other = (range(len(self._parts[body])) for body in pair)
         return product(one, other)
 
     def gap(self, pair: Pair, here: Placed) -> float:
-        """Return how far two bodies are apart at the least [m]: nothing if that is not seen."""
+        """Return a lower bound of the distance between two bodies [m]."""
         a, b = pair
         if self.single[a] and self.single[b]:
             return here.part(a, 0).gap(here.part(b, 0))
@@ -227,7 +227,7 @@ class Shapes:
         return least
 
     def _between(self, pair: Pair, place: Coordinates) -> Array:
-        """Return how far the discs around the parts of two bodies are apart: (k, l) [m]."""
+        """Return the distances between the enclosing discs of two bodies' parts: (k, l) [m]."""
         a, b = pair
         one, other = (place.plane[c] + self._middle[c] * place.turned[c] for c in pair)
         return np.asarray(np.abs(one[:, None] - other) - self._radius[a][:, None] - self._radius[b])

@@ -1,4 +1,4 @@
-"""Where a corner of a convex part comes down on a side of another."""
+"""Contacts between a corner of one convex part and a side of another."""
 
 from collections.abc import Iterator
 from typing import NamedTuple
@@ -6,28 +6,28 @@ from typing import NamedTuple
 from sandbox.physics.contacts.direct.convex_parts import Part
 
 LEAST = 1e-8
-"""m, how deep a corner must come down to count: a tenth of the overlap that is left alone."""
+"""m, the least depth of a corner that counts: a tenth of the overlap that is left alone."""
 
 ALIKE = 1e-9
-"""m: sides that are less deep by this are as deep, and corners that are so far beside one on it."""
+"""m, the tolerance for equal depths of sides, and for corners beyond the end of a side."""
 
 Both = tuple[Part, Part]
 """Two parts in the plane."""
 
 
 class Spot(NamedTuple):
-    """Where a corner of a part comes down on the other part.
+    """A corner of one part, and the side of the other part that it meets.
 
     Attributes
     ----------
     own
-        On which of the two parts: 0 or 1.
+        The part with the side: 0 or 1.
     normal
-        The unit vector from that to the other.
+        The outward unit normal of the side.
     tip
-        The point of the other that comes down [m].
+        The point of the corner that is nearest to the side [m].
     gap
-        How far it has to go [m].
+        Its distance from the side, negative behind it [m].
     """
 
     own: int
@@ -37,7 +37,7 @@ class Spot(NamedTuple):
 
 
 def on_side(both: Both, own: int, side: int, corner: int) -> Spot:
-    """Return a corner of the other part as it comes down on a side; behind it, its gap is < 0."""
+    """Return the contact of a side of part `own` with a corner of the other part."""
     owner, guest = both[own], both[1 - own]
     normal = owner.normals[side]
     tip = guest.corners[corner] - normal * guest.rounding
@@ -45,9 +45,9 @@ def on_side(both: Both, own: int, side: int, corner: int) -> Spot:
 
 
 def within(ended: Both) -> Iterator[tuple[int, int, int]]:
-    """Yield whose side a corner of the other part is behind, 0 or 1, which side, which corner.
+    """Yield the corners that are inside the other part, as (part with the side, side, corner).
 
-    Of two parts that overlap these are the side that shows it least, and the one that faces it.
+    The sides are that of least overlap of two parts, and the side of the other that faces it.
     """
     own, side, least = showing(ended)
     if least < -LEAST:
@@ -55,9 +55,9 @@ def within(ended: Both) -> Iterator[tuple[int, int, int]]:
 
 
 def showing(both: Both) -> tuple[int, int, float]:
-    """Return the side that shows best that two parts are apart: whose, which, by how much [m].
+    """Return the side of largest separation: its part, its index, and the separation [m].
 
-    By less than nothing where they overlap. Not both may be discs.
+    The separation is negative where the parts overlap. At most one of them may be a disc.
     """
     one, other = both
     first, second = one.shows(other), other.shows(one)
@@ -67,7 +67,7 @@ def showing(both: Both) -> tuple[int, int, float]:
 
 
 def _behind(ended: Both, own: int, side: int, least: float) -> Iterator[tuple[int, int, int]]:
-    """Yield the same as `within` of a side, and of the one that faces it."""
+    """Yield the corners behind a side, and those behind the side that faces it; see `within`."""
     for row, chosen in ((own, side), (1 - own, _facing(ended, own, side))):
         owner, guest = ended[row], ended[1 - row]
         if chosen is None:
@@ -78,6 +78,6 @@ def _behind(ended: Both, own: int, side: int, least: float) -> Iterator[tuple[in
 
 
 def _facing(both: Both, own: int, side: int) -> int | None:
-    """Return which side of the other part faces one of a part; a disc has none."""
+    """Return the side of the other part that faces a side of part `own`; None of a disc."""
     sides, across = both[1 - own].normals, both[own].normals[side].conjugate()
     return min(range(len(sides)), key=lambda at: (sides[at] * across).real, default=None)

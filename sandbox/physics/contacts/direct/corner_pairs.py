@@ -1,11 +1,11 @@
 """Corners that meet corners keep their normal.
 
-Where a corner touches a corner, the outlines have no single normal, but a cone of them. pymunk
-takes the line between the centres of the two roundings, of 1e-8 m. This line turns with the
-smallest error of a place, and flips to the normal of a side where the roundings overlap. Forces
-would turn with it, and move what rests there. Any normal of the cone will do. So the first one is
-kept, as if it were that of a side of the first body, until the corners slip or turn against each
-other.
+Where a corner touches a corner, the normal is not unique: a whole cone of directions is possible.
+pymunk takes the line between the centres of the two roundings, of 1e-8 m. This line turns with the
+smallest error of a position, and flips to the normal of a side where the roundings overlap. The
+forces would turn with it and move bodies at rest. Any normal of the cone will do. So the first one
+is kept, as if it were that of a side of the first body, until the corners slip or turn against
+each other.
 """
 
 from typing import NamedTuple
@@ -18,7 +18,7 @@ from sandbox.physics.engine.batch import Contacts
 from sandbox.physics.joints.exact.constraints import Coordinates
 
 REACH = 1e-7
-"""m, by which corners may slip along each other: some roundings of theirs."""
+"""m, by which corners may slip along each other and keep their normal: some of their roundings."""
 
 
 class Held(NamedTuple):
@@ -27,11 +27,11 @@ class Held(NamedTuple):
     Attributes
     ----------
     points
-        Where, along the axes of the first body and of the second [m].
+        The corners, along the axes of the first body and of the second [m].
     normal
         From the first to the second, along the axes of the first.
     turned
-        How far the second is turned against the first [rad].
+        The angle of the second relative to the first [rad].
     """
 
     points: tuple[complex, complex]
@@ -46,11 +46,11 @@ class CornerPairs:
         self._held: dict[tuple[int, int], Held] = {}
 
     def forget(self) -> None:
-        """Know none any more: bodies were put elsewhere."""
+        """Forget all pairs: bodies were put elsewhere."""
         self._held = {}
 
     def note(self, kick: Kick) -> None:
-        """Remember those of a kick: those that were there as they were."""
+        """Remember the pairs of a kick; known ones keep their normal."""
         corners, before, self._held = kick.features.corners, self._held, {}
         if corners is None:
             return
@@ -64,14 +64,14 @@ class CornerPairs:
                 self._held[a, b] = before.get((a, b), new)
 
     def steady(self, contacts: Contacts, place: Coordinates, origin: complex) -> Contacts:
-        """Return the contacts with the normals that corners had.
+        """Return the contacts with the remembered normals of corner pairs.
 
         Parameters
         ----------
         place
-            Where bodies are.
+            The positions of the bodies.
         origin
-            From where places are counted [m].
+            The origin of these positions [m].
         """
         if not self._held:
             return contacts

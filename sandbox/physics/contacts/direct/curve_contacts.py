@@ -1,12 +1,13 @@
 """Contacts on curves, as functions of the bodies' positions.
 
-With P the middle of what is round, or a corner, F the foot of P on the curve, t and κ the tangent
-and the curvature there, and d the distance from F to P, all along the axes of the curve's body:
+With P the centre of a disc, or a corner, F the foot of the perpendicular from P to the curve, t and
+κ the tangent and the curvature there, and d the distance from F to P, all along the axes of the
+curve's body:
 
     V = d    dV = n · dP    S = −h ∫ (1 − κ δ0) ds    dS = i n · dP (1 − κ δ0) / (1 − κ δ)
 
-h is 1 where P is on the left of the curve and −1 on the right, n = h i t, and δ = h d. S is how far
-P has gone along the line that is parallel to the curve through where it was.
+h is 1 where P is on the left of the curve and −1 on the right, n = h i t, and δ = h d. S is the
+distance of P along the curve that is parallel through its first position.
 """
 
 from cmath import phase
@@ -22,18 +23,18 @@ from sandbox.physics.geometry.plane_curve import Course, Foot
 from sandbox.physics.state.anchor import Plane
 
 FLAT = 1e-4
-"""1/m, the curvature of a curve below which a straight side touches it with its ends alone."""
+"""1/m, the curvature below which a straight side touches a curve only with its ends."""
 
 
 class Followed(NamedTuple):
-    """A contact on a curve, somewhere.
+    """A contact on a curve, at some position.
 
     Attributes
     ----------
     gap, slip
         V and S above [m].
     normal
-        n, from the curve on, along the axes of its body.
+        n, from the curve to P, along the axes of the curve's body.
     share
         (1 − κ δ0) / (1 − κ δ).
     """
@@ -46,24 +47,24 @@ class Followed(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Curved:
-    """A point that touches a curve.
+    """A contact point on a curve.
 
     Attributes
     ----------
     point
-        Which of the points that touch.
+        The index of the contact point.
     curve, other
         The bodies.
     sign
         1 if the curve is the first of the two, else −1.
     course, foot
-        Of the curve, and where on it the drift begins.
+        The shape of the curve, and F at the beginning of the drift.
     hand
         h above.
     start
         δ0 above [m].
     radius
-        Of what is round, or of the corner [m].
+        The radius of the disc, or of the corner [m].
     """
 
     point: int
@@ -77,7 +78,7 @@ class Curved:
     radius: float
 
     def look(self, place: complex) -> Followed:
-        """Return the contact where P is at a place, along the axes of the curve's body."""
+        """Return the contact with P at a place, along the axes of the curve's body."""
         first, foot = self.foot, self.course.follow(place, self.foot.at)
         left = 1j * foot.tangent
         apart = dot(place - foot.point, left)
@@ -88,12 +89,12 @@ class Curved:
 
     @property
     def center(self) -> complex:
-        """The centre of the circle that is closest to the curve there, along its axes [m]."""
+        """The centre of the osculating circle, along the axes of the curve's body [m]."""
         return self.foot.point + 1j * self.foot.tangent / self.foot.bend
 
     @property
     def arched(self) -> bool:
-        """Whether a straight side can touch the curve there beside its ends."""
+        """Whether a straight side can touch the curve there, and not only with its ends."""
         return self.hand * self.foot.bend < -FLAT
 
 
@@ -104,20 +105,20 @@ def on_curves(
     points: Plane,
     placed: tuple[Plane, Plane],
 ) -> Iterator[Curved]:
-    """Yield the points that touch curves beside them; at an end a curve is a disc.
+    """Yield the contact points on curves, but for their ends, which count as discs.
 
     Parameters
     ----------
     figures
         The outlines of the bodies.
     bodies
-        The two of each point, (2, k).
+        The two bodies of each point, (2, k).
     normal
         (k,), from the first to the second.
     points
-        Where they touch, on the first and on the second, (2, k) [m].
+        The points on the first and on the second body, (2, k) [m].
     placed
-        Where all bodies are, and how they are turned, (n,) each.
+        The positions of all bodies, and their rotations as unit complex numbers, (n,) each.
     """
     pairs = bodies.T.tolist() if figures.courses else ()
     for point, (a, b) in enumerate(pairs):
@@ -146,18 +147,18 @@ def follow_curves(
     arms: Plane,
     rows: tuple[Array, Array, Plane, Plane],
 ) -> None:
-    """Put in what points on curves are.
+    """Set the rows of contact points on curves.
 
     Parameters
     ----------
     curved
-        The points.
+        The points on curves.
     placed
-        Where all bodies are, and how they are turned, (n,) each.
+        The positions of all bodies, and their rotations as unit complex numbers, (n,) each.
     arms
-        From the two bodies of each point to where they touch, (2, k) [m].
+        The lever arms from the two bodies of each point to it, (2, k) [m].
     rows
-        The gaps and slips, and how they change with d, (k,) each.
+        The gaps and slips, and their derivatives by d, (k,) each.
     """
     gap, slip, along, across = rows
     for one in curved:
@@ -174,16 +175,16 @@ def follow_curves(
 def roll_on_curves(
     curved: Sequence[Curved], faces: Booleans, rubs: Integers, figures: Figures, rolls: Array
 ) -> None:
-    """Put in by which radii the angles of bodies count in the slip on curves.
+    """Set the radii by which the angles of bodies count in the slip on curves.
 
     Parameters
     ----------
     curved
         The points on curves.
     faces
-        (k,), whether it is a straight side that touches there.
+        (k,), whether a straight side touches there.
     rubs
-        (f,), which points slips are of.
+        (f,), the points with friction.
     figures
         The outlines of the bodies.
     rolls

@@ -1,4 +1,4 @@
-"""The parts of a drift that is cut where bodies land, and what others see of them."""
+"""The parts of a drift that is cut where bodies land, and its outcome for the rest of the step."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -22,21 +22,21 @@ class Part(NamedTuple):
     Attributes
     ----------
     kick
-        Its rows.
+        The rows of that kick.
     left, drift
-        How long there is until the end of the whole drift, and how long the part is [s].
+        The time from its beginning to the end of the whole drift, and its length [s].
     begun
         (3 N,), the velocities after the impacts at its beginning [m/s, rad/s].
     lasts
-        How long the kick goes on from there [s].
+        The length of the kick after these impacts [s].
     forces
-        (r,), in that [N].
+        (r,), the forces in that kick [N].
     active
-        Which rows hold.
+        Its active rows.
     moved
-        (3 N,), the velocities in it [m/s, rad/s].
+        (3 N,), the velocities in the part [m/s, rad/s].
     before
-        What happened at its beginning before that.
+        The stages at its beginning before that kick.
     """
 
     kick: Kick
@@ -51,46 +51,46 @@ class Part(NamedTuple):
 
     @classmethod
     def after(cls, taken: Taken, drift: float, moved: Array) -> "Part":
-        """Return the whole drift after a kick, so long [s], with velocities (3 N,)."""
+        """Return the whole drift after a kick, of a length [s] and with velocities (3 N,)."""
         begun, lasts, forces, active = taken.begun, taken.lasts, taken.forces, taken.active
         before = taken.stages[:-1]
         return cls(taken.kick, drift, drift, begun, lasts, forces, active, moved, before)
 
     @property
     def pulls(self) -> Array:
-        """(3 N,), what joints and contacts give [m/s², rad/s²]."""
+        """(3 N,), the accelerations by joints and contacts [m/s², rad/s²]."""
         return np.asarray(self.forces @ self.kick.response)
 
     @property
     def end(self) -> Coordinates:
-        """Where it ends."""
+        """The positions at its end."""
         return Coordinates(self.kick.place.values + self.drift * self.moved)
 
 
 def concerned(kick: Kick, reached: Booleans) -> Booleans:
-    """Return which rows of a kick have to do with some of the bodies, (n,): (r,)."""
+    """Return which rows of a kick act on some of the bodies, (n,): (r,)."""
     columns = order(len(reached))[reached].ravel()
     return np.asarray((kick.response[:, columns] != 0).any(axis=1))
 
 
 @dataclass(frozen=True)
 class Landed:
-    """A drift that was cut where bodies landed, as others see it; n bodies.
+    """A drift that was cut where bodies landed; n bodies.
 
-    The kicks before and after it are whole ones, the one as if nothing landed, the other with the
-    forces of its last part. What they give too much is taken back at its two ends. What has nothing
-    to do with the landings goes on as it did, and is given nothing between the two.
+    The rest of the step knows only whole kicks: the one before it as if nothing landed, the one
+    after it with the forces of its last part. The excess of both is taken back at the two ends of
+    the drift. Bodies that take no part in the landings go on as they were.
 
     Parameters
     ----------
     whole, parts
-        The drift as if nothing landed, and its parts.
+        The drift without landings, and its parts with them.
     laws
         (3 N,), the accelerations by gravity and force laws [m/s², rad/s²].
     reached
-        (n,), which bodies have to do with the landings.
+        (n,), which bodies take part in the landings.
     start
-        (n, 3), where bodies are at its start [m, rad].
+        (n, 3), the positions at its start [m, rad].
     """
 
     whole: Part
@@ -101,7 +101,7 @@ class Landed:
 
     @cached_property
     def divided(self) -> Divided:
-        """Its parts, as others see them."""
+        """The drift in parts, for the rest of the step."""
         whole, led, lasts = self.whole, self._led, self.whole.lasts
         left = self._moving((led.begun + lasts * (self.laws + led.pulls))[self._places])
         lead = Stage.of(led.kick, lasts, left, lasts * led.forces)
@@ -131,32 +131,32 @@ class Landed:
 
     @cached_property
     def _ended(self) -> Kick:
-        """The rows of the last part at its end."""
+        """The rows of the last part, at its end."""
         last = self.parts[-1]
         return last.kick.moved(last.end)
 
     @property
     def _led(self) -> Part:
-        """What leads into it: the whole drift, or the first part with what it does not catch."""
+        """The motion up to the first landing: the whole drift, unless a rope is caught later."""
         first = self.parts[0]
         return first if _catches(self.whole, first) else self.whole
 
     @property
     def _lifted(self) -> float:
-        """How much more energy is read in the middle of it, see `Divided` [J]."""
+        """The excess of the energy that is read in the middle of it, see `Divided` [J]."""
         inertia = inertia_of(self.whole.kick.joints.inverse)[self._places]
         mass = np.where(self.reached[:, None], inertia, 0.0)
         bent = (self._led.pulls - self.parts[-1].pulls)[self._places]
         return float(np.sum(mass * self.laws[self._places] * bent)) * self.whole.drift**2 / 8
 
     def _given_less(self) -> Stage:
-        """Return by how much the kick before it differs from a whole one."""
+        """Return the difference between the kick before it and a whole one."""
         first, lasts = self.parts[0], self.whole.lasts
         less = first.forces * first.lasts - lasts * self._led.forces
         return Stage.of(first.kick, first.lasts - lasts, first.moved[self._places], less)
 
     def _taken_back(self) -> tuple[Kick, Stage]:
-        """Return what the whole kick after it gives too much, and the rows of that."""
+        """Return the excess of the whole kick after it, taken back, and its rows."""
         last, kick = self.parts[-1], self._ended
         missing = (self.whole.drift - last.drift) / 2
         forces = _steady(last, self.laws, missing, self.reached)
@@ -164,12 +164,12 @@ class Landed:
         return kick, Stage.of(kick, -missing, self._moving(begun[self._places]), -missing * forces)
 
     def _stages(self, part: Part) -> tuple[Stage, ...]:
-        """Return what happened at the beginning of a part."""
+        """Return the stages at the beginning of a part."""
         rest = part.forces * part.lasts
         return *part.before, Stage.of(part.kick, part.lasts, part.moved[self._places], rest)
 
     def _seen(self, kick: Kick, stage: Stage) -> Between:
-        """Return a stage as others see it."""
+        """Return a stage, limited to the bodies and joints that take part in the landings."""
         joints = kick.layout.joints
         some = stage.among(self.reached, concerned(kick, self.reached)[joints])
         jacobian = -kick.here.jacobian[joints][:, self._places]
@@ -177,26 +177,27 @@ class Landed:
         return Between(self._place(kick.place), jacobian, moving)
 
     def _moving(self, velocity: Array) -> Array:
-        """Return velocities, (n, 3), but those of the whole drift for what lands nowhere."""
+        """Return velocities, (n, 3), with those of the whole drift for all other bodies."""
         return np.where(self.reached[:, None], velocity, self.whole.moved[self._places])
 
     def _place(self, there: Coordinates) -> Array:
-        """Return where bodies are: (n, 3) [m, rad]."""
+        """Return the positions of the bodies: (n, 3) [m, rad]."""
         way = there.values - self.whole.kick.place.values
         return self.start + way[self._places]
 
 
 def _catches(whole: Part, first: Part) -> bool:
-    """Return whether a rope is caught in a drift, but not before the first landing in it."""
+    """Return whether a rope becomes taut in a drift, but not before its first landing."""
     joints = whole.kick.layout.joints
     taut, pulls = (part.forces[joints] > 0 for part in (whole, first))
     return bool((whole.kick.joints.pulls_only & taut & ~pulls).any())
 
 
 def _steady(last: Part, laws: Array, missing: float, reached: Booleans) -> Array:
-    """Return the forces of the last part that may stand for those of a whole kick after it: (r,).
+    """Return the forces of the last part that may stand for a whole kick after it: (r,).
 
-    Those of what jams do not last, and would give energy so long before it [s].
+    Forces of bodies that jam do not last. Traced back over the `missing` time [s], they would add
+    energy, and count as 0.
     """
     kinetic, before = last.kick.joints.kinetic, last.moved - missing * (laws + last.pulls)
     if kinetic(before) <= GROWS * kinetic(last.moved):

@@ -14,7 +14,7 @@ from sandbox.physics.engine.batch import Booleans, Contacts, Integers
 from sandbox.physics.joints.exact.constraints import QUADRATIC
 
 FURTHER = 1.5
-"""How many times as far as it moves in a step a body may be found in another at first."""
+"""The largest overlap of a new contact, as a multiple of the motion of its bodies in a step."""
 
 
 class FalseContacts:
@@ -26,13 +26,13 @@ class FalseContacts:
     Parameters
     ----------
     query
-        Finds what bodies touch that were moved.
+        Finds the contacts of bodies that were moved.
     """
 
     def __init__(self, query: Query) -> None:
         self._query = query
-        self._pairs: set[tuple[int, int]] | None = None  # that touched in the last step, if known
-        self._same: Integers | None = None  # the bodies of the last step's contacts, if all were
+        self._pairs: set[tuple[int, int]] | None = None  # of the last step, if known
+        self._same: Integers | None = None  # of the last step's contacts, if all were real
 
     def forget(self) -> None:
         """Accept all contacts once: bodies were put elsewhere."""
@@ -44,8 +44,8 @@ class FalseContacts:
         Parameters
         ----------
         moved
-            Returns the positions of the bodies, (n, 2) [m], and how far they moved in the last
-            step, in any direction, (n, 3) [m, rad].
+            Returns the positions of the bodies, (n, 2) [m], and the sizes of their displacements in
+            the last step, (n, 3) [m, rad].
         """
         if not len(contacts.bodies):
             self._pairs, self._same = set(), None
@@ -62,16 +62,16 @@ class FalseContacts:
         return contacts if whole else Contacts._make(field[good] for field in contacts)
 
     def since(self, contacts: Contacts, state: Array, shift: Array, least: float) -> Contacts:
-        """Return contacts, with those that moving the bodies has made; the same object if none.
+        """Return contacts with those that a displacement has made; the same object if none.
 
         Parameters
         ----------
         state
-            (n, 6), where the bodies are now, see `Batch.state`.
+            (n, 6), the state of the bodies now, see `Batch.state`.
         shift
-            (n, 3), how far they were moved [m, rad].
+            (n, 3), their displacements [m, rad].
         least
-            The smallest shift that counts [m, rad].
+            The smallest displacement that counts [m, rad].
         """
         moved = np.flatnonzero((np.abs(shift) > least).any(axis=1)).tolist()
         found = self._query.more(contacts, moved, least) if moved else contacts
@@ -83,7 +83,7 @@ class FalseContacts:
 
 
 def _reach(contacts: Contacts, place: Array, way: Array) -> Array:
-    """Return the largest overlap that a step can have made: (k,) [m]."""
+    """Return the largest overlaps that a step can cause: (k,) [m]."""
     arms = np.hypot(*np.moveaxis(contacts.points[:, :1] - place[contacts.bodies], 2, 0))
     motion = way[contacts.bodies]
     ways = np.hypot(motion[..., 0], motion[..., 1]) + arms * motion[..., 2]

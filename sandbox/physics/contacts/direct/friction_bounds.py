@@ -1,4 +1,4 @@
-"""How large friction may be: by the impulses of the contacts that it acts at."""
+"""The bounds of friction, given by the impulses of its contacts (Coulomb's law)."""
 
 from functools import cached_property
 
@@ -15,9 +15,9 @@ class FrictionBounds:
     Parameters
     ----------
     friction
-        Its rows.
+        The rows of friction.
     size
-        (m,), by what impulses are scaled.
+        (m,), the factors by which impulses are scaled.
     """
 
     def __init__(self, friction: Friction, size: Array) -> None:
@@ -26,7 +26,7 @@ class FrictionBounds:
 
     @cached_property
     def _scale(self) -> Array:
-        """How friction is scaled by the impulse of each contact: (2, f)."""
+        """The scale of friction over that of each of its contacts: (2, f)."""
         return np.asarray(self._size.take(self.row) / self._size.take(self.contact))
 
     @cached_property
@@ -38,11 +38,11 @@ class FrictionBounds:
         return self._friction.shares[1] * self._scale
 
     def sticking(self, impulse: Array) -> Array:
-        """Return how large friction that sticks may be with impulses, (m,): (f,)."""
+        """Return the bounds of friction while it sticks, (f,), with impulses (m,)."""
         return self._bounds(impulse, self._sticks)
 
     def slipping(self, impulse: Array) -> Array:
-        """Return how large friction that slips is with impulses, (m,): (f,)."""
+        """Return the size of friction while it slips, (f,), with impulses (m,)."""
         return self._bounds(impulse, self._slips)
 
     def _bounds(self, impulse: Array, coefficients: Array) -> Array:
@@ -50,11 +50,11 @@ class FrictionBounds:
         return np.asarray(bounds[0] + bounds[1])
 
     def sticking_by_each(self) -> Array:
-        """Return how large friction that sticks may be by each impulse, one by one: (f, m)."""
+        """Return the bounds while friction sticks as a matrix of the impulses: (f, m)."""
         return self._by_each(self._sticks)
 
     def slipping_by_each(self) -> Array:
-        """Return how large friction that slips is by each impulse, one by one: (f, m)."""
+        """Return the sizes while friction slips as a matrix of the impulses: (f, m)."""
         return self._by_each(self._slips)
 
     def _by_each(self, coefficients: Array) -> Array:
@@ -64,9 +64,9 @@ class FrictionBounds:
         return shares
 
     def follow(self, slip: Integers) -> Array:
-        """Return what impulses follow from those of rows that hold: (m, m).
+        """Return all impulses as a matrix of those of the active rows: (m, m).
 
-        Friction that slips one way or the other, (f,), is at its bound.
+        Friction that slips, in the direction of its sign in `slip`, (f,), follows from its contact.
         """
         gives = np.eye(len(self._size))
         for contact, share in zip(self.contact, self._slips * slip, strict=True):

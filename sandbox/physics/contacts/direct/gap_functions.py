@@ -1,20 +1,20 @@
 """Gaps between bodies, as functions of the bodies' positions.
 
-A contact is a corner on a side, a disc on a side, or two round things on each other. For each there
-is a gap V, which must not shrink, and a way S that its surfaces have slipped, both *of the places*:
-kept through the next drift they hold to second order on curved paths, as the joints do (see
-`shake`). The velocities of the contact points, taken where the drift begins, would leave it
-by h v² / 2R a step.
+A contact is a corner on a side, a disc on a side, or two discs on each other. Each has a gap V,
+which must not shrink, and a slip S, the distance that its surfaces have slipped. Both are functions
+of the positions: constrained at the end of the drift they hold to second order on curved paths, as
+joints do (see `shake`). Velocities of the contact points at the beginning of the drift would leave
+a curved path by h v² / 2R a step.
 
 With A and B the points of the two bodies, d = B − A, and n from the first body to the second, in
 the complex plane:
 
     on a side     V = Re(n̄ d)     S = Re((i n)̄ d) + a θ_a + b θ_b    n turns with the side's body
-    round         V = s |d|        S = s |d| φ + a θ_a + b θ_b         φ is how far d has turned
+    discs         V = s |d|        S = s |d| φ + a θ_a + b θ_b         φ is the rotation of d
 
-A, B are centres of what is round, and s = −1 where one is inside the other. The angles count by the
-radii that roll. Between round things these end in the middle between the surfaces. For curves see
-`curve_contacts`; a side touches one as the circle that is closest there.
+For discs A and B are the centres, and s = −1 where one is inside the other. The radii a and b, by
+which angles count, end midway between the surfaces of two discs. For curves see `curve_contacts`; a
+side touches a curve as if it were its osculating circle.
 """
 
 from collections.abc import Sequence
@@ -39,34 +39,34 @@ from sandbox.physics.state.anchor import Plane
 
 @dataclass(slots=True)  # not frozen: made in every step
 class Features:
-    """The points at which bodies touch, of N bodies with the plane.
+    """The contact points of N bodies with the plane.
 
     Attributes
     ----------
     touching
-        Which.
+        Their layout.
     points
         A and B above, (2, k + f), along their bodies' axes [m].
     side
-        (k,), the body whose side it is; the first where there is none.
+        (k,), the body with the side; the first body where there is none.
     normal
         (k,), n above, along the axes of that body.
     owns
-        Whether the side is the first body's, or the second's, (2, k + f): 0 or 1.
+        (2, k + f), 1 for the body with the side, else 0.
     rounds
-        Which points have no side, r of them; None if all have one.
+        The r points without a side; None if all have one.
     sign
-        (r,), s above, of these.
+        (r,), s above, of these points.
     rolls
         a and b above, (2, f) [m].
     circles
-        (f,), s above where round things rub on each other, and 0 elsewhere.
+        (f,), s above for friction between discs, and 0 elsewhere.
     apart
-        (k,), d where the drift begins [m].
+        (k,), d at the beginning of the drift [m].
     curved
-        The points on curves; their places among the first ones are those of the closest circles.
+        The points on curves, which are osculating circles in the other fields.
     corners
-        (k,), where corners meet corners, as if one was a side of the first body; None if nowhere.
+        (k,), where corners meet corners, which count as sides of the first body; None if nowhere.
     """
 
     touching: Touching
@@ -83,9 +83,9 @@ class Features:
     corners: Booleans | None = None
 
     def look(self, place: Coordinates, total: Array, jacobian: Array) -> None:
-        """Write down the gaps and the ways slipped, and their Jacobian: (k + f) and (k + f, 3 N).
+        """Write the gaps and slips, (k + f,), and their Jacobian, (k + f, 3 N).
 
-        What of the Jacobian is not written is 0.
+        Entries of the Jacobian that are 0 are not written.
         """
         held, rubs, count = self.touching.held, self.touching.rubs, len(self.apart)
         turned, plane = place.turned, place.plane
@@ -95,7 +95,7 @@ class Features:
         d = ends[1] - ends[0]
         along = self.normal * turned.take(self.side)
         beside = along.conj() * d
-        gap, off = beside.real, beside.imag  # how far it has slipped along a side
+        gap, off = beside.real, beside.imag  # the distance along a side
         across = 1j * along
         if self.rounds is not None:
             self._of_round(d, (gap, off, along, across))
@@ -118,7 +118,7 @@ class Features:
         jacobian.reshape(-1)[self.touching.into] = partials
 
     def _of_round(self, d: Plane, rows: tuple[Array, Array, Plane, Plane]) -> None:
-        """Put in what is round: the gaps and slips, and how they change with d, (k,) each."""
+        """Set the rows of discs: the gaps and slips, and their derivatives by d, (k,) each."""
         gap, slip, along, across = rows
         rounds, sign = self.rounds, self.sign
         d, apart = d[rounds], self.apart[rounds]
@@ -129,7 +129,7 @@ class Features:
         across[rounds] = 1j * toward * (first / size)
 
     def moved(self, place: Coordinates) -> "Features":
-        """Return the same where the drift begins elsewhere."""
+        """Return the same contact points for a drift that begins at other positions."""
         held = self.touching.held
         first, second = (place.plane[held] + self.points * place.turned[held])[:, : len(self.apart)]
         there = copy(self)
@@ -139,7 +139,7 @@ class Features:
 
 
 def _rounds(corner: Booleans, apart: Array, normal: Array) -> tuple[Array, slice | Integers]:
-    """Return the sign of each gap between round outlines, 0 of the others, and which those are."""
+    """Return the sign s of each gap between discs, 0 of others, and the indices of the former."""
     sign = np.where(corner, np.where((apart.conj() * normal).real < 0, -1.0, 1.0), 0.0)
     return sign, slice(None) if corner.all() else np.flatnonzero(corner)
 
@@ -147,16 +147,16 @@ def _rounds(corner: Booleans, apart: Array, normal: Array) -> tuple[Array, slice
 def features(
     contacts: Contacts, touching: Touching, place: Coordinates, origin: complex
 ) -> Features:
-    """Return what the contacts of a step are between.
+    """Return the contact points of a step.
 
     Parameters
     ----------
     contacts, touching
-        Of the step.
+        The contacts of the step, and the layout of their points.
     place
-        Where the bodies are.
+        The positions of the bodies.
     origin
-        From where places are counted [m].
+        The origin of these positions [m].
     """
     bodies, pair, _, number, rubs = touching[:5]
     figures, outlines = touching.figures, touching.outlines
@@ -195,12 +195,12 @@ def features(
 
 
 def _owners(touching: Touching, out: Plane) -> Booleans:
-    """Return whose the side is, where there is one: (2, k), of at most one body each.
+    """Return which body has the side: (2, k), at most one of the two at each point.
 
     Parameters
     ----------
     out
-        (2, k), where each body faces the other, along its axes.
+        (2, k), the direction from each body to the other, along its axes.
     """
     owns = touching.outlines.faces(out)
     if touching.outlines.sided:
@@ -216,9 +216,9 @@ def _with_curves(
     center: Plane,
     owns: Booleans,
 ) -> tuple[Booleans, Plane]:
-    """Return what is round, and about which centers, with the points on curves: (2, k) each.
+    """Return which points are on discs, and the centres, with curves as discs: (2, k) each.
 
-    A curve that bends there owns the normal; no face of the other body does.
+    The normal is that of a curve, if it bends there, and not that of a side of the other body.
     """
     if not curved:
         return is_round, center
@@ -234,14 +234,14 @@ def _with_curves(
 def _corners(
     outlines: Outlines, is_round: Booleans, owns: Booleans
 ) -> tuple[Booleans | None, Booleans | None]:
-    """Return where corners meet corners, and where else there is no side: (k,), None if nowhere.
+    """Return where corners meet corners, and where else no side takes part: (k,), None if nowhere.
 
-    Such corners are given a side of the first body.
+    Corners that meet count as sides of the first body.
 
     Parameters
     ----------
     is_round, owns
-        (2, k), whether they are round where they touch, and whose the side is.
+        (2, k), whether the bodies are round there, and which has the side.
     """
     corner = ~(owns[0] | owns[1])
     if not np.count_nonzero(corner):
@@ -257,14 +257,14 @@ def _corners(
 
 
 def _rolls(touching: Touching, is_round: Booleans, owns: Booleans, sign: Array | None) -> Array:
-    """Return by which radii the angles of the two bodies count in the slip: (2, f) [m].
+    """Return the radii by which the angles of the two bodies count in the slip: (2, f) [m].
 
     Parameters
     ----------
     is_round
-        (2, k), whether they are round where they touch.
+        (2, k), whether the bodies are round there.
     owns
-        (2, k), whose the side is.
+        (2, k), which body has the side.
     sign
         (k,), s above, and 0 where there is a side; None if there is one everywhere.
     """
@@ -285,7 +285,7 @@ def _rolls(touching: Touching, is_round: Booleans, owns: Booleans, sign: Array |
 
 
 def _circles(sign: Array | None, curved: Sequence[Curved], rubs: Integers) -> Array:
-    """Return s of the friction between round things, and 0 of what has a side or a curve: (f,)."""
+    """Return s for friction between discs, and 0 where there is a side or a curve: (f,)."""
     if sign is None:
         return np.zeros(len(rubs))
     circles = sign.copy()
@@ -295,7 +295,7 @@ def _circles(sign: Array | None, curved: Sequence[Curved], rubs: Integers) -> Ar
 
 
 def _to_the_middle(rolls: Array, circles: Array, apart: Plane) -> Array:
-    """Return radii that end in the middle of the gap or the overlap: (2, f) [m].
+    """Return radii that end midway in the gap or overlap: (2, f) [m].
 
     Friction then acts on both bodies at one point, and leaves their angular momentum as it is.
 
@@ -304,7 +304,7 @@ def _to_the_middle(rolls: Array, circles: Array, apart: Plane) -> Array:
     rolls, circles
         See `Features`.
     apart
-        (f,), from the one centre to the other [m].
+        (f,), from one centre to the other [m].
     """
     if not np.count_nonzero(circles):
         return rolls

@@ -1,8 +1,7 @@
-"""Contacts that joints decide: what stands on the ground with a pin comes near to it by the pin.
+"""Contacts that joints determine, as that of a body with the ground to which it is pinned.
 
-Such a contact can change nothing, and contradicts the pin by some nanometres as its corner turns,
-for that is round by the skin. Where this is in the way, the pin holds, and the contact bears
-nothing.
+Such a contact has no freedom left, and as its rounded corner turns, it contradicts the pin by some
+nanometres. There the pin holds, and the contact bears nothing.
 """
 
 import numpy as np
@@ -17,11 +16,14 @@ from sandbox.physics.engine.batch import Booleans
 from sandbox.physics.state.errors import NoForces
 
 MOVES = 1e3 * CUT
-"""The share of its inverse mass that joints leave to a contact that they decide: rounding."""
+"""The share of a contact's inverse mass that joints leave to it, below which they determine it."""
 
 
 def without_held(kick: Kick) -> tuple[Layout, Booleans] | None:
-    """Return what all else asks for, and which contacts, (k,), joints decide; None if none."""
+    """Return the layout without the contacts that joints determine, and which these are: (k,).
+
+    None if there are none.
+    """
     layout = kick.layout
     if not len(layout.joined):
         return None
@@ -41,17 +43,19 @@ def without_held(kick: Kick) -> tuple[Layout, Booleans] | None:
 
 
 def check_held(kick: Kick, decided: Booleans, motion: Array) -> None:
-    """Refuse velocities, (3 N,) [m/s, rad/s], with which joints push bodies into each other.
+    """Refuse a motion in which joints push bodies into each other.
 
     Parameters
     ----------
     decided
-        (k,), which contacts they decide.
+        (k,), which contacts joints determine.
+    motion
+        (3 N,), the velocities in the drift [m/s, rad/s].
 
     Raises
     ------
     NoForces
-        If they do, by more than the overlap that is left alone.
+        If bodies come to overlap by more than the skin.
     """
     gaps, touching = kick.layout.gaps, kick.layout.touching
     there = kick.rows(motion * kick.joints.drift).total

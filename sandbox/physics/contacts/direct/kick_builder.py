@@ -1,4 +1,4 @@
-"""Building the system of a kick: the rows of all that touches or is joined, where bodies are."""
+"""Builds the system of equations of a kick: the rows of all contacts and joints."""
 
 from collections.abc import Callable
 from math import nan
@@ -19,29 +19,29 @@ from sandbox.physics.joints.exact.shake import ExactJoints
 
 
 class KickBuilder:
-    """Builds the system of equations of each kick; n bodies, m equations of joints.
+    """Builds the system of each kick; n bodies, m equations of joints.
 
     Parameters
     ----------
     batch
         Reads and writes the bodies.
     joints
-        The exact ones; they may be none.
+        The exact joints, if any.
     surfaces
-        How bodies touch.
+        The contact properties of the bodies.
     moves
         (n,), whether a body is dynamic.
     query
-        Finds what bodies touch that were moved.
+        Finds the contacts of bodies that were moved.
     known
-        The warm start, whose forces the correction of overlaps begins with.
+        The warm start, for the correction of overlaps.
 
     Attributes
     ----------
     contacts
-        Those of the present kick.
+        The contacts of the present kick.
     shift
-        (n, 3), by how much the correction of overlaps moved each body in this step [m, rad].
+        (n, 3), the displacements by the correction of overlaps in this step [m, rad].
     """
 
     def __init__(
@@ -66,13 +66,13 @@ class KickBuilder:
         self.shift = self._still
 
     def find_contacts(self, moved: Callable[[], Array]) -> None:
-        """Take the contacts that pymunk has found, less the false ones.
+        """Take the contacts that pymunk has found, without the false ones.
 
         Parameters
         ----------
         moved
-            Returns how far their velocities took the bodies in the last step, (n, 3) [m, rad].
-            It is asked only where something new touches.
+            Returns the sizes of the bodies' displacements in the last step, (n, 3) [m, rad]. It is
+            called only if there are new contacts.
         """
         shift = self.shift
         self.contacts = self._false.sound(
@@ -82,7 +82,7 @@ class KickBuilder:
         self.shift = self._still
 
     def follow(self, until: float) -> None:
-        """Take up what joints keep after a drift that ends at a time, and what before it [s]."""
+        """Take up the lengths that joints keep before and after a drift that ends at a time [s]."""
         if until == self._until and not np.count_nonzero(self._joints.added):
             return
         lengths, last = self._joints.lengths(until), self._lengths[1]
@@ -94,12 +94,12 @@ class KickBuilder:
         self._lengths = self._joints.lengths(t), self._joints.lengths(t)
 
     def standing(self, lengths: tuple[Array, Array]) -> Kick:
-        """Return the system where bodies are, between two steps; see `Direct.standing`."""
+        """Return the system at the present positions, between two steps; see `Direct.standing`."""
         self._lengths = lengths
         return self.at(self._joints.place())
 
     def relay(self) -> None:
-        """Begin anew with other joints, where bodies are."""
+        """Begin anew with other joints, at the present positions."""
         self._layouts.forget()
         self._until = nan
 
@@ -110,12 +110,12 @@ class KickBuilder:
         self.shift = self._still
 
     def look(self, leaving: Array) -> Kick:
-        """Return the system where everything is, once overlaps are taken back.
+        """Return the system at the present positions, after the correction of overlaps.
 
         Parameters
         ----------
         leaving
-            (3 N,), how far bodies go in a step by themselves [m, rad].
+            (3 N,), the displacements of the next step without forces [m, rad].
         """
         place, _ = self._joints.coordinates()
         kick = self.at(place)
@@ -143,13 +143,13 @@ class KickBuilder:
         return kick
 
     def with_ahead(self, kick: Kick, ahead: Contacts) -> Kick:
-        """Return the same system with rows for what meets within the drift."""
+        """Return the system with rows for contacts that close within the drift."""
         contacts = kick.contacts.and_(ahead)
         layout = self._layouts.anew(contacts)
         running, closes = self._surfaces.running, kick.closes + len(ahead.bodies)
         return Kick.at(kick.place, self._joints, contacts, layout, running, self._lengths, closes)
 
     def anew(self, place: Coordinates, contacts: Contacts, lengths: tuple[Array, Array]) -> Kick:
-        """Return the system of contacts somewhere, within a drift between lengths of the joints."""
+        """Return the system of contacts at given positions, between lengths of the joints."""
         layout, running = self._layouts.anew(contacts), self._surfaces.running
         return Kick.at(place, self._joints, contacts, layout, running, lengths)

@@ -1,4 +1,4 @@
-"""The parts of a kick, and what each did."""
+"""The stages of a kick with impacts, and its result."""
 
 from typing import NamedTuple
 
@@ -12,18 +12,18 @@ from sandbox.physics.engine.batch import Booleans, Contacts
 
 
 class Stage(NamedTuple):
-    """A part of a kick with impacts: before them, the impacts, or after them.
+    """A stage of a kick with impacts: before them, the impacts themselves, or after them.
 
     Attributes
     ----------
     lasts
-        How long it is; 0 of the impacts [s].
+        Its length; 0 for the impacts [s].
     velocity
-        (n, 3), the velocities that it ends with [m/s, rad/s].
+        (n, 3), the velocities at its end [m/s, rad/s].
     pulls
-        (m,), the impulses along what joints keep; positive where they pull.
+        (m,), the impulses of the equations of the joints; positive where they pull.
     contacts
-        With the impulses in it.
+        The contacts with their impulses.
     """
 
     lasts: float
@@ -33,11 +33,11 @@ class Stage(NamedTuple):
 
     @classmethod
     def of(cls, kick: Kick, lasts: float, ended: Array, impulse: Array) -> "Stage":
-        """Return what impulses, (r,), did in a part of a kick; for the others see above."""
+        """Return a stage from its length, final velocities, and the impulses of its rows: (r,)."""
         return cls(lasts, ended, impulse[kick.layout.joints], kick.pushing(impulse))
 
     def among(self, bodies: Booleans, joints: Booleans) -> "Stage":
-        """Return what it gave some of the bodies, (n,), by some of what the joints keep, (m,)."""
+        """Return it with only the impulses on some bodies, (n,), and of some joints, (m,)."""
         both = self.contacts
         some = np.any(bodies[both.bodies], axis=1)
         contacts = both._replace(
@@ -48,35 +48,35 @@ class Stage(NamedTuple):
         return self._replace(pulls=np.where(joints, self.pulls, 0.0), contacts=contacts)
 
     def normal(self, count: int) -> Array:
-        """Return what pushed each of so many bodies, whichever way: (n,) [N s]."""
+        """Return the sums of the sizes of the normal impulses on each body: (n,) [N s]."""
         both = self.contacts.bodies.T.ravel()
         pushed = np.bincount(both, np.tile(self.contacts.normal, 2), count)
         return np.asarray(pushed, dtype=float)
 
 
 class Taken(NamedTuple):
-    """A kick that was taken; r rows, N bodies with the plane.
+    """The result of a kick; r rows, N bodies with the plane.
 
     Attributes
     ----------
     kick
-        Which.
+        Its rows.
     moved
         (3 N,), the velocities after it [m/s, rad/s].
     forces
-        (r,), since its impacts, if it had any [N].
+        (r,), the forces after its impacts, or throughout if it has none [N].
     active
-        Which rows hold since.
+        The active rows after its impacts.
     total
         (r,), the impulses of the whole kick.
     impacts
-        What impacts did in it; None if there were none.
+        Its impacts; None if it has none.
     stages
-        Its parts, if there were impacts; else none.
+        Its stages, if it has impacts; else empty.
     begun
-        (3 N,), the velocities from which it goes on, after its impacts [m/s, rad/s].
+        (3 N,), the velocities right after its impacts, or at its beginning [m/s, rad/s].
     lasts
-        How long it goes on from there [s].
+        The length of the kick from there [s].
     strikes
         Whether a corner strikes within the drift after it.
     """

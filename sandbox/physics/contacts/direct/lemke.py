@@ -2,10 +2,10 @@
 
     w = M z + q,    w >= 0,  z >= 0,  wᵀ z = 0
 
-It goes from corner to corner of what satisfies all but one of the conditions, and ends at a
-solution wherever contact problems have one: their matrices are copositive (Stewart and Trinkle
+It moves along vertices that satisfy all conditions but one, and reaches a solution whenever a
+contact problem has one: their matrices are copositive (Stewart and Trinkle
 1996; R. W. Cottle, J.-S. Pang, R. E. Stone: The Linear Complementarity Problem, chapter 4.4). It is
-slower than guessing, and asked only where guesses go in circles.
+slower than updates of the active set, and used only where these cycle.
 """
 
 import numpy as np
@@ -15,23 +15,23 @@ from sandbox.physics.engine.batch import Integers
 from sandbox.physics.state.cancellation import cancellation_point
 
 PIVOTS = 20
-"""How many corners it goes to at the most, for each condition."""
+"""The most pivots per condition."""
 
 WORK = 4e9
-"""How many entries of its table it changes at the most: some seconds of computing."""
+"""The most changes of entries of the tableau: some seconds of computing."""
 
 NOTHING = 1e-11
-"""An entry below this share of the largest of its column is no pivot."""
+"""Entries below this share of the largest in their column cannot be pivots."""
 
 TIE = 1e-12
-"""Ratios that differ by less than this, of the largest, are one: the largest pivot is taken."""
+"""Ratios that differ by less than this share of the largest are tied; the largest pivot wins."""
 
 GONE = 1e-13
-"""The share of its first value below which the artificial variable is 0 but for rounding: then all
-conditions hold, whether or not it has left the basis."""
+"""The share of its first value below which the artificial variable counts as 0: all conditions then
+hold, even if it is still in the basis."""
 
 BLOCK = 32
-"""How many rows are changed in one go: what is made for them stays in the processor's cache."""
+"""The rows that are changed together, so that intermediate results fit into the cache."""
 
 
 def lemke(matrix: Array, offset: Array) -> Array | None:
@@ -68,9 +68,9 @@ def lemke(matrix: Array, offset: Array) -> Array | None:
 
 
 def _pivot(table: Array, row: int, column: int) -> None:
-    """Let the variable of a row and the one of a column change places.
+    """Exchange the variables of a row and a column.
 
-    Columns of the basis would be those of the unit matrix, and are not kept.
+    The columns of basic variables are unit vectors, and are not stored.
     """
     factor = table[:, column].copy()
     table[:, column], table[row, column] = 0.0, 1.0
@@ -83,9 +83,9 @@ def _pivot(table: Array, row: int, column: int) -> None:
 
 
 def _ratio(table: Array, place: int, basis: Integers, artificial: int) -> int | None:
-    """Return the row that the variable of a column drives to zero first; None if it drives none.
+    """Return the row whose variable a column's variable drives to zero first.
 
-    Nor does it where numbers have grown beyond what a float can hold.
+    None if there is no such row, or if the numbers overflow.
     """
     column, value = table[:, place], np.maximum(table[:, -1], 0.0)
     some = np.flatnonzero(column > NOTHING * np.abs(column).max(initial=0.0))

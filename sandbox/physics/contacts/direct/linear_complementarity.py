@@ -1,7 +1,7 @@
 """Contacts with friction as a linear complementarity problem, for Lemke's method.
 
-Joints are obeyed by all, and so drop out. Friction is a push one way less a push the other way; a
-last condition bounds their sum (Stewart and Trinkle 1996).
+Joints always hold, and are eliminated. Friction is the difference of two non-negative impulses in
+opposite directions, whose sum a last condition bounds (Stewart and Trinkle 1996).
 """
 
 import numpy as np
@@ -11,22 +11,22 @@ from sandbox.physics.contacts.direct.constraint_rows import Problem
 from sandbox.physics.contacts.direct.lemke import lemke
 
 FAINT = 1e-12
-"""The share of a row's own inverse mass that is nothing."""
+"""The share of a row's own inverse mass that is rounding."""
 
 
 def by_lemke(
     problem: Problem, delassus: Array, rate: Array, bounds: Array, soft: float
 ) -> Array | None:
-    """Return impulses, (m,), about as the rows ask for them; None if none are found.
+    """Return impulses, (m,), that satisfy the rows approximately; None if none are found.
 
     Parameters
     ----------
     delassus, rate
         (m, m) and (m,), as of `complementarity.solve`, with each row's own inverse mass near one.
     bounds
-        (f, m), how large friction is by each impulse where it slips.
+        (f, m), the size of sliding friction as a matrix of the impulses.
     soft
-        What is added to each row's own inverse mass.
+        The compliance that is added to each row's own inverse mass.
     """
     free, pushes, row = (
         np.flatnonzero(problem.free),
@@ -53,7 +53,7 @@ def by_lemke(
 
 
 def _pushes(matrix: Array, rate: Array, bounds: Array) -> Array | None:
-    """Return the impulses of c contacts and f frictions, (c + f,), that there are no joints with.
+    """Return the impulses of c contacts and f rows of friction without joints: (c + f,).
 
     Parameters
     ----------

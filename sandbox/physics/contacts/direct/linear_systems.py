@@ -9,32 +9,31 @@ from sandbox.model.expressions import Array
 from sandbox.physics.state.cancellation import cancellation_point
 
 REPEATS = 1e11
-"""How much larger the solution of rows that do not repeat each other may be than what is asked for.
-A mass of 1,000,000 on one of 1 has 1e7, and one of 31,000,000, spread over 31 boxes, 1e10."""
+"""The largest ratio of solution to right-hand side that counts as regular; beyond it rows are
+redundant. A mass of 1,000,000 on one of 1 has 1e7, one of 31,000,000 on 31 boxes 1e10."""
 
 CUT = 1e-10
-"""The share of the largest that a row adds to those before it, and that is nothing where rows
-repeat each other."""
+"""The relative cutoff for the rank of a matrix with redundant rows."""
 
 SOUND = 1e6
-"""How much larger solutions may be than what is asked for, by the largest diagonal element, where
-elimination is as good as singular values."""
+"""The largest ratio of solution to right-hand side, times the largest diagonal element, at which
+elimination is as accurate as singular values."""
 
 FEASIBLE = 1e-12
-"""What is left of one, where limits contradict each other: rounding."""
+"""The residual below which limits contradict each other: rounding."""
 
 
 def most(values: Array) -> float:
-    """Return the size of the largest number; 0 of none, and not a number if one is none."""
+    """Return the largest absolute value; 0 of an empty array, NaN if any value is NaN."""
     sizes = np.abs(values)
     return sizes.item(sizes.argmax()) if len(sizes) else 0.0
 
 
 def solved(matrix: Array, wanted: Array) -> tuple[Array, bool]:
-    """Solve a linear system; return whether rows repeat each other, too: then it is the least.
+    """Return the solution of a linear system, and whether its rows are redundant.
 
-    While Newton's method is on its way such rows contradict each other a little: what they have in
-    common is met, and nothing is made of the contradiction.
+    With redundant rows it is the smallest least-squares solution: before Newton's method has
+    converged, such rows contradict each other a little.
     """
     if len(wanted) == 1:
         return wanted / (matrix[0] if matrix[0, 0] else 1.0), False
@@ -49,9 +48,9 @@ def solved(matrix: Array, wanted: Array) -> tuple[Array, bool]:
 
 
 def _least(matrix: Array, wanted: Array) -> Array:
-    """Return the least solution, by a complete orthogonal decomposition.
+    """Return the smallest least-squares solution, by a complete orthogonal decomposition.
 
-    LAPACK is called as SciPy's `lstsq` does, which on few rows takes longer to look at them.
+    LAPACK is called directly: on few rows the checks of SciPy's `lstsq` take longer than its work.
     """
     from scipy.linalg.lapack import dgelsy  # a tenth of a second, for those who need it
 
@@ -62,9 +61,9 @@ def _least(matrix: Array, wanted: Array) -> Array:
 
 
 def nearest(matrix: Array, wanted: Array) -> Array:
-    """Return what meets a symmetric system as well as can be, the least of all: (m,) or (m, s).
+    """Return the smallest least-squares solution of a symmetric system: (m,) or (m, s).
 
-    Rows may repeat each other. By singular values, or, where none nearly do, by elimination.
+    By elimination where its rows are clearly independent, else by singular values.
     """
     count = len(matrix)
     columns = np.column_stack((_probe(count), wanted))
@@ -78,7 +77,7 @@ def nearest(matrix: Array, wanted: Array) -> Array:
 
 
 def null(matrix: Array) -> Array:
-    """Return unit vectors that a square matrix maps to nothing, as columns: (m, l)."""
+    """Return an orthonormal basis of the null space of a square matrix, as columns: (m, l)."""
     from scipy.linalg.lapack import dgeqp3, dorgqr
 
     cancellation_point()
@@ -90,7 +89,7 @@ def null(matrix: Array) -> Array:
 
 
 class _Room(NamedTuple):
-    """How many numbers LAPACK works with on square matrices of one size."""
+    """The sizes of LAPACK's work arrays for square matrices of one size."""
 
     least: int
     triangle: int
@@ -99,7 +98,7 @@ class _Room(NamedTuple):
 
 @cache
 def _room(count: int) -> _Room:
-    """Ask LAPACK how much room it wants."""
+    """Ask LAPACK for the sizes of its work arrays."""
     from scipy.linalg.lapack import dgelsy_lwork, dgeqp3, dorgqr
 
     matrix, column = np.eye(count), np.zeros(count)
@@ -135,5 +134,5 @@ def least_distance(limits: Array, least: Array) -> Array | None:
 
 @cache
 def _probe(count: int) -> Array:
-    """Return a vector that lies in no direction in particular: its image tells of the inverse."""
+    """Return a vector in no particular direction, whose image shows the size of the inverse."""
     return np.cos(np.arange(1.0, count + 1) ** 2)

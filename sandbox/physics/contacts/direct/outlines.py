@@ -1,4 +1,4 @@
-"""The outlines of bodies, in the form that their contacts need."""
+"""The outlines of bodies, as their contacts need them."""
 
 from typing import NamedTuple
 
@@ -10,32 +10,32 @@ from sandbox.physics.geometry.plane_curve import Course
 from sandbox.physics.state.anchor import Plane
 
 PARALLEL = 1e-6
-"""rad, by which a side and a contact may differ in direction and the contact be on that side."""
+"""rad, the largest angle between a side's normal and that of a contact on it."""
 
 
 SHARP = 1e-7
-"""m, a corner that is rounded by no more than this is one."""
+"""m, the largest rounding of a sharp corner."""
 
 
 class Figure(NamedTuple):
-    """What the outline of a body is to its contacts.
+    """The outline of a body, as its contacts need it.
 
     Attributes
     ----------
     radius
-        Of what is round, where it is touched from outside; 0 of what has sides [m].
+        The outer radius of a disc, hoop or arc; 0 of a body with sides [m].
     normals
         The unit normals of its sides, along its axes.
     rounding
-        The radius of its corners, or ends [m].
+        The radius of its corners or ends [m].
     inner
-        Of what is hollow, where it is touched from inside [m].
+        The inner radius of a hollow body; else 0 [m].
     center
-        Of what is round, along its axes [m].
+        The centre of a disc, hoop or arc, along its axes [m].
     ends
-        Whether what is round is not so all the way.
+        Whether it is an arc with ends.
     course
-        Of what is a curve, or None.
+        The shape of a curve; else None.
     """
 
     radius: float
@@ -55,15 +55,15 @@ class Figures:
     radius, rounding, inner, center
         (n,) each, as of a `Figure` [m].
     ends
-        (n,), whether it is round, but not all the way.
+        (n,), whether it is an arc with ends.
     courses
-        Of those that are curves, by their numbers.
+        The shapes of curves, by the indices of their bodies.
     plain
-        Whether what is round is so all the way, about its body's centre.
+        Whether all round bodies are full circles about their bodies' centres.
     hollow
-        Whether anything can be touched from inside.
+        Whether any body can be touched from inside.
     straight
-        (n,), which are made of discs and straight sides alone.
+        (n,), whether a body consists of discs and straight sides alone.
     """
 
     def __init__(self, figures: list[Figure]) -> None:
@@ -84,7 +84,7 @@ class Figures:
         self._sided = np.array([len(figure.normals) > 0 for figure in figures], dtype=bool)
 
     def of(self, body: Integers) -> "Outlines":
-        """Return those of two bodies each: (2, k)."""
+        """Return the outlines of pairs of bodies: (2, k)."""
         radius, rounding = self.radius.take(body), self.rounding.take(body)
         has_corners = (radius == 0) & (rounding <= SHARP)
         return Outlines(
@@ -101,18 +101,18 @@ class Figures:
 
 
 class Outlines(NamedTuple):
-    """The outlines of the first and the second bodies at k points, as of a `Figure` each: (2, k).
+    """The outlines of the first and the second bodies at k points, fields as of `Figure`: (2, k).
 
     Attributes
     ----------
     figures
-        Of all bodies.
+        The outlines of all bodies.
     body
-        (2, k), which.
+        (2, k), the indices of the bodies.
     rounds
-        (2, k), whether they are round, if not all the way.
+        (2, k), whether they are discs, hoops or arcs.
     sharp
-        (k,), whether both have corners.
+        (k,), whether both have sharp corners.
     sided
         Whether any has sides.
     """
@@ -128,21 +128,21 @@ class Outlines(NamedTuple):
     sided: bool
 
     def faces(self, direction: Plane) -> Booleans:
-        """Return whether they have a side that faces there, along their own axes: (2, k)."""
+        """Return whether they have a side with this normal, along their own axes: (2, k)."""
         if not self.sided:
             return np.zeros(direction.shape, dtype=bool)
         off = np.abs(self.normals - direction[..., None])
         return np.asarray((off < PARALLEL).any(axis=-1))
 
     def round(self, where: Plane, turned: Plane, n: Plane, middle: Plane) -> tuple[Booleans, Plane]:
-        """Return whether they are round where they touch, and where their centres are: (2, k).
+        """Return whether they are round at the contact points, and their centres: (2, k).
 
         Parameters
         ----------
         where, turned
-            Where the bodies are, and how they are turned, (2, k) each.
+            The positions of the bodies, and their rotations as unit complex numbers, (2, k) each.
         n, middle
-            The normals, and where they touch, (k,) each.
+            The normals and the contact points, (k,) each.
         """
         if self.figures.plain:
             return self.rounds, where
@@ -152,6 +152,6 @@ class Outlines(NamedTuple):
         return self.rounds & ~(self.figures.ends[self.body] & is_end), center
 
     def rolls(self, is_round: Booleans, corner: Booleans, within: Booleans | None) -> Array:
-        """Return the radii with which they roll where they touch: (2, k) [m]."""
+        """Return the radii with which they roll at the contact points: (2, k) [m]."""
         radius = self.radius if within is None else np.where(within, self.inner, self.radius)
         return np.where(is_round, radius, np.where(corner, self.rounding, 0.0))

@@ -1,9 +1,9 @@
 """Overlap correction: bodies are moved apart, and their velocities stay.
 
-What is moved out of one body may be moved off another: a car that is lifted out of a hill by its
-front wheel turns, and its rear wheel leaves the ground by a nanometre. That would be without a
-force for a whole step, and a spring would shoot it into the ground. So whoever presses on another
-stays with it, if there is a way.
+A body that is moved out of one body may be lifted off another: a car that is lifted out of a hill
+at its front wheel turns, and its rear wheel leaves the ground by a nanometre. The wheel would then
+bear no force for a whole step, and a spring would push it into the ground. So bodies that press on
+each other stay in contact, where that is possible.
 """
 
 import numpy as np
@@ -17,7 +17,7 @@ from sandbox.physics.contacts.direct.warm_start import WarmStart
 from sandbox.physics.state.errors import JointFailure, NoForces
 
 NOTHING = 1e-12
-"""m: what a kick leaves of an overlap that is left alone comes as near to it as this, each step."""
+"""m, the rounding of an overlap from step to step; smaller corrections are not made."""
 
 
 class OverlapCorrection:
@@ -33,22 +33,22 @@ class OverlapCorrection:
 
     def __init__(self, surfaces: Surfaces, known: WarmStart) -> None:
         self._surfaces, self._known = surfaces, known
-        self._held: tuple[Layout, Active] | None = None  # what held in the last
-        self._lost: Array = np.zeros(0)  # where there was no way, and what was asked for
+        self._held: tuple[Layout, Active] | None = None  # the active rows of the last correction
+        self._lost: Array = np.zeros(0)  # the last places and targets without a solution
 
     def way(self, kick: Kick, leaving: Array) -> Array | None:
         """Return the displacement, (3 N,) [m, rad], that removes a share of each large overlap.
 
-        Bodies that part by themselves are left alone: a bouncing body would have more energy if it
-        were moved up. So are bodies that have only just met, and overlaps that joints enforce. None
-        if there is nothing to correct, or if it cannot be done.
+        Bodies that separate by themselves are left alone: lifting a body that bounces would add
+        energy. So are bodies that have only just met, and overlaps that joints enforce. None if
+        there is nothing to correct, or no such displacement.
 
         Parameters
         ----------
         kick
-            What touches.
+            The rows of contacts and joints.
         leaving
-            (3 N,), how far they go in a step by themselves [m, rad].
+            (3 N,), the displacements of the next step without forces [m, rad].
         """
         back = self._back(kick, leaving)
         if back is None:
@@ -59,7 +59,7 @@ class OverlapCorrection:
         wanted[layout.joints] = np.where(kick.joints.pulls_only, slack, held)
         wanted[layout.gaps] += back
         asked = np.concatenate((kick.place.values, wanted))
-        if np.array_equal(asked, self._lost):  # as in the kick before, if bodies are held
+        if np.array_equal(asked, self._lost):  # as in the kick before, while bodies are held
             return None
         try:
             way, self._held = self._apart(kick, wanted, layout.smooth, self._start(layout))
@@ -71,20 +71,20 @@ class OverlapCorrection:
     def _apart(
         self, kick: Kick, wanted: Array, layout: Layout, start: Active
     ) -> tuple[Array, tuple[Layout, Active]]:
-        """Return the least displacement with which rows are as wanted, and what holds then."""
+        """Return the smallest displacement that satisfies the rows, and the active rows."""
         none, still = np.zeros_like(wanted), np.zeros_like(kick.place.values)
         _, way, held = newton(kick, layout, kick.rows, still, 1.0, wanted, none, start)
         return way, (kick.layout, held)
 
     def _together(self, kick: Kick, wanted: Array, way: Array) -> Array:
-        """Return a displacement by which nothing leaves what it presses on, if there is one.
+        """Return a displacement that keeps bodies in contact which press on each other.
 
         Parameters
         ----------
         kick, wanted
-            What touches, and what its rows shall be at least, (r,).
+            The rows, and their least values afterwards, (r,).
         way
-            The least displacement, (3 N,) [m, rad]; returned if there is no other.
+            The smallest displacement, (3 N,) [m, rad]; returned if there is no such one.
         """
         layout, depths = kick.layout, kick.contacts.depths.take(kick.layout.touching.number)
         lifts = (kick.rows(way).total - wanted)[layout.gaps]
@@ -102,20 +102,20 @@ class OverlapCorrection:
             return way
 
     def _back(self, kick: Kick, leaving: Array) -> Array | None:
-        """Return by how much gaps are to grow, (k,) [m]; None if none is."""
+        """Return by how much the gaps are to grow, (k,) [m]; None if none is to."""
         layout, correction = kick.layout, self._surfaces.correction
         touching, depths = layout.touching, kick.contacts.depths
         deep = depths[touching.pair, touching.point] - self._surfaces.slop
         if not correction or not (deep > 0).any():
             return None
         parts = kick.here.jacobian[layout.gaps] @ leaving
-        parts[self._known.pressed(kick)] = 0.0  # what rolls on parts a little: its way bends
+        parts[self._known.pressed(kick)] = 0.0  # rolling bodies separate a little: their paths bend
         back = correction * deep - np.maximum(parts, 0.0)
         back = np.where(self._known.met(kick) & (back > NOTHING), back, 0.0)
         return back if back.any() else None
 
     def _start(self, layout: Layout) -> Active:
-        """Return what held in the last step, if the same touched then."""
+        """Return the active rows of the last correction, if the contacts are the same."""
         if self._held and self._held[0] is layout:
             return self._held[1]
         return Active(layout.problem.free, np.zeros(len(layout.touching.rubs), dtype=np.intp))

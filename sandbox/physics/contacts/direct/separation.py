@@ -1,8 +1,8 @@
-"""Which bodies stay apart through a drift for certain, so that nobody need look for when they meet.
+"""Which bodies certainly stay apart through a drift, so that no time of impact need be computed.
 
-A convex part is clear of another while its corners are in front of one of the other's sides. Seen
-along with that side, a corner is on a curve that bends by so much at the most, c. So in a time T it
-comes no lower than the lower end of its way, less c T² / 8.
+A convex part is clear of another while its corners are in front of one of the other's sides.
+Relative to that side, the acceleration of a corner is at most c. So within a time T its height
+falls no further than c T² / 8 below the lower of the heights at both ends.
 """
 
 from typing import NamedTuple
@@ -15,35 +15,35 @@ from sandbox.physics.contacts.time_of_impact import Path
 from sandbox.physics.joints.exact.constraints import Coordinates
 
 CLEAR = 1e-7
-"""m, by which bodies must be apart to be so for certain: what touches overlaps by less."""
+"""m, the least distance of bodies that certainly are apart: contacts overlap by less."""
 
 
 class _Motion(NamedTuple):
-    """What bounds how a body moves in a drift."""
+    """The bounds of a body's motion in a drift."""
 
-    velocity: complex  # at its start
-    acceleration: complex
-    spin: float  # the fastest, whichever way
-    twist: float  # the angular acceleration, whichever way
-    reach: float  # of its corners, from its middle
+    velocity: complex  # m/s, at its start
+    acceleration: complex  # m/s²
+    spin: float  # rad/s, the largest angular speed
+    twist: float  # rad/s², the size of the angular acceleration
+    reach: float  # m, the largest distance of corners from the centre of mass
 
     @property
     def bend(self) -> float:
-        """How much its corners are accelerated by its turning, at the most."""
+        """A bound of the acceleration of its corners by rotation [m/s²]."""
         return self.reach * (self.spin * self.spin + self.twist)
 
 
 class Separation:
-    """Knows which bodies stay apart in a drift.
+    """Tells which bodies stay apart in a drift.
 
     Parameters
     ----------
     shapes
-        The parts of bodies.
+        The parts of the bodies.
     path
-        How these move.
+        Their motion.
     lasts
-        For how long [s].
+        The length of the drift [s].
     """
 
     def __init__(self, shapes: Shapes, path: Path, lasts: float) -> None:
@@ -52,7 +52,7 @@ class Separation:
         self._known: dict[int, _Motion] = {}
 
     def unsure(self, pair: Pair) -> list[Pair]:
-        """Return which parts of two bodies may meet, by their numbers; the others do not."""
+        """Return the pairs of parts of two bodies, by index, that may meet."""
         one, other = map(self._motion, pair)
         resting = self._sag(abs(other.acceleration - one.acceleration) + one.bend + other.bend)
         falls = self._falls(pair, one, other), self._falls(pair, other, one), resting
@@ -73,9 +73,9 @@ class Separation:
         return known
 
     def _falls(self, pair: Pair, side: _Motion, corner: _Motion) -> float:
-        """Return by how much less than at its ends the height of a corner over a side may be [m].
+        """Return how far the height of a corner over a side may fall below that at both ends [m].
 
-        See `_turning` in `time_of_impact` for how it is accelerated, as the side sees it.
+        For its acceleration relative to the side see `_turning` in `time_of_impact`.
         """
         plane, lasts = self._here.place.plane, self._lasts
         acceleration = abs(corner.acceleration - side.acceleration) + corner.bend
@@ -86,7 +86,7 @@ class Separation:
         return self._sag(acceleration + turns)
 
     def _sag(self, curve: float) -> float:
-        """Return how far a way that bends so much leaves the line between its ends [m]."""
+        """Return the largest deviation of a path from its chord, given its acceleration [m]."""
         return curve * self._lasts * self._lasts / 8 + CLEAR
 
 
@@ -102,10 +102,10 @@ Both = tuple[Part, Part]
 
 
 def _stay_apart(here: Both, there: Both, falls: tuple[float, float, float]) -> bool:
-    """Return whether two parts are seen to stay apart from one place of theirs to another.
+    """Return whether two parts certainly stay apart between two placements.
 
-    Their heights over sides of the first and the second may fall by so much between them, and their
-    distance along what does not turn [m].
+    `falls` bounds how far heights over sides of the first and of the second part, and distances
+    along a fixed direction, may fall in between [m].
     """
     resting = falls[2]
     way = here[1].middle - here[0].middle
@@ -124,7 +124,7 @@ def _stay_apart(here: Both, there: Both, falls: tuple[float, float, float]) -> b
 
 
 def _apart(both: Both, normal: complex) -> float:
-    """Return how far two parts are apart along a normal, from the first to the second [m]."""
+    """Return the separation of two parts along a normal, from the first to the second [m]."""
     along = normal.conjugate()
     (top, bottom) = ([(corner * along).real for corner in part.corners] for part in both)
     return min(bottom) - max(top) - both[0].rounding - both[1].rounding

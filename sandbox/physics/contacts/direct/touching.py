@@ -1,4 +1,4 @@
-"""Which points of which bodies touch in a step, and where their rows stand in the Jacobian."""
+"""The contact points of a step, and the places of their rows in the Jacobian."""
 
 from typing import NamedTuple
 
@@ -8,36 +8,36 @@ from sandbox.physics.contacts.direct.outlines import Figures, Outlines
 from sandbox.physics.engine.batch import Booleans, Contacts, Integers
 
 FROM_TO = np.array([[-1.0], [1.0]])
-"""How a way from the first body to the second counts for each."""
+"""The sign of the direction from the first body to the second, for each of the two."""
 
 
 class Touching(NamedTuple):
-    """Which points of which bodies touch; k points, f of them stand for the friction of a contact.
+    """The contact points: k of them, f of which carry the friction of their contact.
 
     Attributes
     ----------
     bodies
         (2, k), the first and the second.
     pair, point
-        (k,), the contact each belongs to, and which of its two points it is.
+        (k,), the contact of each, and which of its two points it is.
     number
-        (k,), the same as one number: the points of contacts in a row, two of each.
+        (k,), the same as one index: 2 pair + point.
     rubs
-        (f,), those with friction: the two points of a side share that of the first.
+        (f,), the points that carry friction: the first of each contact with friction.
     rows
-        (k + f,), which points the gaps are of, and then the friction.
+        (k + f,), the points of all rows: first those of the gaps, then those of friction.
     held
         (2, k + f), the bodies of these.
     into
-        Where in the Jacobian of gaps and friction the bodies stand: x and y of the first ones, of
-        the second ones, and then the angles.
+        The indices of the bodies' coordinates in the flattened Jacobian of gaps and friction: x and
+        y of the first bodies, of the second bodies, and then the angles.
     figures
         The outlines of all bodies.
     outlines
-        Those that touch, (2, k) each.
+        The outlines of the bodies that touch, (2, k) each.
     yields
-        (k,), whether the first body moves and the second does not: of two sides that face each
-        other, that of the second counts.
+        (k,), whether the first body moves and the second does not: where two sides face each other,
+        the side of the second is then the reference.
     """
 
     bodies: Integers
@@ -56,16 +56,16 @@ class Touching(NamedTuple):
     def between(
         cls, contacts: Contacts, rubs: Booleans, figures: Figures, moves: Booleans
     ) -> "Touching":
-        """Return the points of contacts: the first of all, then the second ones.
+        """Return the points of contacts: the first points of all contacts, then the second ones.
 
         Parameters
         ----------
         rubs
-            Which contacts there is friction at, (c,).
+            (c,), which contacts have friction.
         figures
             The outlines of all bodies.
         moves
-            (n,), which of them anything can move.
+            (n,), which bodies are dynamic.
         """
         count, two = len(contacts.bodies), np.flatnonzero(contacts.touches == 2)
         pair = np.concatenate((np.arange(count), two))
@@ -89,18 +89,18 @@ class Touching(NamedTuple):
         )
 
     def rubbing_at(self, points: Integers) -> "Touching":
-        """Return the same with the friction of each side at one of its points: (f,)."""
+        """Return the same with friction at other points: (f,)."""
         rows = np.concatenate((np.arange(len(self.pair)), points))
         return self._replace(rubs=points, rows=rows)
 
     @property
     def sliding(self) -> Integers:
-        """The bodies of the friction: (2, f)."""
+        """The bodies of the rows of friction: (2, f)."""
         return self.held[:, len(self.pair) :]
 
 
 def _into(bodies: Integers, count: int) -> Integers:
-    """Return where in the Jacobian of s rows bodies, (2, s), stand; there are so many."""
+    """Return the indices of the bodies, (2, s), in a flattened Jacobian of s rows."""
     start = np.arange(bodies.shape[1]) * (3 * count)
     x = start + 2 * bodies
     plane = np.stack((x, x + 1), axis=2).ravel()

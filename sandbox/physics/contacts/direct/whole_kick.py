@@ -1,4 +1,4 @@
-"""A whole kick: to its step, through the impacts there, and on from it."""
+"""A whole kick: up to its step, the impacts there, and the rest of it."""
 
 from typing import NamedTuple
 
@@ -14,24 +14,24 @@ from sandbox.physics.joints.exact.constraints import order
 
 
 class Beginning(NamedTuple):
-    """What a kick begins with; N bodies with the plane.
+    """The state and the forces at the beginning of a kick; N bodies with the plane.
 
     Attributes
     ----------
     velocity
         (3 N,), the velocities before it [m/s, rad/s].
     acceleration
-        (3 N,), by gravity and force laws in it [m/s², rad/s²].
+        (3 N,), by gravity and force laws [m/s², rad/s²].
     change
-        (3 N,), what changed in the step before it [m/s, rad/s].
+        (3 N,), the change of the velocities in the step before it [m/s, rad/s].
     lead
-        How long it lasts until its step [s].
+        The time from its beginning to its step [s].
     step
-        How long a step is [s].
+        The time step [s].
     strikes
         Whether impacts are looked for.
     driven
-        Whether surfaces that run, or kinematic bodies, may give energy.
+        Whether running surfaces or kinematic bodies may add energy.
     """
 
     velocity: Array
@@ -44,23 +44,23 @@ class Beginning(NamedTuple):
 
 
 def take(kick: Kick, start: Beginning, known: WarmStart, *, placed: bool = False) -> Taken:
-    """Return what becomes of a kick, which is as long as its joints say.
+    """Take a kick, whose length its joints know, and return the result.
 
     Parameters
     ----------
     kick
         Its rows.
     start
-        What it begins with.
+        The state and the forces at its beginning.
     known
-        The last one, whose forces it begins with.
+        The warm start: the forces of the last kick.
     placed
         See `hold`.
 
     Raises
     ------
     JointFailure, NoForces
-        If there are no impulses.
+        If no impulses are found.
     """
     velocity, acceleration, lead = start.velocity, start.acceleration, start.lead
     at_step, acts = velocity + acceleration * lead, acceleration * start.step
@@ -83,7 +83,7 @@ def take(kick: Kick, start: Beginning, known: WarmStart, *, placed: bool = False
 def _onwards(
     kick: Kick, start: Beginning, begun: Array, lasts: float, known: WarmStart, *, placed: bool
 ) -> Taken:
-    """Return a kick without impacts, or what of it comes after them, so long [s]."""
+    """Return a kick without impacts, or the rest of a kick after them, of length `lasts` [s]."""
     motion = begun + start.acceleration * lasts
     guess = known.guess(kick, motion, lasts)
     impulse, moved, active = hold(kick, motion, guess, driven=start.driven, placed=placed)

@@ -1,0 +1,123 @@
+"""Switching between building the level and running it, with undo across both."""
+
+from sandbox.app.building.applying_changes import Applying
+from sandbox.app.building.edited_level import Work
+from sandbox.app.building.toolbox import Toolbox
+from sandbox.app.building.trial_run import Trial
+from sandbox.app.runs.session import Session
+from sandbox.app.words.language import say
+from sandbox.model.errors import SandboxError
+
+
+class ModeSwitch:
+    """Goes from building to the run and back; undo and redo go through both."""
+
+    def __init__(self, work: Work, trial: Trial, tools: Toolbox, applying: Applying) -> None:
+        self._work, self._trial, self._tools, self._applying = work, trial, tools, applying
+
+    @staticmethod
+    def is_shown(session: Session) -> bool:
+        """Whether the run is shown, and not the level as it is built."""
+        return session.playing or session.world.steps > 0 or session.sought is not None
+
+    def begin(self, session: Session) -> bool:
+        """Prepare to let time run, and return whether that can be; if not, say why."""
+        self._tools.cancel()
+        if not self._applying.apply_pending(session):
+            reason = self._applying.refusal
+            self._work.tell(say("It cannot run yet: {reason}", reason=reason))
+            return False
+        return True
+
+    def toggle(self, session: Session) -> None:
+        """Let time run; go back to the start if it runs already."""
+        if self.is_shown(session):
+            self.back(session)
+        elif self.begin(session):
+            session.toggle()
+
+    def back(self, session: Session) -> None:
+        """Go back to the start, and to building; from where `come_back` returns."""
+        if self.is_shown(session):
+            self._trial.leave(session)
+            session.restart()
+            session.pause()
+            session.forget_earlier()
+        self.follow(session)
+
+    def come_back(self, session: Session) -> None:
+        """Go on with the run of this level that was left."""
+        self._applying.take_up(session)
+        text = self._work.draft.text
+        if self._applying.apply_pending(session) and self._trial.left(text):
+            self._trial.come_back(session, text)
+        self.follow(session)
+
+    def follow(self, session: Session) -> None:
+        """Take up the run or the level, whichever is shown, with its own tools."""
+        live = self._trial.live
+        live.session = session
+        bench = live if self.is_shown(session) else self._work
+        if bench is self._tools.bench:
+            return
+        selected = self._tools.bench.selected
+        self._tools.turn_to(bench)
+        live.stands = False
+        if bench is live:
+            live.look()
+            live.select(selected)
+        bench.show()
+
+    def look(self, session: Session) -> None:
+        """Take in the state of the run, before it is changed."""
+        self.follow(session)
+        if self._tools.bench is self._trial.live:
+            self._trial.live.look()
+
+    # undo and redo
+
+    def undo(self, session: Session) -> None:
+        """Undo the last change of the run; else the run itself, or a change of the level."""
+        if not self.is_shown(session):
+            self._work.undo()
+        elif self._trial.changed(session):
+            self._trial.take_back(session)
+            self._tools.bench.tell(say("Undone: what was changed in the run"))
+        else:
+            self.back(session)
+            self._work.tell(say("Undone: the run; Ctrl Y comes back to it"))
+
+    def redo(self, session: Session) -> None:
+        """Redo the last undone change of the run, the run itself, or a change of the level."""
+        if self.is_shown(session):
+            self._change_again(session)
+        elif self._trial.is_undone(self._work.draft.text):
+            self.come_back(session)
+        else:
+            self._work.redo()
+
+    def _change_again(self, session: Session) -> None:
+        """Change the run again where that was taken back."""
+        bench = self._tools.bench
+        try:
+            done = self._trial.do_again(session)
+        except SandboxError as error:
+            bench.tell(say(error.message))
+        else:
+            bench.tell(say("Done again") if done else say("Nothing to redo"))
+
+    def undoes(self, session: Session) -> str | None:
+        """Return what would be undone next, in words."""
+        if not self.is_shown(session):
+            return self._work.draft.undoes
+        if self._trial.changed(session):
+            return say("the last change of the run")
+        return say("the run")
+
+    def redoes(self, session: Session) -> str | None:
+        """Return what would be done again next, in words."""
+        if self.is_shown(session):
+            return say("change the run") if self._trial.is_taken_back(session) else None
+        if self._trial.is_undone(self._work.draft.text):
+            return say("the run")
+        return self._work.draft.redoes

@@ -1,0 +1,90 @@
+"""Choices about files: recover unsaved work, or keep one of two versions."""
+
+from functools import partial
+from time import localtime, strftime
+from typing import NamedTuple
+
+from sandbox.app.building.button_action import Act
+from sandbox.app.building.editor import Editor
+from sandbox.app.runs.session import Session
+from sandbox.app.words import level_words
+from sandbox.app.words.language import plural, say
+from sandbox.editing.draft import Draft
+from sandbox.editing.edits.titling import is_untitled
+from sandbox.editing.recovery import Recoverable
+from sandbox.model.level import Level
+
+MOST = 6
+"""How many drafts are offered."""
+
+
+class Offer(NamedTuple):
+    """Something to choose, and the ways to choose."""
+
+    text: str
+    ways: tuple[Act, ...]
+
+
+def offers(editor: Editor, session: Session) -> list[Offer]:
+    """Return the choices that are open now."""
+    found = [_recovering(left, editor, session) for left in (editor.drafts.left or ())[:1]]
+    if others := editor.drafts.unsaved(editor.work.draft)[:MOST]:
+        ways = tuple(_going_on(draft, editor, session) for draft in others)
+        found.append(Offer(say("Unsaved drawings:"), ways))
+    if editor.drafts.outside:
+        tip = say("read the file; Ctrl+Z brings your version back")
+        reading = Act(say("Read it"), tip, editor.saving.reload)
+        tip = say("overwrite it at the next save")
+        mine = Act(say("Keep mine"), tip, partial(_keep, editor))
+        found.append(Offer(say("Another program has changed the file."), (reading, mine)))
+    return found
+
+
+def _going_on(draft: Draft, editor: Editor, session: Session) -> Act:
+    """Return the button that opens another draft."""
+    level = draft.level
+    title = say("a level with mistakes")
+    if level is not None:
+        title = _called(level)
+    caption = title if draft.path is None else draft.path.name
+    tip = say("go on with it")
+    if level is not None:
+        count = len(level.bodies)
+        tip = plural("{count} body; go on with it", "{count} bodies; go on with it", count)
+    return Act(caption, tip, partial(editor.begin, session, draft))
+
+
+def _called(level: Level) -> str:
+    """Return the name of a level; without a title, it is named after its latest body."""
+    if is_untitled({"title": level.title}):
+        return say("Untitled, with {body}", body=list(level.bodies)[-1])
+    return level_words.of(level)(level.title)
+
+
+def _recovering(left: Recoverable, editor: Editor, session: Session) -> Offer:
+    name = left.path.name if left.path else say("a level without a file")
+    when = strftime("%Y-%m-%d %H:%M", localtime(left.when))
+    going_on = partial(recover, left, editor, session)
+    act = Act(say("Recover"), say("go on with it"), going_on)
+    forget = Act(say("Forget it"), say("throw it away"), partial(_forget, left, editor))
+    message = say("What was drawn in {name} ({when}) was not saved.", name=name, when=when)
+    return Offer(message, (act, forget))
+
+
+def recover(left: Recoverable, editor: Editor, session: Session) -> None:
+    """Go on with what a window has left; it is offered no more once it is kept as this one's."""
+    editor.begin(session, left.draft())
+    if why := editor.drafts.keep():
+        editor.work.tell(say(why))
+    else:
+        _forget(left, editor)
+
+
+def _forget(left: Recoverable, editor: Editor) -> None:
+    editor.drafts.forget(left)
+    editor.bench.show()
+
+
+def _keep(editor: Editor) -> None:
+    editor.drafts.keep_mine(editor.work.draft)
+    editor.bench.show()

@@ -1,0 +1,132 @@
+"""Small pictures of levels, drawn by the stage and cached on disk by a hash of the level's file."""
+
+import hashlib
+import os
+from collections.abc import Iterator, Sequence
+from contextlib import suppress
+from math import ceil
+from pathlib import Path
+from time import perf_counter
+from typing import NamedTuple
+
+import platformdirs
+import pygame
+
+from sandbox.app import level_picture
+from sandbox.app.drawing import theme
+from sandbox.app.drawing.text import Pen
+from sandbox.app.runs.session import Session
+from sandbox.app.stage.stage import Stage
+from sandbox.app.words import language
+from sandbox.model.errors import SandboxError
+from sandbox.model.files import read_ordinary, write_atomically
+from sandbox.model.loading import MAX_BYTES, load
+from sandbox.version import __version__
+
+SIZE = 320, 200  # px
+DRAWN = 480, 300  # px, before it is made smaller: lines are thinner then
+PATIENCE = 1.0  # s of computing, after which a run is drawn where it is
+MOST = 1000
+"""How many pictures are kept, the latest."""
+LARGEST = 500_000
+"""The largest picture that is read [bytes]; a larger one was not written by this program."""
+
+_BEGIN, _END = b"\x89PNG\r\n\x1a\n", b"IEND\xaeB`\x82"
+"""The first and the last bytes of a complete PNG file."""
+
+
+class Picture(NamedTuple):
+    """What was drawn of a level."""
+
+    path: Path
+    """of its file"""
+    key: str
+    """what the picture is kept by; empty if the file cannot be read"""
+    png: bytes
+    """empty if the level cannot be drawn"""
+
+
+def folder() -> Path:
+    """Return the folder in which pictures are kept; it need not be there."""
+    return platformdirs.user_cache_path("mechanics-sandbox") / "pictures"
+
+
+def key(path: Path) -> str:
+    """Return what a level's picture is kept by, from all that it depends on.
+
+    Raises
+    ------
+    OSError
+        If the file cannot be read, or is larger than a level may be.
+    """
+    content = read_ordinary(path.resolve(), MAX_BYTES)
+    if content is None:
+        raise OSError("not an ordinary file")
+    spoken = language.used() if b'"labels"' in content else ""  # words that are drawn
+    about = f"{__version__} {DRAWN} {SIZE} {theme.used()} {spoken}".encode()
+    return hashlib.sha256(about + content).hexdigest()[:32]
+
+
+def kept(known: str, where: Path | None = None) -> bytes:
+    """Return a picture that was drawn before, by its key; nothing if there is none."""
+    try:
+        png = read_ordinary((where or folder()) / f"{known}.png", LARGEST) or b""
+    except OSError:
+        return b""
+    return png if png.startswith(_BEGIN) and png.endswith(_END) else b""
+
+
+def made(paths: Sequence[Path], where: Path) -> Iterator[Picture]:
+    """Draw levels in a process without a window, and keep the pictures in a folder."""
+    os.environ["SDL_VIDEODRIVER"] = os.environ["SDL_AUDIODRIVER"] = "dummy"
+    pygame.font.init()
+    pen = Pen()
+    _forget_the_oldest(where)
+    for path in paths:
+        yield _made(path, pen, where)
+
+
+def _made(path: Path, pen: Pen, where: Path) -> Picture:
+    try:
+        known = key(path)
+        png = kept(known, where) or level_picture.png(draw(path, pen))
+    except OSError:
+        return Picture(path, "", b"")
+    except SandboxError:
+        return Picture(path, known, b"")
+    with suppress(SandboxError, OSError):  # a folder that takes none is no reason to show none
+        where.mkdir(parents=True, exist_ok=True)
+        write_atomically(where / f"{known}.png", png, follow=False)
+    return Picture(path, known, png)
+
+
+def draw(path: Path, pen: Pen) -> pygame.Surface:
+    """Draw a level at a telling moment, or as far as it comes in a second of computing.
+
+    Raises
+    ------
+    SandboxError
+        If the level cannot be opened.
+    """
+    session = Session(load(path), patient=False)
+    stage, surface = Stage(pen, DRAWN), pygame.Surface(DRAWN)
+    stage.use(session.world)
+    for overlay in stage.shown:
+        stage.shown[overlay] = overlay == "trail"
+    stage.fit()
+    begun = perf_counter()
+    for _ in range(ceil(session.end * level_picture.TELLING)):
+        if session.waiting or session.failure or perf_counter() - begun > PATIENCE:
+            break
+        session.step()
+        stage.watch()
+    stage.draw(surface, session.trail)
+    return pygame.transform.smoothscale(surface, SIZE)
+
+
+def _forget_the_oldest(where: Path) -> None:
+    """Remove what is more than is to be kept."""
+    with suppress(OSError):
+        found = [(entry.stat().st_mtime, entry.path) for entry in os.scandir(where)]
+        for _, path in sorted(found)[:-MOST]:
+            os.unlink(path)

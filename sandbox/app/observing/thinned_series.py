@@ -1,0 +1,60 @@
+"""A series of arrays in bounded memory, thinned when it is full: paths of bodies, energies."""
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+
+CAPACITY = 4000  # instants
+FIELDS = 400_000  # instants times bodies
+
+
+class Trail:
+    """The path of every body, or of anything else that is an array at every instant.
+
+    When it is full, every second point goes, and it goes on coarser.
+
+    Attributes
+    ----------
+    version
+        Changes whenever points that were there before have gone.
+    """
+
+    def __init__(self, position: Array) -> None:
+        self._room = max(min(CAPACITY, FIELDS // max(len(position), 1)), 16)
+        self._points = np.empty((self._room, *position.shape))
+        self._stride = 1
+        self._seen = 0
+        self._count = 0
+        self.version = 0
+        self.add(position)
+
+    def __len__(self) -> int:
+        return self._count
+
+    def add(self, position: Array) -> None:
+        """Note the next instant, such as where the bodies are: (n, 2) [m]."""
+        if self._seen % self._stride == 0:
+            if self._count == self._room:
+                self._thin()
+            self._points[self._count] = position
+            self._count += 1
+        self._seen += 1
+
+    def restart(self, position: Array) -> None:
+        """Forget everything, as after a body was put elsewhere."""
+        self._seen = self._count = 0
+        self._stride = 1
+        self.version += 1
+        self.add(position)
+
+    @property
+    def points(self) -> Array:
+        """All instants that are kept, such as (k, n, 2) [m]."""
+        return self._points[: self._count]
+
+    def _thin(self) -> None:
+        kept = self._points[::2]
+        self._count = len(kept)
+        self._points[: self._count] = kept.copy()
+        self._stride *= 2
+        self.version += 1

@@ -1,0 +1,141 @@
+"""The parts of the page besides the fields: mistakes, offers, suggestions, effects."""
+
+from functools import partial
+from typing import NamedTuple
+
+from sandbox.app.building import fields, inspection
+from sandbox.app.building.arranging import arrangements
+from sandbox.app.building.button_action import Act
+from sandbox.app.building.editor import Editor
+from sandbox.app.building.part_actions import part_actions
+from sandbox.app.building.recovery_choices import offers
+from sandbox.app.drawing import theme
+from sandbox.app.drawing.theme import Color
+from sandbox.app.runs.session import Session
+from sandbox.app.words.language import later, say
+from sandbox.editing.edits.titling import is_untitled
+from sandbox.model.effects import EFFECTS, Effects
+
+FIRST = later("Draw something: take Disc or Box above, and drag on the stage.")
+IN_RUN = later(
+    "Add things with a tool, or click on a body to change it. The checks then no longer apply."
+)
+NO_FORMULA = later("The run was changed on the way: the level's checks no longer apply.")
+NOTHING_SELECTED = later("Click on a body or joint on the stage to set its mass, length and so on.")
+SELECTED = later("Effects and suggested checks are shown while nothing is selected.")
+SAVE = later("Save under this name:")
+SAVE_TITLED = later("Save under this name, which becomes the level's title, too:")
+NO_CHECKS = later("No checks to suggest: they are for set-ups that have a closed form.")
+CHECKED = later("The level has checks; its own page (O) shows their results.")
+CHECKS = later("Recognised: a click adds the checks of its closed form.")
+
+
+class Block(NamedTuple):
+    """A heading or a text, with buttons below it, some of them pressed."""
+
+    text: str
+    color: Color | None = None
+    """None for that of what is less important"""
+    acts: tuple[Act, ...] = ()
+    pressed: frozenset[str] = frozenset()
+    heading: bool = False
+
+    @property
+    def shape(self) -> tuple[object, ...]:
+        """Return everything that requires new widgets when it changes."""
+        return self.text, self.color, self.heading, tuple(act.caption for act in self.acts)
+
+
+def above(editor: Editor, session: Session) -> list[Block]:
+    """Return the top section: mistakes, and pending decisions."""
+    found = []
+    if editor.trying.is_shown(session):
+        keep = Act(
+            say("Keep as a level"),
+            say("build on with the present state as a level of its own"),
+            partial(editor.keep_run, session),
+        )
+        found.append(
+            Block(say("This is the run. Esc goes back to building."), theme.NOTICE, (keep,))
+        )
+        if session.world.disturbed and session.original.checks:
+            found.append(Block(say(NO_FORMULA), theme.NOTICE))
+    elif (
+        left := editor.trial.left(editor.work.draft.text)
+    ) is not None and not editor.applying.refusal:
+        back = Act(
+            say("Back to the run at {t:.2f} s", t=left.t),
+            say("return to the run that you left, where it was (Ctrl Y right after Esc)"),
+            partial(editor.trying.come_back, session),
+        )
+        found.append(Block("", acts=(back,)))
+    if editor.applying.refusal:
+        found.append(
+            Block(say("It cannot run yet: {reason}", reason=editor.applying.refusal), theme.FAILED)
+        )
+    found += [Block(offer.text, theme.NOTICE, offer.ways) for offer in offers(editor, session)]
+    if editor.saving.naming:
+        untitled = is_untitled(editor.work.document)
+        found.append(Block(say(SAVE_TITLED if untitled else SAVE), theme.TEXT))
+    return found
+
+
+def subject(editor: Editor) -> list[Block]:
+    """Return what is inspected, and what can be done with it as a whole."""
+    work = editor.bench
+    in_run = work is editor.trial.live
+    said = say("The run") if in_run and not work.selected else inspection.subject(work)
+    title = Block(said, heading=True)
+    if not work.selected and in_run:
+        return [title, Block(say(IN_RUN)), _switches(editor)]
+    if not work.selected:
+        drawn = any(body.outline.moves for body in work.sketch.bodies.values())
+        return [
+            title,
+            Block(say(NOTHING_SELECTED if drawn else FIRST)),
+            *_suggested(editor),
+            Block("", acts=tuple(inspection.stated(work))),
+            _switches(editor),
+        ]
+    if in_run:
+        leave = Act(say("Select nothing"), "(Esc)", partial(work.select, ()))
+        return [title, Block("", acts=(_taking_out(editor), leave))]
+    tip = say("show the level again (Esc)")
+    leave = Act(say("Select nothing"), tip, partial(work.select, ()))
+    return [title, Block(say(SELECTED), acts=(leave,))]
+
+
+def arranging(editor: Editor) -> list[Block]:
+    """Return what can be done with the bodies that are selected, among each other."""
+    if editor.bench is not editor.work:
+        return []
+    work = editor.work
+    acts = (*part_actions(work), *arrangements(work))
+    return [Block("", acts=acts)] if acts else []
+
+
+def _suggested(editor: Editor) -> list[Block]:
+    acts = tuple(inspection.suggestions(editor.work))
+    if acts:
+        return [Block(say(CHECKS), theme.NOTICE, acts)]
+    return [Block(say(CHECKED if editor.work.document.get("checks") else NO_CHECKS))]
+
+
+def _taking_out(editor: Editor) -> Act:
+    tip = say("take it out of the run, and its joints (Delete)")
+    return Act(say("Delete"), tip, editor.bench.delete)
+
+
+def _switches(editor: Editor) -> Block:
+    work = editor.bench
+    acts = (
+        Act(
+            say(name),
+            say(fields.help_of(Effects, name) or name),
+            partial(inspection.switch, work, name),
+        )
+        for name in EFFECTS
+    )
+    message = say("Effects: those that are lit are on; click to switch one on or off.")
+    lit = frozenset(map(say, inspection.declared(work)))
+    return Block(message, acts=tuple(acts), pressed=lit)

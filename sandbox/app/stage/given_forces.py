@@ -1,0 +1,237 @@
+"""Given forces as arrows, added tip to tail; their tips can be dragged."""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from itertools import groupby
+from math import copysign, hypot
+
+import numpy as np
+import pygame
+
+from sandbox.app.drawing import lines, theme
+from sandbox.app.drawing.camera import Camera
+from sandbox.app.drawing.text import Pen
+from sandbox.app.stage.labels import Labels
+from sandbox.app.words.formatting import MINUS, number
+from sandbox.app.words.language import say
+from sandbox.model.arithmetic import ExpressionError
+from sandbox.model.effects.force import Force
+from sandbox.model.expressions import Array, Values
+from sandbox.model.level import Level
+from sandbox.model.level_parts import names_in
+from sandbox.model.rules.faults import corners
+from sandbox.model.shapes import XY, evaluate
+from sandbox.physics.stepping.world import World
+
+LONGEST = 0.18
+"""The longest arrow at the parameters' defaults, as a share of the stage's width."""
+
+LONGER = 3.0
+"""How many times as long as that an arrow may become within the parameters' ranges."""
+
+WIDTH = 4.0  # px, thicker than a velocity, which may lie on it
+HANDLE = 5.0  # px, the radius of the ring at a tip that can be dragged
+REACH = 11.0  # px, how close to it a hand must come
+STEEP = 0.2  # the least share of its length that an arrow goes sidewards, for words at its side
+INSTANTS = 240
+"""At how many times a force is evaluated to find its largest value."""
+
+
+@dataclass(frozen=True, slots=True)
+class Arrow:
+    """A force, and where it acts.
+
+    Attributes
+    ----------
+    row
+        Of the body that it acts on.
+    tail
+        The point that it acts on [m].
+    newtons
+        The components [N].
+    handles
+        The parameters that its components are, by axis; none for those that a hand cannot change.
+    name
+        Its name, empty if it has none.
+    """
+
+    row: int
+    tail: XY
+    newtons: XY
+    handles: Mapping[int, str]
+    name: str
+
+    def tip(self, camera: Camera, scale: float) -> XY:
+        """Return the pixel of its tip, at a scale [px/N]."""
+        x, y = camera.to_screen(self.tail)
+        return x + self.newtons[0] * scale, y - self.newtons[1] * scale
+
+    @property
+    def text(self) -> str:
+        """What is written beside it."""
+        if self.name:
+            return f"{self.name} {_pair(*self.newtons)}"
+        return f"{number(hypot(*self.newtons), 3)} N"
+
+
+class Forces:
+    """The given forces of a level, in the worlds that are built from it."""
+
+    def __init__(self, level: Level) -> None:
+        self._forces = level.effects.force or ()
+        rows = {name: row for row, name in enumerate(level.bodies)}
+        self._rows = [rows[force.body] for force in self._forces]
+        self._handles = [_handles(force, level) for force in self._forces]
+        self._strongest = _strongest(level, self._forces)
+
+    def scale(self, camera: Camera) -> float:
+        """Return how long a force is drawn [px/N]."""
+        return LONGEST * camera.size[0] / self._strongest if self._strongest else 0.0
+
+    def arrows(self, world: World) -> Iterator[Arrow]:
+        """Yield the present forces, except those that are switched off."""
+        snapshot = world.snapshot
+        for force, row, handles in zip(self._forces, self._rows, self._handles, strict=True):
+            if not _acts(force, world):
+                continue
+            turn = complex(np.exp(1j * float(snapshot.angle[row])))
+            newtons = complex(*(float(part.over(world.values, snapshot.t)) for part in force.force))
+            if force.frame == "body":
+                newtons *= turn
+            arm = complex(*evaluate(force.at, world.values)) * turn
+            px, py = snapshot.position[row].tolist()
+            name = _shared(*handles.values()) if len(handles) == 2 else ""
+            tail = px + arm.real, py + arm.imag
+            yield Arrow(row, tail, (newtons.real, newtons.imag), handles, name)
+
+    def tip_at(self, world: World, camera: Camera, pixel: XY) -> Arrow | None:
+        """Return the force whose tip a hand would take hold of at a pixel."""
+        scale = self.scale(camera)
+        free = [arrow for arrow in self.arrows(world) if arrow.handles and scale]
+        tips = ((arrow.tip(camera, scale), arrow) for arrow in reversed(free))
+        return next((a for (x, y), a in tips if hypot(x - pixel[0], y - pixel[1]) <= REACH), None)
+
+    def draw(
+        self, surface: pygame.Surface, camera: Camera, pen: Pen, world: World, labels: Labels
+    ) -> None:
+        """Draw the forces; those that act on the same point are put together."""
+        scale = self.scale(camera)
+        ordered = sorted(self.arrows(world), key=lambda arrow: arrow.row)
+        for arrow in ordered:
+            labels.mark(camera.to_screen(arrow.tail), arrow.tip(camera, scale))
+        for _, group in groupby(ordered, key=lambda arrow: (arrow.row, arrow.tail)):
+            arrows = list(group)
+            if len(arrows) > 1:
+                _draw_sum(surface, camera, pen, arrows, scale, labels)
+            for i, arrow in enumerate(arrows):
+                color = theme.FORCES[i % len(theme.FORCES)]
+                start, end = camera.to_screen(arrow.tail), arrow.tip(camera, scale)
+                lines.arrow(surface, color, start, end, WIDTH)
+                if arrow.handles and lines.near((end,)):
+                    pygame.draw.aacircle(surface, theme.TEXT, end, HANDLE, 2)
+                write_beside(surface, pen, arrow.text, start, end, labels)
+
+
+def _draw_sum(
+    surface: pygame.Surface, camera: Camera, pen: Pen, arrows: list[Arrow], scale: float,
+    labels: Labels,
+) -> None:  # fmt: skip
+    """Draw the others on the tip of the first, dashed, and the resultant from tail to tip."""
+    start, at = camera.to_screen(arrows[0].tail), arrows[0].tip(camera, scale)
+    for i, arrow in enumerate(arrows[1:], start=1):
+        end = at[0] + arrow.newtons[0] * scale, at[1] - arrow.newtons[1] * scale
+        color = theme.faded(theme.FORCES[i % len(theme.FORCES)], 0.75)
+        lines.dashed(surface, color, (at, end), 6, 4)
+        lines.head(surface, color, at, end)
+        at = end
+    x, y = (sum(arrow.newtons[axis] for arrow in arrows) for axis in (0, 1))
+    lines.arrow(surface, theme.RESULTANT, start, at, WIDTH)
+    message = say("sum {components}, {size} N", components=_pair(x, y), size=number(hypot(x, y), 3))
+    write_beside(surface, pen, message, start, at, labels)
+
+
+def _pair(x: float, y: float) -> str:
+    return f"({x:.3g}, {y:.3g}) N".replace("-", MINUS)
+
+
+def write_beside(
+    surface: pygame.Surface, pen: Pen, text: str, start: XY, end: XY, labels: Labels
+) -> None:
+    """Write beside the tip of an arrow that is long enough to be seen, or beyond a steep one.
+
+    Where other words or an arrow are in the way, it is written around the tip, or along the arrow;
+    where there is no room at all, it is left out.
+    """
+    length, seen = hypot(end[0] - start[0], end[1] - start[1]), surface.get_rect()
+    if length < HANDLE or not seen.collidepoint(end):
+        return
+    ux, uy = (end[0] - start[0]) / length, (end[1] - start[1]) / length
+    image = pen.outlined(text)
+    aside = copysign(HANDLE + 6 + image.width / 2, ux) if abs(ux) > STEEP else 0.0
+    beyond = uy * (6 if aside else HANDLE + 4 + image.height / 2)
+    place = image.get_rect(center=(end[0] + aside, end[1] + beyond))
+    around = [place.move(0, off * image.height) for off in (0, -1, 1)]
+    for back in (0.0, 0.5, 1.0):
+        x, y = end[0] - back * ux * length, end[1] - back * uy * length
+        beside = image.get_rect(center=(x, y))
+        across, over = image.width / 2 + HANDLE + 6, image.height / 2 + HANDLE + 4
+        moves = (
+            (across, 0),
+            (-across, 0),
+            (0, over),
+            (0, -over),
+            (across, over),
+            (-across, over),
+            (across, -over),
+            (-across, -over),
+            (0, 2 * over),
+            (0, -2 * over),
+        )
+        around += [beside.move(move) for move in moves]
+    places = [each.clamp(seen) for each in around]
+    if found := labels.find(places):
+        surface.blit(image, found)
+
+
+def _acts(force: Force, world: World) -> bool:
+    """Whether no event has switched a force off, alone or with all others."""
+    found = (world.scene.switches.get(name) for name in (force.name or "", force.effect.name))
+    return all(switch.at(world.snapshot.t) for switch in found if switch)
+
+
+def _shared(x: str, y: str) -> str:
+    """Return what two names have in common: of "F1x" and "F1y" it is "F1"."""
+    same = (i for i, (a, b) in enumerate(zip(x, y, strict=False)) if a != b)
+    return x[: next(same, min(len(x), len(y)))]
+
+
+def _handles(force: Force, level: Level) -> Mapping[int, str]:
+    """Return the components that are parameters, nothing more, of a force that keeps its axes."""
+    if force.frame == "body":
+        return {}
+    sources = ((axis, str(part.source).strip()) for axis, part in enumerate(force.force))
+    return {axis: source for axis, source in sources if source in level.parameters}
+
+
+def _strongest(level: Level, forces: tuple[Force, ...]) -> float:
+    """Return the size that the longest arrow stands for [N]."""
+    names = names_in(forces) - {"t"}
+    sizes = [_largest(level, forces, values) for values in corners(level, names)] if forces else [0]
+    return max(sizes[0], max(sizes) / LONGER)
+
+
+def _largest(level: Level, forces: tuple[Force, ...], values: Values) -> float:
+    """Return the size of the largest force with some parameters, or of the largest sum [N]."""
+    t = np.linspace(0.0, level.duration(values), INSTANTS)
+    sums: dict[str, Array] = {}
+    largest = 0.0
+    for force in forces:
+        try:
+            both = np.stack([part.over(values, t) for part in force.force])
+        except ExpressionError:
+            continue
+        sums[force.body] = sums.get(force.body, 0.0) + both
+        for vector in (both, sums[force.body]):
+            size = np.hypot(*vector)
+            largest = max(largest, float(size[np.isfinite(size)].max(initial=0.0)))
+    return largest

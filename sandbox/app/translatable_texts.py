@@ -1,0 +1,108 @@
+"""The words that registers and models declare, collected for the catalogue of translations.
+
+Where something is declared, in the window or below it, stands its name and what is said of it, in
+English. Nobody lists these again: who shows one asks `language.say` for it.
+"""
+
+import re
+from collections.abc import Iterable, Iterator
+from typing import Any, get_args
+
+from sandbox.app import keymap, keys
+from sandbox.app.building import fields
+from sandbox.app.building.tools.joining import kinds
+from sandbox.app.building.tools.register import TOOLS
+from sandbox.app.drawing import theme
+from sandbox.app.frame_time import Load
+from sandbox.app.pages.register import PAGES
+from sandbox.app.stage.overlays.register import OVERLAYS
+from sandbox.editing.suggest.scene import Setup
+from sandbox.model import catalog, ledger_accounts
+from sandbox.model.base import Model
+from sandbox.model.effects import EFFECTS
+from sandbox.model.joints import KINDS
+from sandbox.model.level import Level
+from sandbox.physics.accuracy.study import Stage
+from sandbox.physics.measuring.free_body import FRICTION, HAND, IMPACT, NORMAL
+from sandbox.physics.measuring.goals import Standing
+
+_WORD = re.compile(r"[^\W\d_]{2}(?![^{}]*\})")
+"""Two letters in a row, outside placeholders. A text without them, such as a key or a sign, is the
+same in every language."""
+
+
+def words() -> Iterator[str]:
+    """Yield all texts except keys, some more than once."""
+    every = (*_of_the_window(), *_of_the_physics(), *_of_the_format())
+    return filter(has_words, every)
+
+
+def shown_keys() -> Iterator[str]:
+    """Yield what keys and gestures are called in the help, some more than once."""
+    every = (
+        *(binding.shown for binding in keymap.BINDINGS),
+        *(key for page in PAGES for key, _ in page.keys),
+        *(gesture for gesture, _ in keys.MOUSE),
+    )
+    return filter(has_words, every)
+
+
+def has_words(text: str) -> bool:
+    """Whether there is anything in a text to be translated."""
+    return bool(_WORD.search(text))
+
+
+def _of_the_window() -> Iterator[str]:
+    """Yield what pages, overlays, keys, tools and themes are called, and what they do."""
+    yield from (binding.text for binding in keymap.BINDINGS)
+    for page in PAGES:
+        yield page.caption
+        yield page.text
+        yield from (text for _, text in page.keys)
+    yield from (text for _, text in keys.MOUSE)
+    for tool in TOOLS:
+        yield tool.caption
+    yield from (overlay.caption for overlay in OVERLAYS)
+    yield from map(theme.title, theme.NAMES)
+    chapters = (name.partition("/")[0] for name in catalog.names())
+    yield from (chapter.capitalize() for chapter in (*dict.fromkeys(chapters), "opened"))
+
+
+def _of_the_physics() -> Iterator[str]:
+    """Yield the names of effects, joints, forces and accounts, and of the studies' results."""
+    for name, effect in EFFECTS.items():
+        yield from (name, effect.called, effect.booked)
+        yield from effect.trial or ()
+    for name, kind in KINDS.items():
+        yield from (name, kind.pull)
+        yield from (kind.force.name, kind.force.booked) if kind.force else ()
+    yield from kinds().values()
+    yield from (NORMAL, FRICTION, IMPACT, HAND)
+    yield from ledger_accounts.OTHERS
+    yield from (*get_args(Standing), *Load().shares)
+    yield from get_args(Stage)
+    yield from get_args(Setup)
+
+
+def _of_the_format() -> Iterator[str]:
+    """Yield the fields of a level, their descriptions, and their options."""
+    for model in _models(Level, set()):
+        yield fields.first_of(model)
+        for name, field in model.model_fields.items():
+            yield fields.label_of(field.alias or name)
+            yield fields.help_of(model, name)
+            yield from fields.choices_of(field.annotation)
+
+
+def _models(kind: Any, known: set[type[Model]]) -> Iterator[type[Model]]:  # noqa: ANN401
+    """Yield the models that a type consists of, except those that are known already."""
+    kind = fields.bare(kind)
+    parts: Iterable[Any] = get_args(kind)
+    if isinstance(kind, type) and issubclass(kind, Model):
+        if kind in known:
+            return
+        known.add(kind)
+        yield kind
+        parts = (field.annotation for field in kind.model_fields.values())
+    for part in parts:
+        yield from _models(part, known)

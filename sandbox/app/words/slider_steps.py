@@ -1,0 +1,17 @@
+"""The steps of sliders: round numbers that a person would choose."""
+
+from sandbox.app.words.formatting import nice
+from sandbox.model.level import Parameter
+
+
+def step(parameter: Parameter) -> float:
+    """Return a round step, of which there are a hundred or more in the parameter's range."""
+    span = parameter.max - parameter.min
+    return nice(span / 100) if span > 0 else 1.0
+
+
+def rounded(parameter: Parameter, value: float) -> float:
+    """Return a value rounded to whole steps, within the parameter's range."""
+    size = step(parameter)
+    whole = round(value / size) * size
+    return float(f"{min(max(whole, parameter.min), parameter.max):.9g}")

@@ -1,0 +1,133 @@
+"""Laying a rope of knots over a drum, from one body to another: it rubs where friction acts."""
+
+from cmath import phase, rect
+from collections.abc import Sequence
+from itertools import pairwise
+from math import acos, ceil, pi
+
+from sandbox.editing.cleanup import COEFFICIENTS, accepted
+from sandbox.editing.edits.edit_result import Made, new_name
+from sandbox.editing.edits.effects import declare
+from sandbox.editing.edits.fields import set_field
+from sandbox.editing.json_layout import Json, plain
+from sandbox.editing.placement import Placed, placed, xy
+from sandbox.editing.text_patches import put_all
+from sandbox.model.errors import SandboxError
+from sandbox.model.joints import bodies_of
+from sandbox.model.level import Level
+from sandbox.model.loading import parse
+from sandbox.model.message import Message
+from sandbox.model.shapes import Disc
+
+THICK = 0.04
+"""The radius of a knot, as a share of that of the drum."""
+
+LIGHT = 1e-3
+"""The mass of a knot, as a share of that of the lighter body."""
+
+RATE = 480
+"""Hz, at which weights that run across the drum press no knots into it."""
+
+HEMP = "#e9c46a"
+"""The colour of all knots of a rope."""
+
+STEP = 7.5 * pi / 180
+"""rad, the largest angle between two knots."""
+
+DIGITS = 12
+"""Decimals of a knot's position: far less than the overlap that bodies may have."""
+
+
+def drum_of(level: Level, names: Sequence[str]) -> str | None:
+    """Return which of three bodies a rope can lie over: the highest disc; None if none is round."""
+    if len(names) != 3 or any(level.bodies[name].mass is None for name in _ends(level, names)):
+        return None
+    return _highest(level, names)
+
+
+def _highest(level: Level, names: Sequence[str]) -> str | None:
+    where = placed(level)
+    discs = [name for name in names if isinstance(level.bodies[name].shape, Disc)]
+    return max(discs, key=lambda name: where[name].center.imag, default=None)
+
+
+def _ends(level: Level, names: Sequence[str]) -> list[str]:
+    """Return what hangs at the ends, from left to right."""
+    where, drum = placed(level), _highest(level, names)
+    return sorted((n for n in names if n != drum), key=lambda name: where[name].center.real)
+
+
+def wrap(text: str, level: Level, names: Sequence[str]) -> Made:
+    """Return a level with a rope more: knots on a drum, on rods, and a rod to what hangs there.
+
+    A drum that nothing holds stands still from then on.
+
+    Parameters
+    ----------
+    text, level
+        Of the level.
+    names
+        Of the drum, a disc, and of the two bodies at the ends of the rope.
+
+    Raises
+    ------
+    SandboxError
+        If these are no such bodies, or are not apart enough for a rope over the drum.
+    """
+    drum = drum_of(level, names)
+    if drum is None:
+        raise SandboxError(
+            Message("a rope is laid over a disc, between two bodies that move; select the three")
+        )
+    left, right = _ends(level, names)
+    where = placed(level)
+    points = _knots(where[drum], where[left], where[right])
+    knots = list[str]()
+    for _ in points:
+        knots.append(new_name("knot", level, knots))
+    body = _knot(level, where[drum], [where[left], where[right]])
+    values: dict[tuple[str | int, ...], Json] = {
+        ("bodies", name): body | {"position": [plain(round(at, DIGITS)) for at in xy(point)]}
+        for name, point in zip(knots, points, strict=True)
+    }
+    if level.stepping.accuracy is None and level.stepping.rate < RATE:
+        values["stepping", "rate"] = RATE
+    rods = list[str]()
+    held = [left, *knots, right]
+    for ends in pairwise(held):
+        rods.append(new_name("rod", level, rods))
+        values["joints", rods[-1]] = {"type": "rod", "ends": list(ends)}
+    return Made(accepted(_standing(put_all(text, values), drum)), tuple(knots))
+
+
+def _knot(level: Level, drum: Placed, ends: Sequence[Placed]) -> dict[str, Json]:
+    """Return what the knots have in common."""
+    masses = [end.body.mass(end.values) for end in ends if end.body.mass]
+    return {
+        "shape": {"type": "disc", "radius": plain(THICK * drum.radius)},
+        "mass": plain(LIGHT * min(masses)),
+        "color": HEMP,
+        **{name: 1 for name in COEFFICIENTS if name in level.effects.declared},
+    }
+
+
+def _standing(text: str, drum: str) -> str:
+    """Return a level with contact, in which a drum that nothing holds stands still."""
+    level = parse(text)
+    if level.effects.contact is None:
+        text = declare(text, level, "contact")
+    held = any(drum in bodies_of(joint) for joint in level.joints.values())
+    return text if held else set_field(text, ("bodies", drum, "type"), "static")
+
+
+def _knots(drum: Placed, left: Placed, right: Placed) -> list[complex]:
+    """Return where the knots lie on a drum, from where the rope comes to it to where it leaves."""
+    radius = (1 + THICK) * drum.radius
+    ways = [end.center - drum.center for end in (left, right)]
+    if any(abs(way) <= radius for way in ways):
+        raise SandboxError(Message("the ends of the rope lie within '{name}'", name=drum.name))
+    begin = phase(ways[0]) - acos(radius / abs(ways[0]))
+    end = phase(ways[1]) + acos(radius / abs(ways[1]))
+    wrapped = (begin - end) % (2 * pi)
+    count = max(ceil(wrapped / STEP), 1)
+    return [drum.center + rect(radius, begin - wrapped * i / count) for i in range(count + 1)]

@@ -1,0 +1,85 @@
+"""The layout of new values in a level's text, which `format` leaves unchanged."""
+
+import json
+from collections.abc import Iterator, Mapping, Sequence
+
+from sandbox.model.writing import WIDTH
+
+Json = None | bool | int | float | str | Sequence["Json"] | Mapping[str, "Json"]
+"""A JSON value."""
+
+INDENT = "  "
+
+DIGITS = 15
+"""Significant digits of computed numbers; the digits after them are rounding."""
+
+
+def plain(value: float) -> float:
+    """Return a number as a person would type it: 15 digits, and 2 instead of 2.0."""
+    short = float(f"{value:.{DIGITS}g}")
+    return int(short) if short.is_integer() and abs(short) < 1e15 else short
+
+
+def line(value: Json) -> str:
+    """Return a value on one line."""
+    return json.dumps(_plain(value), ensure_ascii=False, allow_nan=False)
+
+
+def laid_out(value: Json, margin: str, before: int) -> str:
+    """Return a value as it stands in a file, on one line or several.
+
+    Parameters
+    ----------
+    value
+        Anything that JSON can hold.
+    margin
+        The white space at the start of the line that it stands on.
+    before
+        How many characters of that line come before it, its key among them.
+    """
+    short = line(value)
+    if before + len(short) < WIDTH or not value or isinstance(value, str | int | float):
+        return short
+    inner = margin + INDENT
+    if isinstance(value, Mapping):
+        held, ends = _of_object(value, inner), "{}"
+    else:
+        held, ends = _of_list(value, inner), "[]"
+    return f"{ends[0]}\n{inner}{_filled(list(held), inner)}\n{margin}{ends[1]}"
+
+
+def _of_object(value: Mapping[str, Json], inner: str) -> Iterator[str]:
+    for key, held in value.items():
+        start = f"{line(key)}: "
+        yield start + laid_out(held, inner, len(inner) + len(start))
+
+
+def _of_list(value: Sequence[Json], inner: str) -> Iterator[str]:
+    yield from (laid_out(held, inner, len(inner)) for held in value)
+
+
+def _filled(members: Sequence[str], margin: str) -> str:
+    """Return members one after the other, on as few lines as they take."""
+    text, room = "", WIDTH - len(margin)
+    for index, member in enumerate(members):
+        long = len(member.partition("\n")[0]) + len(",")
+        if not index:
+            text, room = member, room - long
+        elif long + 1 <= room and "\n" not in member:
+            text, room = f"{text}, {member}", room - long - 1
+        else:
+            text, room = f"{text},\n{margin}{member}", WIDTH - len(margin) - long
+        if "\n" in member:
+            room = 0
+    return text
+
+
+def _plain(value: Json) -> Json:
+    """Return a value with all its numbers as a person would type them."""
+    if isinstance(value, float):
+        return plain(value)
+    if isinstance(value, Mapping):
+        return {key: _plain(held) for key, held in value.items()}
+    if isinstance(value, Sequence) and not isinstance(value, str):
+        return [_plain(held) for held in value]
+    return value

@@ -1,0 +1,210 @@
+"""Joints are as long as the distance between their ends."""
+
+from collections.abc import Iterator
+from functools import partial
+
+import numpy as np
+
+from sandbox.model.acting_events import tied
+from sandbox.model.arithmetic import ExpressionError
+from sandbox.model.bounds import Extent
+from sandbox.model.errors import brief
+from sandbox.model.expressions import Values
+from sandbox.model.joint_ends import place, span
+from sandbox.model.joints import (
+    AngleStop,
+    Gear,
+    Joint,
+    Motor,
+    Pivot,
+    Pulley,
+    Rack,
+    Rail,
+    Rod,
+    Rope,
+    Spring,
+    Stop,
+    Winding,
+    Wire,
+    bodies_of,
+    body_of,
+)
+from sandbox.model.level import Level
+from sandbox.model.level_parts import names_in
+from sandbox.model.message import Message, word
+from sandbox.model.rules.conditions.condition import Condition
+from sandbox.model.shapes import evaluate
+
+NEAR = 1e-9
+"""How much two lengths that should be equal may differ, as a share or in m."""
+
+
+def conditions(level: Level) -> Iterator[Condition]:
+    """Yield what must hold of a level's joints, at the start of those that no event ties."""
+    later = tied(level.events)
+    for name, joint in level.joints.items():
+        if isinstance(joint, Wire):
+            continue
+        held = [level.bodies[body] for body in bodies_of(joint)]
+        used = names_in((joint, *((b.position, b.angle) for b in held)))
+        names = frozenset(used & level.parameters.keys())
+        last = "ends" if joint.kind.points_meet else "length"
+        fault = _later_fault if name in later else _span_fault
+        yield Condition(("joints", name, last), names, partial(fault, joint, level))
+        if isinstance(joint, Spring) and joint.law:
+            yield Condition(("joints", name, "law"), names, partial(_law_fault, joint, level))
+        yield Condition(("joints", name), frozenset(), partial(_turning_fault, joint, level))
+
+
+def _turning_fault(joint: Joint, level: Level, _values: Values) -> Message | None:
+    """Say that what a joint turns cannot; a run in which rotation is switched off may do that."""
+    wheel = level.bodies[joint.ends[1]].type == "dynamic" if isinstance(joint, Winding) else False
+    turns = isinstance(joint, Motor | Gear | Rack | AngleStop)
+    if level.effects.rotation or not (wheel or turns):
+        return None
+    return Message("'{type}' is used but the effect 'rotation' is not declared", type=joint.type)
+
+
+def _law_fault(spring: Spring, level: Level, values: Values) -> Message | None:
+    """Say that a spring's own law has no value where the spring is at the start, or no slope."""
+    assert spring.law
+    distance = span(spring, level.bodies, values)
+    slack = distance if spring.length is None else spring.length(values)
+    stretch = np.asarray(distance - slack)
+    try:
+        found = [f.at(values, {"x": stretch}) for f in (spring.law, spring.law.slope("x"))]
+    except ExpressionError as error:
+        return error.message
+    if not np.isfinite(found).all():
+        return Message(
+            "'{source}' has no finite value or slope at x = {stretch:g} m",
+            source=brief(str(spring.law.source)),
+            stretch=float(stretch),
+        )
+    pull = float(found[0])
+    if beyond := spring.law.beyond(pull):
+        return Message("is {pull:g} N, {beyond}", pull=pull, beyond=beyond)
+    return None
+
+
+def _span_fault(joint: Joint, level: Level, values: Values) -> Message | None:
+    distance = span(joint, level.bodies, values)
+    match joint:
+        case Rod(length=length):
+            long = distance if length is None else float(length.over(values, np.zeros(())))
+            return _rod_fault(distance, long)
+        case Rope(length=Extent() as length) | Pulley(length=Extent() as length):
+            return _string_fault(distance, length(values))
+        case Pivot() | Motor() if distance > NEAR:
+            return Message(
+                "a {type}'s two points must be one, but they are {distance:g} m apart",
+                type=word(joint.type),
+                distance=distance,
+            )
+        case Winding(radius=radius):
+            return _winding_fault(distance, radius(values))
+        case Rail() | Stop() | AngleStop() | Rack():
+            return _way_fault(joint, level, values)
+    return None
+
+
+def _later_fault(joint: Joint, _level: Level, values: Values) -> Message | None:
+    """Say what is wrong with a joint that an event ties, wherever its ends are by then."""
+    return _direction_fault(joint, values) if isinstance(joint, Rail | Stop | Rack) else None
+
+
+def _direction_fault(joint: Rail | Stop | Rack, values: Values) -> Message | None:
+    if abs(complex(*evaluate(joint.direction, values))) > NEAR:
+        return None
+    return Message("a {type} needs a 'direction' that is not [0, 0]", type=word(joint.type))
+
+
+def _way_fault(
+    joint: Rail | Stop | AngleStop | Rack, level: Level, values: Values
+) -> Message | None:
+    """Say what is wrong with the way along which a joint lets its ends go."""
+    if isinstance(joint, AngleStop):
+        return _angle_fault(joint, level, values)
+    fault = _direction_fault(joint, values)
+    if fault or isinstance(joint, Rack):
+        return fault
+    way = complex(*evaluate(joint.direction, values))
+    first, second = (place(end, level.bodies, values) for end in joint.ends)
+    beyond = (first - second) * way.conjugate() / abs(way)
+    return (
+        _rail_fault(beyond.imag)
+        if isinstance(joint, Rail)
+        else _stop_fault(joint, beyond.real, values)
+    )
+
+
+def _rail_fault(aside: float) -> Message | None:
+    if abs(aside) > NEAR:
+        return Message(
+            "what runs on a rail must start on it, but it is {aside:g} m beside it",
+            aside=abs(aside),
+        )
+    return None
+
+
+def _stop_fault(stop: Stop, along: float, values: Values) -> Message | None:
+    least, most = (limit(values) for limit in stop.range)
+    return _range_fault(along, (least, most), "m")
+
+
+def _angle_fault(stop: AngleStop, level: Level, values: Values) -> Message | None:
+    names = [body_of(end) for end in stop.ends]
+    first, second = (0.0 if n is None else level.bodies[n].angle(values) for n in names)
+    least, most = (limit(values) for limit in stop.range)
+    return _range_fault(second - first, (least, most), "rad")
+
+
+def _range_fault(start: float, limits: tuple[float, float], unit: str) -> Message | None:
+    """Say that what is to stay between two stops does not start there."""
+    least, most = limits
+    if not least < most:
+        return Message(
+            "a 'range' runs from the smaller to the larger, not from {least:g} to {most:g}",
+            least=least,
+            most=most,
+        )
+    if least - NEAR <= start <= most + NEAR:
+        return None
+    return Message(
+        "it starts at {start:g} {unit}, beyond the stops at {least:g} and {most:g} {unit}",
+        start=start,
+        unit=unit,
+        least=least,
+        most=most,
+    )
+
+
+def _rod_fault(distance: float, long: float) -> Message | None:
+    if not distance > NEAR:
+        return Message("a rod cannot be 0 m long; a pivot keeps two points together")
+    if not abs(long - distance) <= NEAR * distance:
+        return Message(
+            "the rod is {long:g} m long at the start, but its ends are {distance:g} m apart",
+            long=long,
+            distance=distance,
+        )
+    return None
+
+
+def _string_fault(path: float, long: float) -> Message | None:
+    if long < path * (1 - 1e-12):
+        return Message(
+            "the string is {long:g} m long, but its path is {path:g} m", long=long, path=path
+        )
+    return None
+
+
+def _winding_fault(distance: float, radius: float) -> Message | None:
+    if distance > radius * (1 + NEAR):
+        return None
+    return Message(
+        "the string's end is {distance:g} m from the wheel's centre, within its radius of"
+        " {radius:g} m; it must lie outside",
+        distance=distance,
+        radius=radius,
+    )

@@ -1,0 +1,155 @@
+"""Formulas over time have a value for the whole run, and rods change their length gradually."""
+
+from collections.abc import Iterator
+from functools import partial
+
+import numpy as np
+
+from sandbox.model.arithmetic import ExpressionError
+from sandbox.model.errors import brief
+from sandbox.model.expressions import Array, Values
+from sandbox.model.formulas import Formula
+from sandbox.model.joints import Rod
+from sandbox.model.json_positions import Path
+from sandbox.model.level import Level
+from sandbox.model.level_parts import expressions
+from sandbox.model.message import Message
+from sandbox.model.rules.conditions.condition import Condition
+
+MOST = 1000
+"""At how many times a formula is evaluated, at most: at every step, if there are fewer."""
+
+HALVINGS = 40
+"""How often an interval is halved to see whether a length jumps in it."""
+
+JUMP = 1e-6
+"""A formula jumps if it still changes by this share of its range in a 10¹²th of a step."""
+
+LENGTH, MOTION = Message("the rod's length"), Message("the motion")
+"""What may jump, in words."""
+
+STARTS = 1e-12
+"""By which share, or by how many metres or radians, a motion may be off at the start."""
+
+
+def conditions(level: Level) -> Iterator[Condition]:
+    """Yield what must hold of the formulas over time by which a scene moves."""
+    for path, formula in _formulas(level):
+        yield Condition(path, _names(formula, level), partial(_lost, formula, level), 50)
+    for name, joint in level.joints.items():
+        if isinstance(joint, Rod) and joint.length and "t" in joint.length.names:
+            path, names = ("joints", name, "length"), _names(joint.length, level)
+            yield Condition(path, names, partial(_gone, joint.length, level), 50)
+            yield Condition(path, names, partial(_jumps, LENGTH, joint.length, level), 3000)
+    for path, formula in _motions(level):
+        names = _names(formula, level)
+        yield Condition(path, names, partial(_displaced, formula), 50)
+        yield Condition(path, names, partial(_jumps, MOTION, formula, level), 3000)
+
+
+def _names(formula: Formula, level: Level) -> frozenset[str]:
+    return (formula.names | level.duration.names) - {formula.variable}
+
+
+def _formulas(level: Level) -> Iterator[tuple[Path, Formula]]:
+    for part in ("effects", "joints"):
+        for path, formula in expressions(getattr(level, part), (part,)):
+            if isinstance(formula, Formula) and formula.variable == "t":
+                yield path, formula
+    yield from _motions(level)
+
+
+def _motions(level: Level) -> Iterator[tuple[Path, Formula]]:
+    """Yield the formulas by which kinematic bodies move, with the paths to them."""
+    for name, body in level.bodies.items():
+        if body.motion:
+            path = ("bodies", name, "motion")
+            for axis, along in enumerate(body.motion.displacement):
+                yield (*path, "displacement", axis), along
+            yield (*path, "turn"), body.motion.turn
+
+
+def _times(level: Level, values: Values) -> Array:
+    duration, stepping = level.duration(values), level.stepping
+    steps = stepping.steps(min(duration, MOST / stepping.rate))
+    return np.linspace(0.0, duration, steps + 1)
+
+
+def _lost(formula: Formula, level: Level, values: Values) -> Message | None:
+    """Say when a formula first has no value, or one that is too large."""
+    times = _times(level, values)
+    try:
+        found = formula.over(values, times)
+    except ExpressionError as error:
+        return error.message
+    shown = brief(str(formula.source))
+    if (lost := ~np.isfinite(found)).any():
+        return Message(
+            "'{shown}' has no finite value at t = {t:.3g} s",
+            shown=shown,
+            t=times[lost.argmax()],
+        )
+    first = (np.abs(found) > formula.most).argmax()
+    if beyond := formula.beyond(float(found[first])):
+        return Message(
+            "'{shown}' is {found:g} {unit} at t = {t:.3g} s, {beyond}",
+            shown=shown,
+            found=found[first],
+            unit=formula.unit,
+            t=times[first],
+            beyond=beyond,
+        )
+    return None
+
+
+def _gone(length: Formula, level: Level, values: Values) -> Message | None:
+    """Say when a rod is not longer than nothing any more."""
+    times = _times(level, values)
+    long = length.over(values, times)
+    if not np.isfinite(long).all() or not (gone := long <= 0).any():
+        return None  # what is not finite is told by itself
+    first = gone.argmax()
+    return Message(
+        "the rod is {long:.3g} m long at t = {t:.3g} s", long=long[first], t=times[first]
+    )
+
+
+def _displaced(formula: Formula, values: Values) -> Message | None:
+    """Say that a motion does not begin where its body starts, or not at any speed."""
+    at_start = np.zeros(())
+    start, speed = (f.at(values, {"t": at_start}) for f in (formula, formula.slope("t")))
+    if abs(start) > STARTS * (1 + np.abs(formula.over(values, at_start + 1))):
+        return Message(
+            "is {start:.3g} {unit} at the start, but must be 0: it is counted from there",
+            start=start,
+            unit=formula.unit,
+        )
+    if not np.isfinite(speed):
+        return Message("has no finite velocity at the start")
+    return None
+
+
+def _jumps(what: Message, formula: Formula, level: Level, values: Values) -> Message | None:
+    """Say when a length or a motion changes all at once."""
+    times = _times(level, values)
+    over = formula.over(values, times)
+    if not np.isfinite(over).all() or "t" not in formula.names:
+        return None
+    start, end, at_start, at_end = times[:-1], times[1:], over[:-1], over[1:]
+    for _ in range(HALVINGS):
+        middle = (start + end) / 2
+        half = formula.over(values, middle)
+        later = np.abs(at_end - half) > np.abs(half - at_start)
+        start, end = np.where(later, middle, start), np.where(later, end, middle)
+        at_start, at_end = np.where(later, half, at_start), np.where(later, at_end, half)
+    jump = np.abs(at_end - at_start)
+    if not jump.max() > JUMP * np.abs(over).max():
+        return None
+    far, t = jump.max(), end[jump.argmax()]
+    return Message(
+        "{what} jumps by {far:.3g} {unit} at t = {t:.3g} s; it must change gradually",
+        what=what,
+        far=far,
+        unit=formula.unit,
+        t=t,
+    )

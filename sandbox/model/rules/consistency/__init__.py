@@ -1,0 +1,118 @@
+"""What must hold between the parts of a level whatever the values of its parameters.
+
+Each rule yields what contradicts it; a file a topic.
+"""
+
+from collections.abc import Callable, Iterator
+from itertools import chain
+
+from sandbox.model.level import Level
+from sandbox.model.level_parts import Fault
+from sandbox.model.rules.consistency import (
+    bodies,
+    challenge,
+    effects,
+    events,
+    joints,
+    names,
+    sizes,
+    stepping,
+    surfaces,
+)
+
+Rule = Callable[[Level], Iterator[Fault]]
+
+_NAMES: tuple[Rule, ...] = (
+    names.known_names,
+    names.no_circle,
+    names.known_bodies,
+    names.known_quantities,
+    events.known_parts,
+)
+"""Every name leads to something."""
+
+_ALONE: tuple[Rule, ...] = (
+    names.parameters_fit,
+    names.constants_fit,
+    names.variables_apart,
+    names.timeless_conditions,
+    challenge.known_parameters,
+    challenge.solution_within_ranges,
+    challenge.goals_are_bounded,
+    surfaces.contact_declared,
+    bodies.fields_fit,
+    bodies.motions_fit,
+    bodies.rise_and_fall,
+    effects.rotation_used,
+    stepping.accuracy_alone,
+    stepping.accuracy_within_reach,
+)
+"""What can be checked although a joint or an effect names a body that does not exist."""
+
+_TOGETHER: tuple[Rule, ...] = (
+    challenge.goals_can_be_met,
+    bodies.points_fit,
+    bodies.sensors_fit,
+    bodies.one_way_fits,
+    bodies.in_one_group,
+    joints.something_to_hold,
+    joints.own_apart,
+    joints.ties_fit,
+    joints.stops_bounce,
+    surfaces.sensors_untouched,
+    surfaces.apart_fits,
+    surfaces.sticking_fits,
+    surfaces.located_slips_fit,
+    surfaces.impacts_of_constant_masses,
+    surfaces.sticking_or_bouncing,
+    surfaces.arcs_fit,
+    surfaces.curves_fit,
+    effects.laws_act,
+    effects.liquid_fits,
+    effects.landscape_fits,
+    joints.constant_masses,
+    surfaces.belts_fit,
+    effects.effects_used,
+    effects.turned_apart,
+    events.names_apart,
+    events.events_act,
+    events.drifts_cut_once,
+    stepping.scheme_fits,
+)
+"""What cannot: these rules look up the bodies that joints and effects name, and would fail, or
+report what only follows from a wrong name."""
+
+
+_SIZES: tuple[Rule, ...] = (
+    bodies.not_too_many,
+    bodies.not_too_many_edges,
+    joints.not_too_many_wires,
+    sizes.not_too_many_pulls,
+    sizes.not_too_many_sticking,
+)
+"""What is checked before anything whose work grows with the level."""
+
+
+def too_much(level: Level) -> Iterator[Fault]:
+    """Yield whatever a level has too much of to be checked further."""
+    return _broken(_SIZES, level)
+
+
+def inconsistencies(level: Level) -> Iterator[Fault]:
+    """Yield everything in a level that contradicts something else in it."""
+    misnamed = next(names.known_bodies(level), None)
+    return _broken((*_NAMES, *_ALONE, *(() if misnamed else _TOGETHER)), level)
+
+
+def contradictions(level: Level) -> Iterator[Fault]:
+    """Yield the same of a level in which every name leads to something."""
+    return _broken((*_ALONE, *_TOGETHER), level)
+
+
+def dangling(level: Level) -> Iterator[Fault]:
+    """Yield the names that lead to nothing: parameters, bodies and quantities that do not exist."""
+    return _broken(_NAMES, level)
+
+
+def _broken(rules: tuple[Rule, ...], level: Level) -> Iterator[Fault]:
+    return chain.from_iterable(rule(level) for rule in rules)

@@ -1,0 +1,187 @@
+"""The fields of a body fit its type, and there are not too many bodies."""
+
+from collections.abc import Iterator, Mapping
+
+from sandbox.model.body import Body
+from sandbox.model.errors import brief
+from sandbox.model.level import ApexEvent, LandingEvent, Level
+from sandbox.model.level_parts import Fault, instants
+from sandbox.model.message import Message, word
+from sandbox.model.quantities import ATTRIBUTES_OF_BODIES
+from sandbox.model.shapes import Area, Line, Polygon, Polyline, Shape
+
+MAX_SURFACES = 30_000
+"""The most surfaces that may touch: pymunk takes more than 100 s to free 40,000 in a heap."""
+
+MAX_PAIRS_OF_EDGES = 10_000_000
+"""The most pairs of polygon edges: checking so many takes a second."""
+
+_FORBIDDEN: Mapping[str, tuple[str, ...]] = {
+    "dynamic": ("motion",),
+    "kinematic": ("mass", "moment"),
+    "static": ("mass", "moment", "velocity", "angular_velocity", "motion"),
+}
+"""The fields that bodies of each type cannot have."""
+
+
+def fields_fit(level: Level) -> Iterator[Fault]:
+    """Bodies have what their type needs, and nothing that it cannot have."""
+    for name, body in level.bodies.items():
+        path = ("bodies", name)
+        if body.type == "dynamic" and body.mass is None:
+            yield Fault(path, Message("a dynamic body needs a mass"))
+        for field in _FORBIDDEN[body.type]:
+            if given(body, field):
+                yield Fault(
+                    (*path, field),
+                    Message(
+                        "a {type} body has no {field}",
+                        type=word(body.type),
+                        field=word(field.replace("_", " ")),
+                    ),
+                )
+
+
+def motions_fit(level: Level) -> Iterator[Fault]:
+    """Refuse a motion that is given twice, or with which nothing else moves."""
+    dynamic = any(body.type == "dynamic" for body in level.bodies.values())
+    for name, body in level.bodies.items():
+        if body.motion is None:
+            continue
+        for field in ("velocity", "angular_velocity"):
+            if given(body, field):
+                message = Message(
+                    "the 'motion' says how fast the body is at every time; leave it out"
+                )
+                yield Fault(("bodies", name, field), message)
+        if not dynamic:
+            message = Message("a body follows a 'motion' among dynamic bodies only; add one")
+            yield Fault(("bodies", name, "motion"), message)
+
+
+def rise_and_fall(level: Level) -> Iterator[Fault]:
+    """Refuse apexes of bodies with constant velocity, and landings of bodies at rest."""
+    still: Mapping[str, tuple[str, ...]] = {"apex": ("static", "kinematic"), "landing": ("static",)}
+    for path, at in instants(level):
+        if isinstance(at, ApexEvent | LandingEvent):
+            body = level.bodies.get(at.body)
+            if body and body.type in still[at.event]:
+                rule = Message(
+                    "'{body}' is {type}: it never comes to its {event}",
+                    body=brief(at.body),
+                    type=word(body.type),
+                    event=word(at.event),
+                )
+                yield Fault((*path, "body"), rule)
+
+
+def sensors_fit(level: Level) -> Iterator[Fault]:
+    """Sensors are areas, have no surface, and move only along given paths."""
+    for name, body in level.bodies.items():
+        if not body.sensor:
+            continue
+        path = ("bodies", name)
+        if not isinstance(body.shape, Area):
+            rule = Message(
+                "a sensor is an area, a disc, a box or a polygon, and not a {type}",
+                type=word(body.shape.type),
+            )
+            yield Fault((*path, "shape"), rule)
+        if body.type == "dynamic":
+            rule = Message("a sensor is static or kinematic: nothing pushes it")
+            yield Fault((*path, "sensor"), rule)
+        for field in ("friction", "static_friction", "restitution"):
+            if given(body, field):
+                yield Fault((*path, field), Message("a sensor has no surface; leave it out"))
+
+
+def one_way_fits(level: Level) -> Iterator[Fault]:
+    """One-way surfaces are lines, and something can move and touch them."""
+    moves = any(body.type == "dynamic" for body in level.bodies.values())
+    for name, body in level.bodies.items():
+        if body.one_way is None:
+            continue
+        path = ("bodies", name, "one_way")
+        if not isinstance(body.shape, Line):
+            rule = Message(
+                "only a line lets bodies through one way, a segment, a polyline, an arc or a"
+                " curve, and not a {type}",
+                type=word(body.shape.type),
+            )
+            yield Fault(path, rule)
+        if moves and level.effects.contact is None:
+            yield Fault(path, Message("holds nothing without the effect 'contact'"))
+        sticking = level.effects.sticking
+        for index, pair in enumerate(sticking.pairs if sticking else ()):
+            if name in pair.bodies:
+                rule = Message(
+                    "nothing sticks to '{name}', which lets bodies through one way",
+                    name=brief(name),
+                )
+                yield Fault(("effects", "sticking", "pairs", index), rule)
+
+
+def in_one_group(level: Level) -> Iterator[Fault]:
+    """No body is selected with two groups."""
+    taken: set[str] = set()
+    for index, group in enumerate(level.view.together):
+        for name in sorted(taken.intersection(group)):
+            yield Fault(
+                ("view", "together", index),
+                Message("'{name}' is in another group already", name=brief(name)),
+            )
+        taken.update(group)
+
+
+def given(body: Body, field: str) -> bool:
+    """Whether a field says anything; its default may be written out."""
+    return bool(getattr(body, field) != type(body).model_fields[field].default)
+
+
+def not_too_many_edges(level: Level) -> Iterator[Fault]:
+    """Polygons have no more edges than can be held against each other."""
+    corners = [len(b.shape.vertices) for b in level.bodies.values() if isinstance(b.shape, Polygon)]
+    pairs = sum(count**2 for count in corners)
+    if pairs > MAX_PAIRS_OF_EDGES:
+        rule = Message(
+            "have polygons with {corners:,} corners in all: {pairs:,} pairs of edges would have"
+            " to be looked at for crossings, and {most:,} are the most",
+            corners=sum(corners),
+            pairs=pairs,
+            most=MAX_PAIRS_OF_EDGES,
+        )
+        yield Fault(("bodies",), rule)
+
+
+def not_too_many(level: Level) -> Iterator[Fault]:
+    """Bodies that touch have no more surfaces than pymunk holds in reasonable time."""
+    if level.effects.contact is None:
+        return
+    count = sum(_pieces(body.shape) for body in level.bodies.values() if not body.sensor)
+    if count > MAX_SURFACES:
+        rule = Message(
+            "have {count:,} surfaces in all; {most:,} are the most that may touch",
+            count=count,
+            most=MAX_SURFACES,
+        )
+        yield Fault(("bodies",), rule)
+
+
+def _pieces(shape: Shape) -> int:
+    """Return the most convex pieces of which a shape may be made."""
+    match shape:
+        case Polyline(points=corners):
+            return len(corners) - 1
+        case Polygon(vertices=corners):
+            return len(corners) - 2
+    return 1
+
+
+def points_fit(level: Level) -> Iterator[Fault]:
+    """Points of bodies have names that no quantity has."""
+    for body, said in level.bodies.items():
+        for name in sorted(ATTRIBUTES_OF_BODIES.intersection(said.points)):
+            rule = Message(
+                "'{name}' is what is measured of the body itself; choose another name", name=name
+            )
+            yield Fault(("bodies", body, "points", name), rule)

@@ -1,0 +1,135 @@
+"""Declared effects have something to act on."""
+
+from collections.abc import Iterator
+
+from sandbox.model.effects import EFFECTS
+from sandbox.model.errors import brief
+from sandbox.model.joints import Held, points
+from sandbox.model.level import Level
+from sandbox.model.level_parts import Fault
+from sandbox.model.message import Message, either, word
+from sandbox.model.rules.consistency.bodies import given
+from sandbox.model.rules.consistency.mentions import acted_on, lists_of_bodies
+from sandbox.model.rules.consistency.surfaces import coefficients_fit, undeclared
+from sandbox.model.shapes import Area
+
+
+def laws_act(level: Level) -> Iterator[Fault]:
+    """Effects do something, and what a force acts on can move."""
+    for effect, place, said in level.effects.said:
+        if effect.needs and all(getattr(said, field).source == 0 for field in effect.needs):
+            rule = Message("needs {needs} greater than 0", needs=either(map(repr, effect.needs)))
+            yield Fault(place, rule)
+    for path, name in acted_on(level):
+        if (kind := level.bodies[name].type) != "dynamic":
+            yield Fault(
+                path,
+                Message(
+                    "'{name}' is {kind}, so no force moves it", name=brief(name), kind=word(kind)
+                ),
+            )
+    for path, bodies in lists_of_bodies(level):
+        if len(set(bodies)) < len(bodies):
+            yield Fault(path, Message("a body is named twice"))
+    dynamic = [name for name, body in level.bodies.items() if body.type == "dynamic"]
+    if level.effects.gravitation and len(dynamic) == 1:
+        rule = Message(
+            "bodies attract each other, but only one is dynamic; 'attraction' has a fixed centre"
+        )
+        yield Fault(("effects", "gravitation"), rule)
+
+
+def effects_used(level: Level) -> Iterator[Fault]:
+    """Effects that are declared have bodies to act on."""
+    dynamic = any(body.type == "dynamic" for body in level.bodies.values())
+    for name in () if dynamic else level.effects.declared:
+        yield Fault(
+            ("effects", name), Message("'{name}' is declared but no body is dynamic", name=name)
+        )
+    touching = sum(not body.sensor for body in level.bodies.values())
+    if level.effects.contact and dynamic and touching < 2:
+        rule = Message("'contact' is declared but there is only one body that can touch another")
+        yield Fault(("effects", "contact"), rule)
+    for kind, effect in EFFECTS.items():
+        if effect.coefficient:
+            yield from coefficients_fit(level, kind)
+
+
+def turned_apart(level: Level) -> Iterator[Fault]:
+    """Torques act on bodies that turn, and between two different ones."""
+    for effect, place, said in level.effects.said:
+        if effect.name not in ("torque", "torsion"):
+            continue
+        if said.against == said.body:
+            rule = Message("'{body}' cannot be turned against itself", body=brief(said.body))
+            yield Fault((*place, "against"), rule)
+        if level.effects.rotation is None:
+            yield undeclared(place, effect.name, "rotation")
+
+
+def rotation_used(level: Level) -> Iterator[Fault]:
+    """Rotation: declared if a dynamic body is to turn, and only if something can turn one."""
+    dynamic = {name: body for name, body in level.bodies.items() if body.type == "dynamic"}
+    turning = any(given(body, "angular_velocity") for body in dynamic.values())
+    if level.effects.rotation:
+        if not (turning or level.effects.contact or _levers(level)):
+            rule = Message(
+                "'rotation' is declared but nothing turns a body: no contact, no joint, no spin"
+            )
+            yield Fault(("effects", "rotation"), rule)
+        return
+    for name, body in dynamic.items():
+        for field in ("moment", "angular_velocity"):
+            if given(body, field):
+                yield undeclared(("bodies", name, field), field, "rotation")
+
+
+def _levers(level: Level) -> bool:
+    """Whether an effect or a joint turns a body, or acts on it away from its centre."""
+    if any(effect.twists for effect in level.effects.declarations):
+        return True
+    if any(joint.kind.turns for joint in level.joints.values()):
+        return True
+    held = (end for joint in level.joints.values() for end in points(joint))
+    points_of_bodies = [end.at for end in held if isinstance(end, Held)]
+    points_of_bodies += [force.at for force in level.effects.force or ()]
+    return any(point != Held.model_fields["at"].default for point in points_of_bodies)
+
+
+def liquid_fits(level: Level) -> Iterator[Fault]:
+    """Bodies that a liquid carries have an area that can be displaced."""
+    buoyancy = level.effects.buoyancy
+    if buoyancy is None:
+        return
+    for index, name in enumerate(buoyancy.bodies or ()):
+        if not isinstance(shape := level.bodies[name].shape, Area):
+            rule = Message(
+                "'{name}' is a {type}, which displaces no liquid",
+                name=brief(name),
+                type=word(shape.type),
+            )
+            yield Fault(("effects", "buoyancy", "bodies", index), rule)
+    dynamic = (body.shape for body in level.bodies.values() if body.type == "dynamic")
+    if not any(isinstance(shape, Area) for shape in dynamic):
+        rule = Message("nothing displaces the liquid: no dynamic disc, box or polygon")
+        yield Fault(("effects", "buoyancy"), rule)
+
+
+def landscape_fits(level: Level) -> Iterator[Fault]:
+    """Landscapes belong to bodies that have energy, and their place has a name of its own."""
+    landscape = level.view.landscape
+    if landscape is None:
+        return
+    body = level.bodies.get(landscape.body)
+    if body and body.type != "dynamic":
+        rule = Message(
+            "'{body}' is {type}, so it has no energy to draw",
+            body=brief(landscape.body),
+            type=word(body.type),
+        )
+        yield Fault(("view", "landscape", "body"), rule)
+    if (place := landscape.potential.variable) in level.parameters:
+        rule = Message(
+            "'{place}' is the place in the landscape's potential; choose another name", place=place
+        )
+        yield Fault(("parameters", place), rule)

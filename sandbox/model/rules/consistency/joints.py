@@ -1,0 +1,166 @@
+"""Joints hold bodies that they can hold."""
+
+from collections.abc import Iterator
+
+from sandbox.model.acting_events import bouncing, tied
+from sandbox.model.errors import brief
+from sandbox.model.joints import (
+    Joint,
+    Own,
+    Rod,
+    Spring,
+    Wire,
+    bodies_of,
+    body_of,
+    is_exact,
+    points,
+)
+from sandbox.model.level import Level
+from sandbox.model.level_parts import Fault, names_in
+from sandbox.model.message import Message
+from sandbox.model.rules.consistency.mentions import bodies_of_flows
+from sandbox.model.shapes import Curve
+
+MAX_WIRES = 200
+"""The most wires and curves of a level: checking one takes 3 ms, at the defaults and at both
+ends."""
+
+
+NO_WIRE = Message(
+    "a joint that an event ties cannot be a wire; tie a rail, or let a body start on its wire"
+)
+AS_FOUND = Message("a joint that an event ties is as long as it is found; leave out 'length'")
+SLACK_AT = Message(
+    "a joint that an event ties must say the 'length' at which it is slack, if it is a spring"
+)
+"""What is wrong with a joint that an event ties."""
+
+
+def something_to_hold(level: Level) -> Iterator[Fault]:
+    """Joints hold something that moves, and tie nothing to itself."""
+    for name, joint in level.joints.items():
+        path = ("joints", name, "ends")
+        held = [level.bodies[body] for body in bodies_of(joint) if body in level.bodies]
+        moves = any(body.type == "dynamic" for body in held)
+        if isinstance(joint, Wire):
+            if not moves:
+                yield Fault(("joints", name, "bead"), Message("the bead must be a dynamic body"))
+        elif same := _twice(joint):
+            yield Fault(
+                path,
+                Message(
+                    "'{same}' is tied to itself; two different bodies are needed", same=brief(same)
+                ),
+            )
+        elif not moves:
+            yield Fault(path, Message("at least one end must be a dynamic body"))
+    wires, curves = _wires_and_curves(level)
+    if "s" in level.parameters and (wires or curves):
+        what = Message("wires") if wires else Message("curves")
+        rule = Message("'s' runs along the {what}; choose another name", what=what)
+        yield Fault(("parameters", "s"), rule)
+
+
+def own_apart(level: Level) -> Iterator[Fault]:
+    """Joints of pymunk's own do not change with time, and share no body with exact ones."""
+    exact = {b for joint in level.joints.values() if is_exact(joint) for b in bodies_of(joint)}
+    if level.effects.sticking:
+        exact.update(body for pair in level.effects.sticking.pairs for body in pair.bodies)
+    moving = {name for name, body in level.bodies.items() if body.type == "dynamic"}
+    for name, joint in level.joints.items():
+        if not isinstance(joint, Own) or joint.exact:
+            continue
+        path = ("joints", name, "exact")
+        if "t" in names_in(joint):
+            yield Fault(
+                path, Message("only an exact joint can change with the time 't'; leave out 'exact'")
+            )
+        for body in moving.intersection(bodies_of(joint)) & exact:
+            rule = Message(
+                "'{body}' is held exactly, too; let all that holds it be exact, or none",
+                body=brief(body),
+            )
+            yield Fault(path, rule)
+        if level.effects.in_sequence:
+            yield Fault(path, Message("impacts in 'sequence' need exact joints; leave out 'exact'"))
+
+
+def ties_fit(level: Level) -> Iterator[Fault]:
+    """Joints that an event ties take the length they find, and declare none."""
+    names = sorted(tied(level.events) & level.joints.keys())
+    for name in names:
+        for field, rule in _untied(level.joints[name]):
+            yield Fault(("joints", name, field), rule)
+    contact, exact = level.effects.contact, any(is_exact(level.joints[name]) for name in names)
+    if contact and contact.solver == "iterative" and exact:
+        rule = Message(
+            "a joint that an event ties needs contacts that are solved directly; leave it out"
+        )
+        yield Fault(("effects", "contact", "solver"), rule)
+
+
+def stops_bounce(level: Level) -> Iterator[Fault]:
+    """Contacts are solved directly where stops give back speed."""
+    contact = level.effects.contact
+    if contact and contact.solver == "iterative":
+        for name, _ in bouncing(level.joints):
+            rule = Message(
+                "needs contacts that are solved directly; leave one out, or their 'solver'"
+            )
+            yield Fault(("joints", name, "restitution"), rule)
+
+
+def _untied(joint: Joint) -> Iterator[tuple[str, Message]]:
+    """Yield the fields of a joint that does not fit an event which ties it, and why."""
+    if isinstance(joint, Wire):
+        yield "type", NO_WIRE
+    if isinstance(joint, Rod) and joint.length is not None:
+        yield "length", AS_FOUND
+    if isinstance(joint, Spring) and joint.length is None:
+        yield "length", SLACK_AT
+    if getattr(joint, "exact", True) is False:
+        yield "exact", Message("a joint that an event ties must be exact; leave out 'exact'")
+    if getattr(joint, "restitution", None) is not None:
+        rule = Message("a joint that an event ties cannot bounce; leave out 'restitution'")
+        yield "restitution", rule
+
+
+def not_too_many_wires(level: Level) -> Iterator[Fault]:
+    """There are not too many wires and curves to check for corners and crossings."""
+    wires, curves = _wires_and_curves(level)
+    if wires + curves > MAX_WIRES:
+        have = Message("{count:,} wires and curves", count=wires + curves)
+        rule = Message(
+            "have {have}; {most} are the most that can be looked at for crossings",
+            have=have if curves else Message("{count:,} wires", count=wires),
+            most=MAX_WIRES,
+        )
+        yield Fault(("joints" if wires else "bodies",), rule)
+
+
+def _wires_and_curves(level: Level) -> tuple[int, int]:
+    """Return how many there are of each."""
+    wires = sum(isinstance(joint, Wire) for joint in level.joints.values())
+    return wires, sum(isinstance(body.shape, Curve) for body in level.bodies.values())
+
+
+def _twice(joint: Joint) -> str | None:
+    """Return the body that a joint ties to itself, if it does.
+
+    A string may run over several pegs of one body.
+    """
+    path = [body_of(end) for end in points(joint)]
+    pairs = [path[:2], path[-2:], (path[0], path[-1])]
+    return next((a for a, b in pairs if a is not None and a == b), None)
+
+
+def constant_masses(level: Level) -> Iterator[Fault]:
+    """Exact joints are solved with the masses of the start, so they hold nothing that changes."""
+    changing = {name for _, name in bodies_of_flows(level)}
+    for name, joint in level.joints.items():
+        for body in changing.intersection(bodies_of(joint)):
+            if not joint.kind.force:
+                rule = Message(
+                    "'{body}' changes its mass, so only a spring can hold it", body=brief(body)
+                )
+                yield Fault(("joints", name, "ends"), rule)

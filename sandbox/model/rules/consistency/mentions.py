@@ -1,0 +1,78 @@
+"""The places where a level names bodies and quantities, found from the types of its fields."""
+
+from collections.abc import Iterator, Sequence
+from typing import Any, NamedTuple
+
+from sandbox.model.base import Model
+from sandbox.model.effects import EFFECTS
+from sandbox.model.effects.friction import Friction
+from sandbox.model.effects.restitution import Restitution
+from sandbox.model.field_marks import marked
+from sandbox.model.json_positions import Path
+from sandbox.model.last_result_cache import of_the_last
+from sandbox.model.level import Level
+from sandbox.model.reference_fields import Mention
+
+
+class Mentioned(NamedTuple):
+    """A name, or a list of names, that stands in a level."""
+
+    path: Path
+    value: Any
+    mention: Mention
+
+
+def mentions(part: Model, path: Path = ()) -> Iterator[Mentioned]:
+    """Yield everything that a part of a level names, and where."""
+    if isinstance(part, Level) and not path:
+        return iter(_all_of(part))
+    return (Mentioned(*found) for found in marked(part, Mention, path))
+
+
+@of_the_last
+def _all_of(level: Level) -> Sequence[Mentioned]:
+    """Return everything that a level names: nearly every rule asks for some of it."""
+    return [Mentioned(*found) for found in marked(level, Mention)]
+
+
+def named_bodies(level: Level) -> Iterator[tuple[Path, str]]:
+    """Yield every mention of a body, and where it stands."""
+    return ((path, name) for path, name, mention in mentions(level) if mention.of == "body")
+
+
+def named_quantities(level: Level) -> Iterator[tuple[Path, str]]:
+    """Yield every quantity that is measured, and where it is asked for."""
+    return ((path, name) for path, name, mention in mentions(level) if mention.of == "quantity")
+
+
+def named_parameters(level: Level) -> Iterator[tuple[Path, str]]:
+    """Yield every parameter that is named outside of a formula, and where."""
+    return ((path, name) for path, name, mention in mentions(level) if mention.of == "parameter")
+
+
+def acted_on(level: Level) -> Iterator[tuple[Path, str]]:
+    """Yield the bodies that an effect acts on."""
+    return ((path, name) for path, name, mention in mentions(level) if mention.acted_on)
+
+
+def lists_of_bodies(level: Level) -> Iterator[tuple[Path, tuple[str, ...]]]:
+    """Yield the lists that name the bodies an effect acts on."""
+    return ((path, names) for path, names, mention in mentions(level) if mention.of == "bodies")
+
+
+def couples(level: Level) -> Iterator[tuple[Path, tuple[str, str]]]:
+    """Yield everything that two bodies are named for."""
+    return ((path, names) for path, names, mention in mentions(level) if mention.of == "couple")
+
+
+def bodies_of_flows(level: Level) -> Iterator[tuple[Path, str]]:
+    """Yield the bodies whose mass changes."""
+    changing = {name for name, effect in EFFECTS.items() if effect.changes_mass}
+    for path, name in acted_on(level):
+        if path[0] == "effects" and path[1] in changing:
+            yield path, name
+
+
+def coefficients(level: Level) -> dict[str, Friction | Restitution]:
+    """Return those effects that have a coefficient a body."""
+    return {effect.name: said for effect, _, said in level.effects.said if effect.coefficient}

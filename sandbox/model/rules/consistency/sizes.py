@@ -1,0 +1,60 @@
+"""A step is not too much to compute, whatever else the level says."""
+
+from collections.abc import Iterator
+
+from sandbox.model.level import Level
+from sandbox.model.level_parts import Fault
+from sandbox.model.message import Message
+
+MOST_PULLS = 4_000_000
+"""The most attractions per step, between bodies and from centres: so many take a quarter of a
+second."""
+
+MOST_STICKING = 20_000
+"""The most pairs with static above kinetic friction: pymunk looks up the callback of each in 50
+µs."""
+
+
+def not_too_many_pulls(level: Level) -> Iterator[Fault]:
+    """Bodies and centres that attract can be gone through in a step."""
+    effects = level.effects
+    dynamic = sum(body.type == "dynamic" for body in level.bodies.values())
+    if mutual := effects.gravitation:
+        count = dynamic if mutual.bodies is None else len(mutual.bodies)
+        if count**2 > MOST_PULLS:
+            most = int(MOST_PULLS**0.5)
+            message = Message(
+                "{count:,} bodies attract each other; {most:,} are the most in a step",
+                count=count,
+                most=most,
+            )
+            yield Fault(("effects", "gravitation"), message)
+    centres = len(effects.attraction or ())
+    if centres * dynamic > MOST_PULLS:
+        message = Message(
+            "{centres:,} centres attract {dynamic:,} bodies: {pulls:,} pulls, and a step can take"
+            " {most:,}",
+            centres=centres,
+            dynamic=dynamic,
+            pulls=centres * dynamic,
+            most=MOST_PULLS,
+        )
+        yield Fault(("effects", "attraction"), message)
+
+
+def not_too_many_sticking(level: Level) -> Iterator[Fault]:
+    """Pairs of bodies that stick more than they rub can all be watched."""
+    if level.effects.friction is None:
+        return
+    rub = [body for body in level.bodies.values() if body.friction is not None]
+    stick = sum(body.static_friction is not None for body in rub)
+    pairs = stick * (stick - 1) // 2 + stick * (len(rub) - stick)
+    if pairs > MOST_STICKING:
+        message = Message(
+            "{stick:,} bodies have a 'static_friction', which makes {pairs:,} pairs of bodies to"
+            " be watched, and {most:,} are the most; leave it out where it is not needed",
+            stick=stick,
+            pairs=pairs,
+            most=MOST_STICKING,
+        )
+        yield Fault(("bodies",), message)

@@ -1,0 +1,161 @@
+"""The rules of a level that go beyond the type of each part, over the ranges of its parameters.
+
+Every rule is a generator of `Fault`: a path into the level and what is wrong there. They are all
+run, so that an author sees all mistakes at once. What depends on the values of the parameters is a
+`Condition` (see `sandbox.model.rules.conditions`), and must hold at the corners of their ranges.
+"""
+
+from collections.abc import Collection, Iterable, Iterator, Mapping
+from functools import cache
+from itertools import chain, islice, product
+
+import numpy as np
+
+from sandbox.model.arithmetic import ExpressionError
+from sandbox.model.errors import MAX_MISTAKES, brief
+from sandbox.model.expressions import Array, Expression, Values
+from sandbox.model.formulas import Formula
+from sandbox.model.json_positions import Path
+from sandbox.model.level import Level
+from sandbox.model.level_parts import Fault, expressions, instants
+from sandbox.model.message import Message
+from sandbox.model.rules.conditions import conditions
+from sandbox.model.rules.conditions.condition import Condition
+from sandbox.model.rules.consistency import contradictions, dangling, inconsistencies, too_much
+
+MAX_CORNERS = 256
+"""How many corners of the parameters' ranges are tried, at most."""
+
+FEWEST = 2
+"""How many corners are tried of anything expensive: all parameters at their minimum, and all at
+their maximum."""
+
+PATIENCE = 5e5
+"""µs, the work after which fewer corners are tried; it is counted, not timed, so that every machine
+finds the same."""
+
+
+def faults(level: Level) -> list[Fault]:
+    """Return everything that is wrong with a level, as far as it makes sense to look."""
+    if found := _most(too_much(level)):
+        return found
+    if next(dangling(level), None):
+        return _most(inconsistencies(level))
+    return _most(chain(contradictions(level), _values(level))) or _most(_late(level))
+
+
+def _most(found: Iterator[Fault]) -> list[Fault]:
+    return list(islice(found, MAX_MISTAKES + 1))
+
+
+def depending(level: Level) -> list[Condition]:
+    """Return what must hold in a level that depends on its parameters."""
+    return [condition for condition in conditions(level) if condition.names]
+
+
+def broken(among: Iterable[Condition], values: Values) -> Iterator[Fault]:
+    """Yield every part of a level that the given parameters make impossible."""
+    for condition in among:
+        if rule := condition.fault(values):
+            yield Fault(condition.path, rule)
+
+
+def corners(
+    level: Level, names: Collection[str] | None = None, most: int = MAX_CORNERS
+) -> Iterator[Values]:
+    """Yield the defaults, then what the bounds of the parameters combine to.
+
+    Parameters
+    ----------
+    level
+        The level of the parameters.
+    names
+        The parameters that vary, the others keep their defaults; all if left out. Where there are
+        more combinations than may be tried, only some are: all of a side together, then each bound
+        alone.
+    most
+        How many combinations are tried at the most.
+    """
+    defaults = level.defaults
+    yield defaults
+    ranges = {n: (p.min, p.max) for n, p in level.parameters.items() if names is None or n in names}
+    if ranges:
+        yield from ({**defaults, **bounds} for bounds in islice(_bounds(ranges, most), most))
+
+
+def _bounds(ranges: Mapping[str, tuple[float, float]], most: int) -> Iterator[Values]:
+    if 2 ** len(ranges) <= most:
+        for values in product(*ranges.values()):
+            yield dict(zip(ranges, values, strict=True))
+        return
+    for side in (0, 1):
+        yield {name: bounds[side] for name, bounds in ranges.items()}
+    for name, bounds in ranges.items():
+        for bound in bounds:
+            yield {name: bound}
+
+
+def _values(level: Level) -> Iterator[Fault]:
+    """Every condition holds over the whole ranges of the parameters.
+
+    Of a level that would take too long, fewer combinations of their bounds are tried. What that
+    leaves out is told when somebody chooses such values.
+    """
+    asked = list(conditions(level))
+    tried = cache(lambda names, most: list(corners(level, names, most)))
+    spared = sum(c.work * min(2 ** len(c.names), MAX_CORNERS) for c in asked) > PATIENCE
+    varied = sum(1 for condition in asked if condition.names) or 1
+    for condition in asked:
+        most = int(PATIENCE / varied / condition.work) if spared else MAX_CORNERS
+        for values in tried(condition.names, min(max(most, FEWEST), MAX_CORNERS)):
+            if rule := condition.fault(values):
+                used = ", ".join(f"{name} = {values[name]:g}" for name in sorted(condition.names))
+                told = Message("{rule} when {used}", rule=rule, used=used) if used else rule
+                yield Fault(condition.path, told)
+                break
+
+
+def _late(level: Level) -> Iterator[Fault]:
+    yield from _formulas(level)
+    yield from _instants(level)
+
+
+def _formulas(level: Level) -> Iterator[Fault]:
+    """Every formula has a value at some time, with the defaults, if it is said to apply then."""
+    values = level.defaults
+    times = np.linspace(0, level.duration(values), 9)
+    for path, formula in expressions(level):
+        if isinstance(formula, Formula) and formula.variable == "t":
+            try:
+                lost = not np.isfinite(formula.over(values, times)).any()
+                if lost and (path[-1] == "valid_if" or _applies(level, path, times)):
+                    shown = brief(str(formula.source))
+                    rule = Message(
+                        "'{shown}' has no finite value with the parameters' default values",
+                        shown=shown,
+                    )
+                    yield Fault(path, rule)
+            except ExpressionError as error:
+                yield Fault(path, error.message)
+
+
+def _applies(level: Level, path: Path, times: Array) -> bool:
+    """Whether the formula at a path is said to hold with the defaults, at any of the times."""
+    index = path[1]
+    condition = level.checks[index].valid_if if isinstance(index, int) else None
+    return condition is None or bool(condition.over(level.defaults, times).any())
+
+
+def _instants(level: Level) -> Iterator[Fault]:
+    """Every check or goal at a time comes before the end."""
+    duration = level.duration(level.defaults)
+    for path, instant in instants(level):
+        if isinstance(instant, Expression):
+            at = instant(level.defaults)
+            if not 0 <= at <= duration:
+                rule = Message(
+                    "is at {at:g} s, but the run lasts from 0 to {duration:g} s ('duration')",
+                    at=at,
+                    duration=duration,
+                )
+                yield Fault(path, rule)

@@ -1,0 +1,249 @@
+"""The meter: from snapshots to named quantities."""
+
+from collections.abc import Callable, Iterable, Mapping
+from functools import partial
+from math import nan
+from typing import Protocol
+
+import numpy as np
+
+from sandbox.model.expressions import Array, Values
+from sandbox.model.level import Level
+from sandbox.model.message import Message
+from sandbox.model.quantities import WITHIN, Component, Quantity, QuantityError, quantity
+from sandbox.model.shapes import evaluate
+from sandbox.physics.scene.scene import Scene
+from sandbox.physics.state.anchor import Anchor
+from sandbox.physics.state.motion import kinetic_energy
+from sandbox.physics.state.snapshot import Snapshot
+
+Measurement = Callable[[Snapshot], Array]
+
+
+class Measured(Protocol):
+    """What quantities are measured of."""
+
+    @property
+    def level(self) -> Level:
+        """What says which there are."""
+
+    @property
+    def values(self) -> Values:
+        """Its parameters."""
+
+    @property
+    def scene(self) -> Scene:
+        """The masses, laws and joints of the bodies."""
+
+
+class Meter:
+    """Measures quantities of a world, from one snapshot or from a stack of them.
+
+    Parameters
+    ----------
+    run
+        The source of masses, moments and force laws, such as a world.
+    names
+        The quantities to measure, such as `ball.position.x`.
+
+    Raises
+    ------
+    QuantityError
+        If the level has no such quantity, or only a ledger knows it.
+    """
+
+    def __init__(self, run: Measured, names: Iterable[str]) -> None:
+        scene = run.scene
+        self._bodies, self._values = run.level.bodies, run.values
+        self._rows = {name: i for i, name in enumerate(scene.bodies)}
+        self._columns = {name: i for i, name in enumerate(run.level.joints)}
+        self._joints = scene.joints
+        self._mass, self._moment, self._share = scene.mass, scene.moment, scene.share
+        self._laws = (*((scene.gravity,) if scene.gravity else ()), *scene.laws)
+        self.quantities = {name: quantity(name, run.level) for name in names}
+        self._measurements = {name: self._bind(q) for name, q in self.quantities.items()}
+
+    def __call__(self, snapshot: Snapshot) -> dict[str, Array]:
+        """Return every quantity: a number for one snapshot, one for each instant of a stack.
+
+        An integral over time begins with the first instant; it is 0 for one snapshot.
+        """
+        return {name: measure(snapshot) for name, measure in self._measurements.items()}
+
+    def _bind(self, quantity: Quantity) -> Measurement:
+        if quantity.booked or quantity.between or quantity.over_time:
+            rule = Message(
+                "'{name}' is known only to a recorder, which watches the whole run",
+                name=quantity.name,
+            )
+            raise QuantityError(rule)
+        match quantity.owner:
+            case "time":
+                return lambda s: s.t
+            case "joint":
+                return self._of_joint(quantity.subject, quantity.attribute)
+            case "body" if quantity.other:
+                return self._of_two(quantity)
+            case "body":
+                row = self._rows[quantity.subject]
+                if vectors := self._vectors_of_bodies.get(quantity.attribute):
+                    return _component(lambda s: vectors(s)[..., row, :], quantity.component)
+                scalars = self._scalars_of_bodies[quantity.attribute]
+                return lambda s: scalars(s)[..., row]
+            case "system":
+                return self._of_system(quantity)
+
+    def _of_joint(self, name: str, attribute: str) -> Measurement:
+        if attribute == "length":
+            return lambda s: self._joints.length(name, s)
+        if attribute == "potential_energy":
+            spring = self._joints.springs.get(name)
+            return spring.stored if spring else lambda s: np.zeros_like(s.t)
+        column = self._columns[name]
+        if attribute == "torque":
+            return lambda s: s.torque[..., column]
+        if attribute == "tension" and name in self._joints.wires:
+            return lambda s: np.abs(s.tension[..., column])
+        return partial(self._joints.tension, name)
+
+    def _of_two(self, quantity: Quantity) -> Measurement:
+        """Measure a point of a body, or a body relative to another, or in a sensor."""
+        row, (kind, _, attribute) = self._rows[quantity.subject], quantity.attribute.partition(".")
+        if kind == WITHIN:
+            from sandbox.physics.quantities.sensor_depth import sensing
+
+            return sensing(
+                row, self._rows[quantity.other], self._bodies[quantity.other], self._values
+            )
+        if kind == "point":
+            arm = complex(
+                *evaluate(self._bodies[quantity.subject].points[quantity.other], self._values)
+            )
+            vector = partial(_of_point, Anchor(row, arm), attribute)
+        else:
+            vector = partial(_relative, row, self._rows[quantity.other], attribute)
+        return _component(vector, quantity.component)
+
+    def _of_system(self, quantity: Quantity) -> Measurement:
+        if source := quantity.attribute.partition("potential_energy.")[2]:
+            return lambda s: self._stored(s, source).sum(axis=-1)
+        if vector := self._vectors_of_system.get(quantity.attribute):
+            return _component(vector, quantity.component)
+        return self._scalars_of_system[quantity.attribute]
+
+    @property
+    def _vectors_of_bodies(self) -> Mapping[str, Measurement]:
+        """Of every body: (..., n, 2)."""
+        return {
+            "position": lambda s: s.position,
+            "velocity": lambda s: s.velocity,
+            "acceleration": lambda s: s.acceleration,
+            "momentum": self._momentum,
+        }
+
+    @property
+    def _scalars_of_bodies(self) -> Mapping[str, Measurement]:
+        """Of every body: (..., n)."""
+        return {
+            "speed": lambda s: _size(s.velocity),
+            "angle": lambda s: s.angle,
+            "angular_velocity": lambda s: s.angular_velocity,
+            "angular_acceleration": lambda s: s.angular_acceleration,
+            "kinetic_energy": self._kinetic,
+            "potential_energy": self._potential,
+            "energy": self._energy,
+            "action": self._action,
+            "contact.normal": lambda s: s.normal,
+            "contact.friction": lambda s: s.friction,
+        }
+
+    @property
+    def _vectors_of_system(self) -> Mapping[str, Measurement]:
+        """Of all dynamic bodies together: (..., 2)."""
+        return {
+            "center": self._center,
+            "momentum": lambda s: self._momentum(s).sum(axis=-2),
+        }
+
+    @property
+    def _scalars_of_system(self) -> Mapping[str, Measurement]:
+        """Of all dynamic bodies together: (...,)."""
+        return {
+            "kinetic_energy": lambda s: self._kinetic(s).sum(axis=-1),
+            "potential_energy": lambda s: self._potential(s).sum(axis=-1),
+            "energy": lambda s: self._energy(s).sum(axis=-1),
+            "action": lambda s: self._action(s).sum(axis=-1),
+            "angular_momentum": self._angular_momentum,
+        }
+
+    def _center(self, s: Snapshot) -> Array:
+        """Σ m r / Σ m; not a number where no body is dynamic."""
+        mass = self._mass * self._share(s.t)
+        total = mass.sum(axis=-1, keepdims=True)
+        return np.sum(mass[..., None] * s.position, axis=-2) / np.where(total > 0, total, nan)
+
+    def _momentum(self, s: Snapshot) -> Array:
+        return (self._mass * self._share(s.t))[..., None] * s.velocity
+
+    def _kinetic(self, s: Snapshot) -> Array:
+        """T = m v² / 2 + I ω² / 2."""
+        share = self._share(s.t)
+        return kinetic_energy(self._mass * share, self._moment * share, s)
+
+    def _potential(self, s: Snapshot) -> Array:
+        potential = np.zeros(s.position.shape[:-1])
+        for law in self._laws:
+            potential = potential + law.potential_energy(s)
+        return potential
+
+    def _stored(self, s: Snapshot, effect: str) -> Array:
+        """U by the laws of one effect."""
+        stores = [law for law in self._laws if law.effect.stores(effect)]
+        energies = [law.potential_energy(s) for law in stores]
+        return sum(energies, np.zeros(s.position.shape[:-1]))
+
+    def _energy(self, s: Snapshot) -> Array:
+        return self._kinetic(s) + self._potential(s)
+
+    def _action(self, s: Snapshot) -> Array:
+        """∫ (T − U) dt by trapezoids from step to step: second order."""
+        lagrangian = self._kinetic(s) - self._potential(s)
+        action = np.zeros_like(lagrangian)
+        if s.t.ndim:
+            between = (lagrangian[1:] + lagrangian[:-1]) / 2
+            action[1:] = np.cumsum(np.diff(s.t)[:, None] * between, axis=0)
+        return action
+
+    def _angular_momentum(self, s: Snapshot) -> Array:
+        """L = Σ m (x vy − y vx) + I ω, about the origin."""
+        x, y = s.position[..., 0], s.position[..., 1]
+        share = self._share(s.t)
+        orbital = self._mass * share * (x * s.velocity[..., 1] - y * s.velocity[..., 0])
+        return np.sum(orbital + self._moment * share * s.angular_velocity, axis=-1)
+
+
+def _of_point(point: Anchor, attribute: str, s: Snapshot) -> Array:
+    """Return where a point of a body is, or how fast: (..., 2)."""
+    place, moves, _ = point.look(s)
+    found = place if attribute == "position" else moves
+    return np.stack((found.real, found.imag), axis=-1)
+
+
+def _relative(row: int, other: int, attribute: str, s: Snapshot) -> Array:
+    """Return where a body is as seen from another, or how fast, along the axes of the plane."""
+    of = s.velocity if attribute == "velocity" else s.position
+    return of[..., row, :] - of[..., other, :]
+
+
+def _component(vector: Measurement, component: Component | None) -> Measurement:
+    match component:
+        case "x":
+            return lambda s: vector(s)[..., 0]
+        case "y":
+            return lambda s: vector(s)[..., 1]
+        case None:
+            return lambda s: _size(vector(s))
+
+
+def _size(vector: Array) -> Array:
+    return np.hypot(vector[..., 0], vector[..., 1])

@@ -1,0 +1,122 @@
+"""The tables of cases: what they say is read, and what they cannot mean is told with its place."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from typer.testing import CliRunner
+
+from sandbox.model.level import ContactEvent
+from validation import case_tables, cases, cli
+from validation.case import Case
+from validation.case_tables import TableError
+from validation.cases import PHENOMENA
+
+TABLE = """
+[[table]]
+level = "kinematics/complementary-angles"
+over = [{}, {angle = 10.0}, {ends = ["g"]}]
+each = [{ball = "low", times = 1}, {ball = "high", times = 2}]
+because = "it is made up"
+tolerance = 1e-6
+
+[[table.case]]
+name = "range of the {ball} ball"
+quantity = "{ball}.position.x"
+formula = "{times} * kinematics.projectile_distance(speed, radians(angle), t)"
+at = {event = "contact", bodies = ["{ball}", "sand"]}
+order = 2
+"""
+
+
+@pytest.fixture
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A folder of tables, of which nothing has been read yet."""
+    monkeypatch.setattr(case_tables, "FOLDER", tmp_path)
+    monkeypatch.setattr(case_tables, "read", case_tables.read.__wrapped__)
+    return tmp_path
+
+
+def written(folder: Path, text: str) -> tuple[Case, ...]:
+    (folder / "made_up.toml").write_text(text, encoding="utf-8")
+    return case_tables.read("made_up")
+
+
+def test_every_file_of_tables_is_registered() -> None:
+    files = {path.stem for path in Path(cases.__file__).parent.glob("*.toml")}
+
+    forgotten = files ^ set(PHENOMENA)
+    assert not forgotten, f"name {forgotten} in PHENOMENA, validation/cases/__init__.py"
+
+
+def test_every_module_beside_the_tables_is_called_by_its_own() -> None:
+    folder = Path(cases.__file__).parent
+    modules = {path.stem for path in folder.glob("*.py")} - {"__init__"}
+
+    assert {name for name in modules if "own." in (folder / f"{name}.toml").read_text()} == modules
+
+
+def test_a_row_is_a_case_for_each_choice_of_parameters_and_each_item(folder: Path) -> None:
+    found = written(folder, TABLE)
+
+    assert [case.name.split()[3] for case in found] == ["low", "high"] * 4
+    assert [case.parameters for case in found[:4:2]] == [{}, {"angle": 10.0}]
+    assert found[4].parameters["g"] > found[6].parameters["g"]
+    assert found[1].at == ContactEvent(event="contact", bodies=("high", "sand"))
+    assert {case.because for case in found} == {"it is made up"}
+
+
+def test_a_formula_is_that_of_the_parameters_and_of_the_times(folder: Path) -> None:
+    low, high, *_ = written(folder, TABLE)
+
+    t = np.array([0.0, 2.0])
+    values = {"speed": 3.0, "angle": 60.0}
+    assert low.expected(values, t) == pytest.approx([0.0, 3.0])
+    assert high.expected(values, t) == pytest.approx([0.0, 6.0])
+
+
+@pytest.mark.parametrize(
+    ("said", "instead", "told"),
+    [
+        ("formula = ", "formla = ", "'range of the low ball' lacks formula"),
+        ("order = 2", "ordr = 2", "'range of the low ball': a case has no ordr"),
+        ("over = ", "ovr = ", "a table has no ovr"),
+        ("level = ", "# ", "a table lacks its level"),
+        ("radians(angle)", "radians(angel)", "formula has an unknown name: angel"),
+        ("kinematics.", "kinematik.", "formula has an unknown name: kinematik"),
+        (
+            'at = {event = "contact", bodies = ["{ball}", "sand"]}',
+            'at = "2*angel"',
+            "'at' has a name that is no parameter: angel",
+        ),
+    ],
+)
+def test_what_cannot_be_meant_is_told_with_its_file_and_case(
+    folder: Path, said: str, instead: str, told: str
+) -> None:
+    with pytest.raises(TableError, match=told) as caught:
+        written(folder, TABLE.replace(said, instead))
+
+    assert str(caught.value).startswith(f"{folder}/made_up.toml")
+
+
+@pytest.mark.parametrize(
+    ("text", "told"),
+    [("[[table]", r"made_up\.toml: is not TOML: .*line 1"), ("# empty", r"has no \[\[table\]\]")],
+)
+def test_a_file_that_is_no_table_is_named(folder: Path, text: str, told: str) -> None:
+    with pytest.raises(TableError, match=told):
+        written(folder, text)
+
+
+def test_a_mistake_in_a_table_is_told_without_a_traceback(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    unknown = TABLE.replace("radians(angle)", "math.radians(angle)")
+    monkeypatch.setattr(cli.run, "all_cases", lambda: written(folder, unknown))
+
+    result = CliRunner().invoke(cli.app, ["run"])
+
+    assert result.exit_code == 2
+    assert "unknown name: math" in result.stderr
+    assert "Traceback" not in result.stderr
