@@ -69,7 +69,7 @@ class Contacts(NamedTuple):
         return np.where(two, np.maximum(most, self.depths[:, 1]), most) if two.any() else most
 
     def and_(self, others: "Contacts") -> "Contacts":
-        """Return these contacts and others."""
+        """Return these contacts, followed by others."""
         if not len(self.bodies):
             return others
         return Contacts._make(map(np.concatenate, zip(self, others, strict=True)))

@@ -1,4 +1,4 @@
-"""Given forces."""
+"""Forces that a level prescribes, constant or over time."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace

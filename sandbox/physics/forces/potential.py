@@ -38,7 +38,7 @@ class Potential:
             wrench[..., self.on.bodies, axis] -= weight * slope.at(self.values, place)
 
     def potential_energy(self, motion: Motion) -> Array:
-        """Return U of each body."""
+        """Return the potential energy U of each body."""
         stored = np.zeros(motion.position.shape[:-1])
         found = self.energy.at(self.values, self._place(motion))
         stored[..., self.on.bodies] = self.on.at(motion.t) * found

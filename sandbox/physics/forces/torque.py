@@ -1,4 +1,4 @@
-"""Given torques, on one body or between two."""
+"""Torques that a level prescribes, on one body or between two."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace

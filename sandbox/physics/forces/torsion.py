@@ -1,4 +1,4 @@
-"""Torsion springs."""
+"""Torsion springs, between a body and the plane or another body."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass

@@ -202,7 +202,7 @@ class Course:
         return self.look(at)
 
     def _cut(self) -> tuple[Stretch, ...]:
-        """Return the stretches: each has at most one maximum of curvature and a bounded turn."""
+        """Return the stretches, which end at maxima of curvature, inflections, or large turns."""
         _, slope, bend = self._curve.over(np.arange(0, self._curve.count + 1, KNOT))
         speed = np.abs(slope)
         size = float(np.abs(self._knots - self._knots[0]).max())

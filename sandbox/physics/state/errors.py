@@ -30,7 +30,7 @@ class SimulationError(SandboxError):
     reason
         The cause.
     hint
-        An untested remedy; empty if none is known.
+        A possible remedy; empty if none is known.
     place
         The location of the cause in the level's file, if the world could not start.
     """
@@ -94,7 +94,7 @@ class SimulationError(SandboxError):
 
 
 class BreakdownError(SimulationError):
-    """A run that ended by an unforeseen exception, a defect of the program."""
+    """A run that ended by an unforeseen exception, its cause: a defect of the program."""
 
     def __init__(self, error: Exception, time: float) -> None:
         what = " ".join(f"{error}".split()) or Message("no more is known")

@@ -20,22 +20,22 @@ class Motion(Protocol):
 
     @property
     def position(self) -> Array:
-        """(..., n, 2) [m]."""
+        """The positions: (..., n, 2) [m]."""
         ...
 
     @property
     def angle(self) -> Array:
-        """(..., n) [rad]."""
+        """The angles: (..., n) [rad]."""
         ...
 
     @property
     def velocity(self) -> Array:
-        """(..., n, 2) [m/s]."""
+        """The velocities: (..., n, 2) [m/s]."""
         ...
 
     @property
     def angular_velocity(self) -> Array:
-        """(..., n) [rad/s]."""
+        """The angular velocities: (..., n) [rad/s]."""
         ...
 
 
@@ -78,22 +78,22 @@ class Reading:
 
     @property
     def position(self) -> Array:
-        """(n, 2) [m]."""
+        """The positions: (n, 2) [m]."""
         return self.state[:, :2]
 
     @property
     def angle(self) -> Array:
-        """(n,) [rad]."""
+        """The angles: (n,) [rad]."""
         return self.state[:, 2]
 
     @property
     def velocity(self) -> Array:
-        """(n, 2) [m/s]."""
+        """The velocities: (n, 2) [m/s]."""
         return self.state[:, 3:5]
 
     @property
     def angular_velocity(self) -> Array:
-        """(n,) [rad/s]."""
+        """The angular velocities: (n,) [rad/s]."""
         return self.state[:, 5]
 
 

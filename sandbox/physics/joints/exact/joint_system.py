@@ -183,7 +183,7 @@ class JointSystem:
         return self._joints[worst], float(off[worst])
 
     def is_driven(self, motion: Array) -> bool:
-        """Whether lengths change, or a kinematic body moves by velocities: (3 N,)."""
+        """Return whether lengths change, or velocities (3 N,) move a kinematic body."""
         return bool(self.equations.changing) or bool(motion[self.inverse == 0].any())
 
 

@@ -39,7 +39,7 @@ class Grip:
         return self._acceleration(self._place)
 
     def change(self, place: Array) -> Array:
-        """Return the change of accelerations from the kick or last impact to a place: (n, 3)."""
+        """Return the change of accelerations since the kick or last impact, at a place: (n, 3)."""
         begun = self._begun  # first, as `JointSystem` remembers its last look there
         return self._acceleration(place) - begun
 

@@ -1,4 +1,4 @@
-"""Whether the equations of joints can be solved together, and how many steps help if not."""
+"""Solvability of the equations of joints, and the number of steps that they need."""
 
 from collections.abc import Callable
 
