@@ -1,1 +1,1 @@
-"""pymunk's own objects: bodies and contacts in arrays, and what is called within a step."""
+"""Access to pymunk's objects: bodies and contacts as arrays, and callbacks in a step."""

@@ -1,6 +1,7 @@
-"""pymunk's arbiters, one for each pair in contact, read as arrays (see `Contacts` in `batch`).
+"""Reads pymunk's arbiters, one for each pair in contact, as arrays (see `Contacts` in `batch`).
 
-Which pairs touch seldom changes from step to step: what follows from that alone is kept.
+The pairs in contact seldom change from step to step, so everything that follows from them alone is
+kept.
 """
 
 from typing import Any, NamedTuple
@@ -27,18 +28,18 @@ _FIELDS = (
 
 
 class Pairs(NamedTuple):
-    """Which pairs touch.
+    """The pairs in contact.
 
     Attributes
     ----------
     raw
-        What pymunk wrote.
+        pymunk's record of them.
     rows
-        (k,), which of its rows they are, in the order of the bodies.
+        (k,), their rows in that record, in the order of the bodies.
     bodies, first, touches
-        As of `Contacts`.
+        See `Contacts`.
     alone
-        Whether no two bodies touch twice: then this order is the order of the contacts.
+        Whether each two bodies have at most one pair, so that the order is unique.
     """
 
     raw: bytes
@@ -55,14 +56,14 @@ class Arbiters:
     Parameters
     ----------
     space
-        What pymunk steps.
+        The space.
     ids, order
-        (n,), the ids of the bodies in rising order, and which bodies have them.
+        (n,), the ids of the bodies in ascending order, and the indices of these bodies.
 
     Attributes
     ----------
     pairs
-        Which pairs touched when it was last read; None before.
+        The pairs that were in contact at the last reading; None before.
     """
 
     def __init__(
@@ -73,7 +74,7 @@ class Arbiters:
         self.pairs: Pairs | None = None
 
     def changed(self) -> bool:
-        """Return whether pymunk's records of contacts have changed."""
+        """Read pymunk's records of contacts, and return whether they have changed."""
         before, self._raw = self._raw, self._table.read()
         return self._raw != before
 
@@ -93,13 +94,13 @@ class Arbiters:
         depth = across[:, :, 0] + across[:, :, 1]
         points = (on_surfaces[:, :, 0] + on_surfaces[:, :, 1]) / 2
         along = impulse[:, 0] * direction[:, 0] + impulse[:, 1] * direction[:, 1]
-        impulse = impulse * np.where(along < 0, -1.0, 1.0)[:, None]  # it pushes the second body
+        impulse = impulse * np.where(along < 0, -1.0, 1.0)[:, None]  # acts on the second body
         normal = np.abs(along)
         friction = np.abs(impulse[:, 0] * direction[:, 1] - impulse[:, 1] * direction[:, 0])
         return bodies, first, direction, normal, friction, touches, points, impulse, depth
 
     def _read_pairs(self, integer: bytes) -> Pairs:
-        """Return which pairs pymunk has written down."""
+        """Return the pairs in pymunk's record."""
         integers = np.frombuffer(integer, dtype=np.uintp).reshape(-1, 4)
         live = np.flatnonzero(integers[:, 3])  # pymunk remembers pairs for a while after they part
         bodies = self._order[self._ids.searchsorted(integers[live, :2])]

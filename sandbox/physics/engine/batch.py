@@ -1,8 +1,8 @@
 """All bodies and contacts of a space, read and written as arrays.
 
-pymunk keeps the rows in an order of its own, with one more for its static body, so rows are mapped
-by the bodies' ids. The arrays are handed to pymunk once and reused: nothing is allocated in a step,
-and no body may join the space once a `Batch` looks at it.
+pymunk has an order of its own, with one more row for its static body, so rows are mapped by the
+ids of bodies. The arrays are passed to pymunk once and reused: nothing is allocated in a step, and
+no body may be added to the space once there is a `Batch` for it.
 """
 
 from collections.abc import Sequence
@@ -40,15 +40,15 @@ class Contacts(NamedTuple):
     direction
         (k, 2), the unit normal, from the first body to the second.
     normal, friction
-        (k,), the size of the impulse along the normal and across it [N s].
+        (k,), the sizes of the normal and the tangential impulse [N s].
     touches
-        (k,), at how many points they touch, one or two.
+        (k,), the number of contact points, one or two.
     points
-        (k, 2, 2), where those are; the second is nowhere if there is but one [m].
+        (k, 2, 2), the contact points; the second has no meaning if there is only one [m].
     impulse
-        (k, 2), on the second body; the first got the opposite [N s].
+        (k, 2), the impulse on the second body; that on the first is opposite [N s].
     depths
-        (k, 2), by how much they overlap at these points [m].
+        (k, 2), the overlaps at the contact points [m].
     """
 
     bodies: Integers
@@ -63,27 +63,27 @@ class Contacts(NamedTuple):
 
     @property
     def depth(self) -> Array:
-        """By how much they overlap where they do so most: (k,) [m]."""
+        """The larger overlap of each pair: (k,) [m]."""
         most: Array = self.depths[:, 0]
         two = self.touches > 1
         return np.where(two, np.maximum(most, self.depths[:, 1]), most) if two.any() else most
 
     def and_(self, others: "Contacts") -> "Contacts":
-        """Return these contacts and others."""
+        """Return these contacts, followed by others."""
         if not len(self.bodies):
             return others
         return Contacts._make(map(np.concatenate, zip(self, others, strict=True)))
 
     def on_surfaces(self, points: Array) -> Array:
-        """Return where points, (k, 2), lie on the surfaces of the two bodies: (k, 2, 2) [m].
+        """Return contact points, (k, 2), moved to the surfaces of the two bodies: (k, 2, 2) [m].
 
-        They overlap: each is rubbed on its own surface.
+        The bodies overlap, and friction acts on each at its own surface.
         """
         overlap = self.direction * (self.depth / 2)[:, None]
         return points[:, None] + np.stack((overlap, -overlap), axis=1)
 
     def times(self, factor: float) -> "Contacts":
-        """Return the same contacts with their impulses times a factor."""
+        """Return the contacts with their impulses multiplied by a factor."""
         return self._replace(
             normal=self.normal * factor,
             friction=self.friction * factor,
@@ -91,9 +91,9 @@ class Contacts(NamedTuple):
         )
 
     def in_order(self) -> "Contacts":
-        """Return these contacts in an order of their own.
+        """Return the contacts in an order that depends on their values alone.
 
-        pymunk's order depends on where its objects lie in memory, and sums on the order.
+        pymunk's order depends on memory addresses, and the rounding of sums on the order.
         """
         x, y = self.points[:, 0].T
         keys = (x, y, self.friction, self.normal, self.bodies[:, 1], self.bodies[:, 0])
@@ -101,7 +101,7 @@ class Contacts(NamedTuple):
         return Contacts._make(field[order] for field in self)
 
     def after(self, count: int) -> "Contacts":
-        """Return all but the first."""
+        """Return the contacts after the first `count`."""
         return Contacts._make(field[count:] for field in self) if count else self
 
 
@@ -119,18 +119,18 @@ NO_CONTACTS = Contacts(
 
 
 def in_place(rows: Integers) -> slice | Integers:
-    """Return rows as a slice, if they follow each other: those are not copied to be worked on."""
+    """Return rows as a slice if they are consecutive, since slices are views, not copies."""
     first = int(rows[0]) if len(rows) else 0
     follow = np.array_equal(rows, np.arange(first, first + len(rows)))
     return slice(first, first + len(rows)) if follow else rows
 
 
 class Batch:
-    """Reads and writes the bodies of a space in the order they are given; n bodies."""
+    """Reads and writes the n bodies of a space, in the order given."""
 
     def __init__(self, space: pymunk.Space, bodies: Sequence[pymunk.Body]) -> None:
         self._space, self._bodies = space, bodies
-        _ = space.static_body  # pymunk gives it an id only once somebody has asked for it
+        _ = space.static_body  # pymunk gives it an id only when it is first accessed
         buffer = Buffer()
         get_space_bodies(space, BodyFields.BODY_ID, buffer)
         ids = np.frombuffer(buffer.int_buf(), dtype=np.uintp).tolist()
@@ -147,7 +147,7 @@ class Batch:
         self._known = NO_CONTACTS
 
     def pair(self, a: int | None, b: int | None) -> Pair:
-        """Return two bodies, to be read and written by themselves; None is the plane itself."""
+        """Return access to two bodies only; None is the plane itself."""
         one, other = (self._space.static_body if i is None else self._bodies[i] for i in (a, b))
         return Pair(one, other)
 
@@ -160,7 +160,7 @@ class Batch:
         return self._velocity.read().take(self._rows, axis=0)
 
     def extent(self) -> float:
-        """Return a number that no coordinate or velocity exceeds [m, rad, m/s, rad/s]."""
+        """Return an upper bound of all coordinates and velocities [m, rad, m/s, rad/s]."""
         values = self._state.read().ravel()
         return sqrt(np.vdot(values, values))
 
@@ -173,7 +173,7 @@ class Batch:
         self._write(self._state, state)
 
     def set_force(self, force: Array) -> None:
-        """Write force and torque that act in the next kick: (n, 3) [N, N m]."""
+        """Write the forces and torques of the next kick: (n, 3) [N, N m]."""
         self._write(self._force, force)
 
     def _write(self, table: Table, values: Array) -> None:
@@ -181,16 +181,16 @@ class Batch:
         table.write()
 
     def contacts(self) -> Contacts:
-        """Return who is in contact, with the impulses of the last step; not to be written to."""
+        """Return the contacts, with the impulses of the last step; not to be written to."""
         arbiters = self._arbiters = self._arbiters or self._look()
-        if arbiters.changed():  # several ask in a step
+        if arbiters.changed():  # there are several calls in a step
             fields, pairs = arbiters.read(), arbiters.pairs
             found = Contacts._make(fields) if fields else NO_CONTACTS
             self._known = found if pairs and pairs.alone else found.in_order()
         return self._known
 
     def _look(self) -> "Arbiters":
-        """Return the reader of contacts, which is loaded only when it is needed."""
+        """Return the reader of contacts, which is imported only when needed."""
         from sandbox.physics.engine.arbiters import Arbiters
 
         return Arbiters(self._space, self._ids, self._order)

@@ -1,4 +1,4 @@
-"""pymunk's bodies: their start, mass and moment, and the corners of their shapes."""
+"""Makes pymunk's bodies: initial state, mass, moment of inertia, and corners of shapes."""
 
 from cmath import rect
 from itertools import pairwise
@@ -28,30 +28,32 @@ from sandbox.model.wires import along
 from sandbox.physics.state.errors import SimulationError
 
 FAR = 1000
-"""How many times its size a polygon may lie from its origin. Further out its area is lost in the
-rounding of squares, and its corners are taken relative to one of them."""
+"""The largest distance of a polygon's corners from the origin, over its size. Beyond it the area is
+lost in the rounding of squares, and corners are taken relative to the first."""
 
 FACETS = 96
-"""The number of straight pieces of a circle."""
+"""The number of straight segments of a circle."""
 
 DRAWN = 512
-"""The number of straight pieces of a curve."""
+"""The number of straight segments of a curve."""
 
 
 def make_body(name: str, level: Level, values: Values) -> pymunk.Body:
-    """Make a body where it starts, without a shape; unless things rotate its moment is infinite.
+    """Make a body in its initial state, without a shape.
+
+    Its moment of inertia is infinite if the level has no rotation.
 
     Raises
     ------
     SimulationError
-        If its shape has no moment of inertia.
+        If its moment of inertia is not positive.
     """
     spec = level.bodies[name]
     if spec.type == "dynamic":
         assert spec.mass is not None
         mass = spec.mass(values)
         moment = _moment(spec, mass, values) if level.effects.rotation else inf
-        if not moment > 0:  # of which pymunk ends the process
+        if not moment > 0:  # with which pymunk aborts the process
             rule = Message(
                 "its moment of inertia comes out as {moment:g} kg m²; its corners are no shape",
                 moment=moment,
@@ -94,7 +96,7 @@ def _moment(spec: Body, mass: float, values: Values) -> float:
 
 
 def _moment_of_line(mass: float, points: list[XY]) -> float:
-    """Return the moment of a thin wire through points about the origin: Σ m_i (a² + a·b + b²)/3."""
+    """Return the moment of a thin wire about the origin [kg m²]: Σ m_i (a² + a·b + b²)/3."""
     edges = np.array([(a, b) for a, b in pairwise(points)])
     a, b = edges[:, 0], edges[:, 1]
     length = np.hypot(*(b - a).T)
@@ -103,14 +105,14 @@ def _moment_of_line(mass: float, points: list[XY]) -> float:
 
 
 def _middle_of(arc: Arc, values: Values) -> complex:
-    """Return the centre of mass of a thin arc from the centre of its circle [m]."""
+    """Return the centre of mass of a thin arc, relative to the centre of its circle [m]."""
     start, end = arc.start(values), arc.end(values)
     half = (end - start) / 2
     return rect(arc.radius(values) * sin(half) / half, (start + end) / 2)
 
 
 def center_of(arc: Arc, spec: Body, values: Values) -> complex:
-    """Return where the centre of an arc's circle is, relative to its body [m]."""
+    """Return the centre of an arc's circle, relative to its body [m]."""
     return -_middle_of(arc, values) if spec.type == "dynamic" else 0j
 
 
@@ -123,10 +125,10 @@ def _points_along(arc: Arc, spec: Body, values: Values) -> list[XY]:
 
 
 def local_points(spec: Body, values: Values) -> list[XY]:
-    """Return the corners of a body's shape relative to it [m]; those of a disc or hoop are none.
+    """Return the corners of a shape in the axes of its body [m]; none for a disc or hoop.
 
-    A dynamic body's are moved so that the origin is its centre of mass. Those of an arc or curve
-    are some that lie on it, to be drawn.
+    If the body is dynamic, the origin is its centre of mass. For an arc or curve, they are points
+    on it, for drawing.
     """
     shape = spec.shape
     if isinstance(shape, Curve):
@@ -147,7 +149,7 @@ def local_points(spec: Body, values: Values) -> list[XY]:
 
 
 def _from_near(points: list[XY]) -> list[XY]:
-    """Return points from the first of them if they are far from the origin, else as they are."""
+    """Return points relative to the first if they are far from the origin, else unchanged."""
     corners = np.array(points)
     if np.abs(corners).max() <= FAR * np.ptp(corners, axis=0).max():
         return points
@@ -155,7 +157,7 @@ def _from_near(points: list[XY]) -> list[XY]:
 
 
 def _centroid(points: list[XY], *, closed: bool) -> XY:
-    """Return the centre of mass of a uniform polygon, or of a uniform wire."""
+    """Return the centre of mass of a uniform polygon if closed, else of a uniform wire [m]."""
     a = np.array(points)
     b = np.roll(a, -1, axis=0)
     if closed:

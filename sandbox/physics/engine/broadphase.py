@@ -1,8 +1,8 @@
-"""The broad phase, chosen to suit the scene: how pairs that may touch are found.
+"""Chooses the broad phase, which finds the pairs that may touch.
 
-pymunk's tree of bounding boxes serves any scene. In a crowd of like shapes a grid of cells is
-quicker, for a tree grows with the logarithm of their number: in a gas a disc takes 1090
-instructions a step among 100 in a tree, 3600 among 10,000 in a tree, and 1170 in a grid.
+pymunk's tree of bounding boxes suits any scene. A grid of cells is faster for many shapes of
+similar size, as the cost of a tree grows with the logarithm of their number: in a gas a disc takes
+1090 instructions a step among 100 in a tree, 3600 among 10,000 in a tree, and 1170 in a grid.
 """
 
 from math import inf
@@ -11,30 +11,30 @@ import numpy as np
 import pymunk
 
 CROWD = 1000
-"""The number of shapes from which a grid is considered: with half as many, the tree is as fast."""
+"""The smallest number of shapes for a grid; with half as many, a tree is as fast."""
 
 CELL = 3.0
-"""The width of a cell in widths of a small shape: most shapes then lie in one or two cells."""
+"""The width of a cell over that of a small shape, such that most shapes lie in one or two cells."""
 
 SMALL = 0.1
-"""The quantile of the widths that counts as small. Even smaller shapes are too few to crowd a
+"""The quantile of the widths that counts as small; even smaller shapes are too few to crowd a
 cell."""
 
 SPREAD = 8
-"""The most cells per shape: a large shape would fill a fine grid."""
+"""The largest mean number of cells for each shape, as a large shape would fill a fine grid."""
 
 BUCKETS = 2
-"""The slots of the hash table per shape; every step visits all of them."""
+"""The slots of the hash table for each shape; every step visits all of them."""
 
 FARTHEST = 2.0**30
-"""The most cells on each side of the origin: half of what pymunk's numbers can hold. Beyond the
-last cell pymunk would loop for ever."""
+"""The largest number of cells on each side of the origin, half of the range of pymunk's integers.
+Beyond the last cell pymunk would loop for ever."""
 
 
 def choose_broad_phase(space: pymunk.Space) -> float:
-    """Let pymunk find pairs in a grid where that pays, and return how far it reaches [m].
+    """Let pymunk use a grid if that pays, and return its reach from the origin [m].
 
-    The tree, which is taken elsewhere, reaches everywhere. The shapes must have joined the space.
+    The reach of a tree is infinite. The shapes must have been added to the space.
     """
     shapes = space.shapes
     if len(shapes) < CROWD:

@@ -1,4 +1,4 @@
-"""Grabbing: a stiff spring with which a hand holds a body."""
+"""Grabbing: a stiff spring by which a hand holds a body."""
 
 from collections.abc import Sequence
 
@@ -15,7 +15,7 @@ TINY = 1e-300
 
 
 class Hand:
-    """Pulls at a point of one body at a time, as with a stiff spring."""
+    """Pulls at a point of one body at a time, like a stiff spring."""
 
     def __init__(self, space: pymunk.Space, bodies: Sequence[pymunk.Body]) -> None:
         self._space, self._bodies = space, bodies
@@ -32,7 +32,7 @@ class Hand:
         self._grip = grip
 
     def drag(self, point: XY) -> None:
-        """Pull what is held towards a point of the plane [m]."""
+        """Pull the body that is held towards a point of the plane [m]."""
         if self._grip:
             self._grip.anchor_a = point
 
@@ -43,18 +43,18 @@ class Hand:
             self._grip = None
 
     def pull(self, velocity: Array, inverse_mass: Array, dt: float) -> Array:
-        """Return the accelerations with which it pulls in a kick: (n, 3) [m/s², rad/s²].
+        """Return the accelerations by its pull in a kick: (n, 3) [m/s², rad/s²].
 
-        That is what pymunk's joint does, for kicks that are not pymunk's.
+        They are those of pymunk's joint, for kicks that pymunk does not take.
 
         Parameters
         ----------
         velocity
-            (n, 3), those before the kick [m/s, rad/s].
+            (n, 3), the velocities before the kick [m/s, rad/s].
         inverse_mass
-            (n, 3), what a force or torque is multiplied by to give an acceleration.
+            (n, 3), the inverse masses and moments of inertia [1/kg, 1/(kg m²)].
         dt
-            How long the kick is [s].
+            The duration of the kick [s].
         """
         pulls = np.zeros_like(velocity)
         if self._grip is None or self.hold is None:
@@ -74,7 +74,7 @@ class Hand:
 
     @property
     def hold(self) -> tuple[int, XY] | None:
-        """The row of the body that is held, and the arm from its centre to the grip [m]."""
+        """The row of the body that is held, and the lever arm from its centre to the grip [m]."""
         if self._grip is None:
             return None
         body = self._grip.b

@@ -1,4 +1,4 @@
-"""Kinematic bodies that follow formulas of the time."""
+"""Kinematic bodies that follow formulas of time."""
 
 from collections.abc import Mapping
 
@@ -11,29 +11,30 @@ from sandbox.physics.engine.batch import Batch
 
 
 class Motions:
-    """Gives bodies that follow formulas the velocities that lead them along; n bodies in all.
+    """Sets the velocities of bodies that follow formulas.
 
-    In a drift a body goes straight on. So between two steps it has the velocity of the chord,
+    In a drift a body moves in a straight line. So between two steps its velocity is that of the
+    chord,
 
         v = (x(t + h) − x(t)) / h,
 
-    which is leapfrog's of the middle between them: at each step it is where its formula says, to
-    rounding, and what touches or holds it meets a surface that moves as it does. At a step its
-    velocity is the central difference (x(t + h) − x(t − h)) / 2 h, at the start the derivative.
+    which is leapfrog's velocity midway between them: at each step the body is where its formula
+    says, to rounding, and contacts and joints see a surface of the body's own velocity. At a step
+    its velocity is the central difference (x(t + h) − x(t − h)) / 2 h, at the start the derivative.
 
     Parameters
     ----------
     bodies, values
-        All of a level, with its parameters.
+        All bodies of a level, and its parameters.
     batch
-        Reads and writes them.
+        Reads and writes the bodies.
     dt
         The time step h [s].
 
     Attributes
     ----------
     bodies
-        The rows of those that follow formulas.
+        (k,), the rows of the bodies that follow formulas.
     """
 
     def __init__(self, bodies: Mapping[str, Body], values: Values, batch: Batch, dt: float) -> None:
@@ -45,14 +46,14 @@ class Motions:
         self._next = np.zeros((len(self.bodies), 3))
 
     def look(self, t: float, length: float) -> Array:
-        """Find the velocities of the drift from a step on, and return how fast they change: (k, 3).
+        """Find the velocities of the drift after a step, and return the accelerations: (k, 3).
 
         Parameters
         ----------
         t
             The time of the step [s].
         length
-            How long the kick lasts that gives them [s].
+            The duration of the kick that sets them [s].
         """
         ends = np.array([t, t + self._dt])
         for row, formulas in enumerate(self._formulas):
@@ -63,14 +64,14 @@ class Motions:
         return change / length
 
     def lead(self) -> None:
-        """Give the bodies these velocities."""
+        """Set these velocities."""
         velocity = self._batch.velocity()
         velocity[self.bodies] = self._next
         self._batch.set_velocity(velocity)
 
 
 def velocities_at_start(motion: Motion, values: Values) -> tuple[XY, float]:
-    """Return the velocity and the angular velocity with which a motion begins [m/s, rad/s]."""
+    """Return the initial velocity and angular velocity of a motion [m/s, rad/s]."""
     x, y, turn = (
         float(formula.slope("t").at(values, {"t": np.zeros(())}))
         for formula in (*motion.displacement, motion.turn)

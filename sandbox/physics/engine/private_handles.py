@@ -1,11 +1,11 @@
 """Bodies and contacts read and written through pymunk's private handles.
 
-`pymunk.batch` reads or writes all bodies in one call of C, but makes the arguments of that call
-anew each time: 0.9 of the 1.1 µs that it takes to read two bodies, and 1.4 of the 1.6 to write
-them. A `pymunk.Body` takes 0.5 µs to tell its place, of which 0.3 make a vector of it. A whole step
-with a string or a force law takes few µs and has from two to eight such calls. Here the arguments
-are made once; no public way is as fast. Nothing but this and `contact_handles.py` looks behind
-pymunk.
+`pymunk.batch` reads or writes all bodies in one C call, but makes its arguments each time: this
+takes 0.9 of the 1.1 µs for reading two bodies, and 1.4 of the 1.6 µs for writing them. Reading the
+position of a `pymunk.Body` takes 0.5 µs, of which 0.3 make it a vector. A whole step with a string
+or a force law takes a few µs and has two to eight such calls. Here the arguments are made once; no
+public interface is as fast. Only this module, `contact_handles.py` and `shape_pairs.py` use
+pymunk's private functions.
 """
 
 from collections.abc import Callable
@@ -25,28 +25,29 @@ _PAIR = Struct("4d")
 
 
 def stepper(space: pymunk.Space) -> Callable[[float], None]:
-    """Return what takes a step of a length [s], without looking after what comes and goes in one.
+    """Return a function that takes a step of a duration [s].
 
-    Nothing does here, and of the 0.6 µs that `Space.step` takes for two bodies that is 0.4.
+    Unlike `Space.step` it does not handle objects that are added or removed within a step. There
+    are none here, and that takes 0.4 of the 0.6 µs of `Space.step` for two bodies.
     """
     return partial(lib.cpSpaceStep, space._space)  # noqa: SLF001
 
 
 class Memory:
-    """Numbers that pymunk fills or reads, and the arguments of the call in which it does.
+    """An array that pymunk reads or writes, and the arguments of the call.
 
     Attributes
     ----------
     values
-        (count,), the numbers.
+        (count,), the array.
     floats
-        How pymunk sees them; `num` is how many it has been through.
+        pymunk's view of the array; `num` is the number of values that it has passed.
     call
-        The arguments of that call.
+        The arguments.
     """
 
     def __init__(self, fields: BodyFields, count: int) -> None:
-        # pymunk reallocates an array that it has filled, and this one is not its own: leave room
+        # pymunk reallocates an array when it is full, which it must not here: leave room
         self.values = np.zeros(count + 1)[:-1]
         held = ffi.from_buffer("cpFloat[]", self.values.base)
         self.floats = ffi.new("pmFloatArray *", {"num": 0, "max": count + 1, "arr": held})
@@ -56,12 +57,12 @@ class Memory:
 
 
 class Table:
-    """Some fields of all bodies of a space, in pymunk's order, its static body among them.
+    """Some fields of all bodies of a space, in pymunk's order, with its static body.
 
     Attributes
     ----------
     values
-        (rows, columns), what was read last, or is to be written.
+        (rows, columns), the values last read, or to be written.
     """
 
     def __init__(self, space: pymunk.Space, fields: BodyFields, rows: int, columns: int) -> None:
@@ -70,29 +71,29 @@ class Table:
         self._space = space._space  # noqa: SLF001
 
     def read(self) -> Array:
-        """Take up what the space has, and return it."""
+        """Read the values from the space, and return them."""
         self._memory.floats.num = 0
         lib.cpSpaceEachBody(self._space, _READ, self._memory.call)
         return self.values
 
     def write(self) -> None:
-        """Give the space what is here."""
+        """Write the values to the space."""
         self._memory.floats.num = 0
         lib.cpSpaceEachBody(self._space, _WRITE, self._memory.call)
 
 
 class Pair:
-    """Where two bodies are and how fast, whatever else is in their space."""
+    """The positions and velocities of two bodies only."""
 
     def __init__(self, a: pymunk.Body, b: pymunk.Body) -> None:
-        self._bodies = a, b  # or pymunk would let go of them
+        self._bodies = a, b  # or pymunk would free them
         self._a, self._b = a._body, b._body  # noqa: SLF001
         self._state = Memory(BodyFields.POSITION | BodyFields.VELOCITY, 8)
         self._velocity = Memory(BodyFields.VELOCITY, 4)
         self._buffer = self._velocity.values.data
 
     def read(self) -> list[float]:
-        """Return x, y, vx, vy of the one, and then of the other [m, m/s]."""
+        """Return x, y, vx, vy of the first, and then of the second [m, m/s]."""
         memory = self._state
         memory.floats.num = 0
         lib.pmSpaceBodyGetIteratorFuncBatched(self._a, memory.call)
@@ -100,7 +101,7 @@ class Pair:
         return memory.values.tolist()
 
     def set_velocity(self, ax: float, ay: float, bx: float, by: float) -> None:
-        """Give the one and the other their velocities [m/s]."""
+        """Write the velocities of the first and the second [m/s]."""
         memory = self._velocity
         _PAIR.pack_into(self._buffer, 0, ax, ay, bx, by)
         memory.floats.num = 0

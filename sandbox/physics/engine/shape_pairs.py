@@ -1,8 +1,7 @@
 """A pair of shapes that pymunk found to be close, read through its private handles.
 
-Through pymunk's public interface it takes 12 µs to ask an arbiter for its shapes, bodies and
-points, and as much again to replace a point. It offers no way to say that a pair has not touched so
-far.
+Through pymunk's public interface it takes 12 µs to read an arbiter's shapes, bodies and points, and
+as much again to replace a point. There is no public way to mark a pair as not having touched yet.
 """
 
 import pymunk
@@ -10,12 +9,12 @@ from pymunk._chipmunk_cffi import ffi, lib
 
 
 def address(shape: pymunk.Shape) -> int:
-    """Return by what pymunk knows a shape, as long as it lives."""
+    """Return the memory address of a shape, which identifies it during its lifetime."""
     return int(ffi.cast("uintptr_t", shape._shape))  # noqa: SLF001
 
 
 class Meeting:
-    """Two shapes that pymunk has found to be near, before it solves their contact."""
+    """Two shapes that pymunk found to be close, before it solves their contact."""
 
     __slots__ = ("_arbiter", "shapes")
 
@@ -27,23 +26,23 @@ class Meeting:
         )
 
     def places(self) -> tuple[tuple[complex, complex], tuple[complex, complex]]:
-        """Return where the two bodies are, and how they are turned: x + iy [m], cos + i sin."""
+        """Return the positions and rotations of the two bodies: x + iy [m], cos + i sin."""
         arbiter = self._arbiter
         return _place(arbiter.body_a), _place(arbiter.body_b)
 
     @property
     def normal(self) -> complex:
-        """The unit vector from the first to the second where they touch."""
+        """The unit normal of the contact, from the first to the second."""
         return complex(self._arbiter.n.x, self._arbiter.n.y)
 
     @property
     def point(self) -> complex:
-        """Where the first is touched [m]."""
+        """The first contact point, on the surface of the first [m]."""
         arm = self._arbiter.contacts[0].r1
         return _place(self._arbiter.body_a)[0] + complex(arm.x, arm.y)
 
     def motions(self) -> tuple[tuple[complex, float], tuple[complex, float]]:
-        """Return how fast the two bodies move and turn [m/s, rad/s]."""
+        """Return the velocities and angular velocities of the two bodies [m/s, rad/s]."""
         arbiter = self._arbiter
         return _motion(arbiter.body_a), _motion(arbiter.body_b)
 
@@ -53,28 +52,28 @@ class Meeting:
 
     @property
     def restitution(self) -> float:
-        """How many times as fast as they approach they part."""
+        """The coefficient of restitution of the pair."""
         return float(self._arbiter.e)
 
     def refuse(self) -> None:
-        """Let them pass through each other in this step."""
+        """Ignore the contact in this step."""
         self._arbiter.processCollision = False
 
     def accept(self, *, first: bool) -> None:
-        """Let them touch; for the first time, if they did not in the step before."""
+        """Accept the contact, as a first one if the two did not touch in the step before."""
         self._arbiter.processCollision = True
         if first:
-            self._arbiter.state = 0  # pymunk takes those that were refused for old friends
+            self._arbiter.state = 0  # pymunk counts contacts that were refused as old ones
 
     def replace(self, normal: complex, one: complex, other: complex) -> None:
-        """Let them touch elsewhere than pymunk thinks.
+        """Replace pymunk's normal and contact points.
 
         Parameters
         ----------
         normal
             The unit vector from the first to the second.
         one, other
-            The points of contact on the surfaces of the two [m].
+            The contact points on the surfaces of the two [m].
         """
         arbiter, contact = self._arbiter, self._arbiter.contacts[0]
         (a, _), (b, _) = self.places()

@@ -1,10 +1,9 @@
 """Python inside a step: force laws before the kick, strings after the solver.
 
 pymunk drifts the positions, finds the contacts, kicks the velocities and runs its solver. Forces
-belong between drift and kick, where they see the new positions: that makes the step leapfrog
-instead of explicit Euler. A motor without strength is called at that moment. The sandbox's own
-joints are solved at the end of the step, after pymunk's. A level that needs neither has no hook at
-all.
+are computed between drift and kick, from the new positions, which makes the step leapfrog instead
+of explicit Euler. For that, a motor without strength has its callback there. The sandbox's own
+joints are solved at the end of the step, after pymunk's. A level that needs neither has no hook.
 """
 
 from collections.abc import Callable, Sequence
@@ -18,12 +17,11 @@ from sandbox.physics.state.kick import Kick, Work
 
 
 class Hook:
-    """Calls work between drift and kick, and after the solver, and keeps what goes wrong.
+    """Calls work between drift and kick and after the solver, and stores exceptions.
 
-    Set `kick`, take pymunk's step, and `finish`: so the work knows which kick it is in. pymunk
-    prints an exception that leaves a callback and carries on; `error` holds it instead, to be
-    raised once the step is over. `count` is the number of calls a step, `seconds` what they have
-    taken since they are `timed` [s].
+    Set `kick`, which is passed to the work, take pymunk's step, and call `finish`. pymunk prints an
+    exception from a callback and carries on, so `error` stores it until `finish` raises it. `count`
+    is the number of calls in a step, `seconds` their total time since `timed` was called [s].
     """
 
     def __init__(
@@ -38,8 +36,8 @@ class Hook:
         self.seconds = 0.0
         self.count = bool(before_kick) + bool(after_solve)
         self._before, self._after = _in_turn(before_kick), _in_turn(after_solve)
-        with np.errstate(all="ignore"):  # what is not finite ends the run by name
-            self._quiet = copy_context()  # to enter it takes a tenth of what `errstate` takes
+        with np.errstate(all="ignore"):  # values that are not finite end the run elsewhere
+            self._quiet = copy_context()  # entering it takes a tenth of the time of `errstate`
         self._call: Callable[[Work, Kick], None] = self._quiet.run
         if before_kick:
             motor = pymunk.SimpleMotor(space.static_body, body, 0.0)
@@ -48,20 +46,20 @@ class Hook:
             space.add(motor)
 
     def _begin(self, _constraint: pymunk.Constraint, _space: pymunk.Space) -> None:
-        """Do what belongs between drift and kick."""
+        """Call the work between drift and kick."""
         try:
             self._call(self._before, self.kick)
         except Exception as error:  # noqa: BLE001 (raised again in `finish`)
             self.error = error
 
     def finish(self) -> None:
-        """Do what follows pymunk's step, and raise what went wrong in it."""
+        """Raise the exception of the step, if any, or else call the work after the solver."""
         if self.error:
             raise self.error
         self._call(self._after, self.kick)
 
     def timed(self) -> None:
-        """Take the time of the calls from now on, which costs a little itself."""
+        """Measure the time of the calls from now on, at a small cost."""
         self._call = self._timing
 
     def _timing(self, work: Work, kick: Kick) -> None:
@@ -71,7 +69,7 @@ class Hook:
 
 
 def _in_turn(work: Sequence[Work]) -> Work:
-    """Return a call of all."""
+    """Return a function that calls all work in turn."""
     if len(work) == 1:
         return work[0]
 

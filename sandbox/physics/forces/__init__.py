@@ -1,1 +1,1 @@
-"""Force laws, one a file, with the energy beside the force; and masses that change."""
+"""Force laws, one in each file, with force and energy together; and masses that change."""

@@ -1,6 +1,6 @@
 """The force on a body that gathers matter: m dv/dt = F + (w − v) dm/dt.
 
-w is the velocity of what comes (Meshchersky's equation).
+w is the velocity of the gathered matter (Meshchersky's equation).
 """
 
 from collections.abc import Iterator, Sequence
@@ -20,7 +20,7 @@ from sandbox.physics.state.motion import Motion
 
 @dataclass(frozen=True, slots=True)
 class Accretion:
-    """A body gathers what moves at a velocity of its own: F = (w − v) dm/dt."""
+    """The force on a body that gathers matter of velocity w: F = (w − v) dm/dt."""
 
     effect: ClassVar[Effect] = declared.Accretion.effect
 
@@ -35,19 +35,19 @@ class Accretion:
         wrench[..., body, :2] += rate[..., None] * (self.velocity - motion.velocity[..., body, :])
 
     def potential_energy(self, motion: Motion) -> Array:
-        """Return zero: what comes brings none."""
+        """Return zero: accretion has no potential."""
         return np.zeros(motion.position.shape[:-1])
 
 
 def flows(
     said: Sequence[declared.Accretion], values: Values, names: Sequence[str]
 ) -> Iterator[Flow]:
-    """Yield what the bodies of a level gather, in the order of its accretions."""
+    """Yield the flow of matter of each accretion, in order."""
     for one in said:
         yield Flow(names.index(one.body), one.rate(values), effect=one.effect.name)
 
 
 def laws(said: Sequence[declared.Accretion], given: Given) -> Iterator[Law]:
-    """Yield what each stream of matter pushes with."""
+    """Yield the force of each accretion."""
     for one, flow in zip(said, flows(said, given.values, given.names), strict=True):
         yield Accretion(flow, evaluate(one.velocity, given.values), given.step)

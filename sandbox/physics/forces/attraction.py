@@ -20,7 +20,7 @@ from sandbox.physics.state.motion import Motion
 class Attraction:
     """F = −mu m r / |r|^(p + 1), U = −mu m |r|^(1 − p) / (p − 1), or mu m ln |r| if p is 1.
 
-    With p = 2 it is Newton's, and U = −mu m / |r|.
+    With p = 2 it is Newton's law, and U = −mu m / |r|.
     """
 
     effect: ClassVar[Effect] = declared.Attraction.effect
@@ -30,11 +30,11 @@ class Attraction:
     mass: Array  # (n,) kg at the start, 0 for bodies that nothing moves
     power: float = 2.0  # p
     share: Share = steady
-    _moving: slice | Integers = field(init=False)  # those that it acts on
+    _moving: slice | Integers = field(init=False)  # the bodies that it acts on
     _middle: Array = field(init=False)  # the centre [m]
 
     def __post_init__(self) -> None:
-        """See what moves."""
+        """Store the moving bodies, and the centre as an array."""
         object.__setattr__(self, "_moving", in_place(np.flatnonzero(self.mass)))
         object.__setattr__(self, "_middle", np.array(self.center))
 
@@ -58,7 +58,7 @@ class Attraction:
         return r, np.hypot(r[..., 0], r[..., 1]), strength[..., self._moving]
 
     def _well(self, distance: Array) -> Array:
-        """Return the integral of distance^(−p)."""
+        """Return the integral of r^(−p) over r."""
         if self.power == 1:
             return np.log(distance)
         return -1 / ((self.power - 1) * distance ** (self.power - 1))

@@ -1,9 +1,9 @@
 """Buoyancy in a liquid at rest: the weight of the displaced liquid, computed exactly.
 
-The area A of a polygon below the surface, its depth and its moment are sums over the edges, clipped
-at the surface: by Green's theorem ∬ f dA = −∮ ∫f dy dx over what lies below. The surface itself
-adds nothing, because y = 0 there. Nothing has to be cut, so polygons need not be convex. The area
-of a disc below the surface is a segment of a circle.
+The area A of a polygon below the surface, and the integrals of depth and moment over it, are sums
+over the edges, clipped at the surface: by Green's theorem ∬ f dA = −∮ ∫f dy dx around the submerged
+area. The waterline adds nothing, because y = 0 there. The polygon itself is not cut, so it need not
+be convex. The submerged area of a disc is a circular segment.
 """
 
 from collections.abc import Iterator
@@ -23,16 +23,16 @@ from sandbox.physics.state.motion import Motion
 
 
 class Displaced(NamedTuple):
-    """What a body displaces.
+    """The submerged area A of a body, and integrals over it.
 
     Attributes
     ----------
     area
         A [m²].
     moment
-        The integral of the way from the centre of mass, along the surface, over A [m³].
+        The integral over A of the horizontal distance from the centre of mass [m³].
     depth
-        The integral of the depth over A [m³].
+        The integral over A of the depth [m³].
     """
 
     area: Array
@@ -47,7 +47,7 @@ class Round:
     radius: float  # m
 
     def displaced(self, height: Array, angle: Array) -> Displaced:  # noqa: ARG002 (it is round)
-        """Return what it displaces with its centre at a height above the surface [m]."""
+        """Return the displaced area with the centre at a height above the surface [m]."""
         deep = -height / self.radius
         d = np.clip(deep, -1.0, 1.0)
         half = np.sqrt(1 - d * d)
@@ -65,13 +65,13 @@ class Cornered:
 
     @classmethod
     def of(cls, points: list[tuple[float, float]]) -> "Cornered":
-        """Return the outline through some corners, in whatever order they go round."""
+        """Return the outline through corners, in either orientation."""
         corners = np.array([complex(*point) for point in points])
         turning = float(np.sum((corners.conj() * np.roll(corners, -1)).imag))
         return cls(corners if turning > 0 else corners[::-1])
 
     def displaced(self, height: Array, angle: Array) -> Displaced:
-        """Return what it displaces with its centre at a height above the surface [m], turned."""
+        """Return the displaced area with the centre at a height [m] and at an angle [rad]."""
         a = self.corners * np.exp(1j * np.asarray(angle))[..., None]
         a = a + 1j * np.asarray(height)[..., None]
         a, b = _below(a, np.roll(a, -1, axis=-1))
@@ -83,7 +83,7 @@ class Cornered:
 
 
 def _below(a: Array, b: Array) -> tuple[Array, Array]:
-    """Return the parts of edges that lie below the surface; of those above, a point of it."""
+    """Return edges clipped to below the surface; those above become a point on it."""
     rise = (b - a).imag
     share = np.clip(np.divide(-a.imag, rise, out=np.zeros_like(rise), where=rise != 0), 0.0, 1.0)
     cut = (a + share * (b - a)).real + 0j
@@ -92,7 +92,7 @@ def _below(a: Array, b: Array) -> tuple[Array, Array]:
 
 @dataclass(frozen=True, slots=True)
 class Buoyancy:
-    """F = −ρ A g at the centre of the displaced area A, U = ρ g ∬ depth dA."""
+    """F = −ρ A g at the centroid of the displaced area A, U = ρ g ∬ depth dA."""
 
     effect: ClassVar[Effect] = declared.Buoyancy.effect
 
@@ -107,7 +107,7 @@ class Buoyancy:
             wrench[..., row, 2] += self.weight * found.moment
 
     def potential_energy(self, motion: Motion) -> Array:
-        """Return what it takes to press each body as deep as it is."""
+        """Return ρ g ∬ depth dA, the work needed to submerge each body."""
         stored = np.zeros(motion.position.shape[:-1])
         for row, found in self._displaced(motion):
             stored[..., row] = self.weight * found.depth
@@ -120,7 +120,7 @@ class Buoyancy:
 
 
 def laws(said: declared.Buoyancy, given: Given) -> Iterator[Law]:
-    """Yield what the liquid carries."""
+    """Yield the buoyancy."""
     level, values = given.level, given.values
     rows = given.rows(said.bodies).tolist()
     every = ((row, level.bodies[given.names[row]]) for row in rows)

@@ -16,10 +16,10 @@ from sandbox.physics.state.motion import Motion
 
 @dataclass(frozen=True, slots=True)
 class Centrifugal:
-    """The plane turns about a vertical axis in it: F = m ω² (x − x0), U = −m ω² (x − x0)² / 2.
+    """The plane rotates about a vertical axis in it: F = m ω² (x − x0), U = −m ω² (x − x0)² / 2.
 
-    Coriolis's force, 2 m ω times the horizontal velocity, is at right angles to the plane: whatever
-    holds bodies in the plane carries it.
+    The Coriolis force, 2 m ω times the horizontal velocity, is perpendicular to the plane, and is
+    balanced by whatever keeps bodies in the plane.
     """
 
     effect: ClassVar[Effect] = declared.Centrifugal.effect
@@ -41,6 +41,6 @@ class Centrifugal:
 
 
 def laws(said: declared.Centrifugal, given: Given) -> Iterator[Law]:
-    """Yield what the turning plane does."""
+    """Yield the centrifugal force."""
     rate, axis = said.rate(given.values), said.axis(given.values)
     yield Centrifugal(rate, axis, given.mass, given.share)

@@ -1,6 +1,6 @@
 """The force laws that a level declares, made by each effect's own module.
 
-A law is imported where a level declares it: what a scene does not call for is not even loaded.
+The module of a law is imported when a level declares it, and not otherwise.
 """
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
@@ -30,12 +30,12 @@ def gravity(effects: Effects, values: Values, mass: Array, share: Share) -> Grav
 
 
 def laws(effects: Effects, given: Given) -> tuple[tuple[Law, ...], tuple[Turn, ...]]:
-    """Return the laws that pymunk does not apply by itself: forces, and turns of velocities.
+    """Return the laws that pymunk does not apply by itself: forces, and rotations of velocities.
 
     Raises
     ------
     IncompleteError
-        If a law contradicts the declaration of its effect.
+        If the law of an effect contradicts its declaration.
     """
     forces: list[Law] = []
     turns: list[Turn] = []
@@ -58,7 +58,7 @@ def _laws_of(effect: Effect, said: Any, given: Given) -> Iterable[Any]:  # noqa:
 
 
 def mass_share(effects: Effects, values: Values, names: Sequence[str], mass: Array) -> Share:
-    """Return how the masses of a level's bodies change; `steady` if nothing flows."""
+    """Return the masses of a level's bodies as a function of time; `steady` without flows."""
     found: list[Flow] = []
     for effect in effects.declarations:
         if effect.changes_mass:
@@ -67,20 +67,26 @@ def mass_share(effects: Effects, values: Values, names: Sequence[str], mass: Arr
 
 
 def any_law(level: Level) -> bool:
-    """Whether a level has forces that pymunk does not apply by itself, springs among them."""
+    """Return whether a level has forces that pymunk does not apply by itself, as springs."""
     declared = any(effect.is_law for effect in level.effects.declarations)
     return declared or any(joint.kind.force for joint in level.joints.values())
 
 
 def missing(effects: Iterable[Effect]) -> Iterator[str]:
-    """Yield what is missing of effects that act by a law, without loading any."""
+    """Yield a message for each effect that lacks the module of its law, without loading any."""
     for effect in effects:
         if effect.is_law and find_spec(f"{_ROOM}.{effect.name}") is None:
             yield _message(effect, f"it has no law: add {_file(effect)} with a function 'laws'")
 
 
 def part_of(effect: Effect, function: str) -> Callable[..., Iterable[Any]]:
-    """Return what an effect's own module makes something with."""
+    """Return a function of an effect's own module.
+
+    Raises
+    ------
+    IncompleteError
+        If the module does not have it.
+    """
     module = import_module(f"{_ROOM}.{effect.name}")
     if not hasattr(module, function):
         raise IncompleteError(_message(effect, f"add a function '{function}' to {_file(effect)}"))

@@ -31,11 +31,11 @@ class Drag:
         wrench[..., self.bodies, :2] -= (self.linear + self.quadratic * speed)[..., None] * v
 
     def potential_energy(self, motion: Motion) -> Array:
-        """Return zero: what drag takes never comes back."""
+        """Return zero: drag dissipates energy."""
         return np.zeros(motion.position.shape[:-1])
 
 
 def laws(said: declared.Drag, given: Given) -> Iterator[Law]:
-    """Yield the drag of the fluid."""
+    """Yield the drag."""
     rows = in_place(given.rows(said.bodies))
     yield Drag(said.linear(given.values), said.quadratic(given.values), rows)

@@ -1,4 +1,4 @@
-"""A field of force."""
+"""Force fields."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -21,25 +21,25 @@ SIGHTS: Mapping[str, Sight] = {
     "vy": "velocity",
     "t": "time",
 }
-"""What a force depends on if its formula contains a variable."""
+"""The dependence of a force that each variable in its formula means."""
 
 
 @dataclass(frozen=True, slots=True)
 class Weight:
-    """What a field acts on: each of some bodies as one, or by its mass."""
+    """The bodies that a field acts on, with equal weights or with their masses as weights."""
 
     bodies: slice | Integers
-    mass: Array | None  # (n,) kg at the start; None where it acts on each body as one
+    mass: Array | None  # (n,) kg at the start; None for equal weights
     share: Share
 
     @classmethod
     def of(cls, bodies: Sequence[str] | None, per: str, given: Given) -> "Weight":
-        """Return the named bodies; all moving bodies if none are named."""
+        """Return the weights of the named bodies, or of all dynamic bodies if none are named."""
         rows = in_place(given.rows(bodies))
         return cls(rows, given.mass if per == "mass" else None, given.share)
 
     def at(self, t: Array) -> Array | float:
-        """Return by what the field is to be multiplied at a time: (..., k)."""
+        """Return the factors of the field at a time: (..., k)."""
         if self.mass is None:
             return 1.0
         return np.asarray((self.mass * self.share(t))[..., self.bodies])
@@ -47,7 +47,7 @@ class Weight:
 
 @dataclass(frozen=True, slots=True)
 class Field:
-    """F(x, y, vx, vy, t), as its formulas say; what it does is booked as its work."""
+    """F(x, y, vx, vy, t) by formulas; its energy is booked as work."""
 
     effect: Effect
     force: tuple[ForceInField, ForceInField]  # N, or N/kg
@@ -69,12 +69,12 @@ class Field:
             wrench[..., bodies, axis] += weight * component.at(self.values, seen)
 
     def potential_energy(self, motion: Motion) -> Array:
-        """Return zero: whether it could give back what it takes is not known."""
+        """Return zero: the force need not have a potential."""
         return np.zeros(motion.position.shape[:-1])
 
 
 def laws(said: Sequence[declared.Field], given: Given) -> Iterator[Law]:
-    """Yield each field; one that does not look at velocities says so."""
+    """Yield each field, declared to depend only on what its formulas contain."""
     for one in said:
         used = {SIGHTS[name] for f in one.force for name in f.names & SIGHTS.keys()}
         effect = replace(one.effect, sees=tuple(s for s in one.effect.sees if s in used))

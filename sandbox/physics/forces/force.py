@@ -1,4 +1,4 @@
-"""Given forces."""
+"""Forces that a level prescribes, constant or over time."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
@@ -17,18 +17,18 @@ from sandbox.physics.state.motion import Motion
 
 @dataclass(frozen=True, slots=True)
 class Steady:
-    """All constant forces along the plane's axes, those on each of k bodies in a row as one.
+    """All constant forces along the plane's axes, summed for each of k consecutive bodies.
 
-    F on a point p of a body, which turns with it by θ, gives the torque and has the potential
+    F on a point p of a body, which turns with it by θ, has the torque and the potential
 
         τ = (p × F) cos θ − (p · F) sin θ,    U = −F · r − (p · F) cos θ − (p × F) sin θ,
 
-    with r the centre of mass; so what adds up for a body is F, p × F and p · F.
+    with r the centre of mass; so the sums of F, p × F and p · F suffice for each body.
     """
 
     effect: ClassVar[Effect] = declared.Force.effect
 
-    bodies: slice  # from the first that it acts on to the last
+    bodies: slice  # from the first body with a force to the last
     force: Array  # (k, 2) N
     cross: Array  # (k,) N m, p × F
     dot: Array  # (k,) N m, p · F
@@ -36,7 +36,7 @@ class Steady:
 
     @classmethod
     def of(cls, pushes: Sequence[tuple[int, XY, XY]]) -> "Steady":
-        """Return what some are together: each a body, the point of it, and the force [m, N]."""
+        """Return the sum of forces, each given by its body, point and force [m, N]."""
         first = min(body for body, _, _ in pushes)
         count = max(body for body, _, _ in pushes) - first + 1
         force, cross, dot = np.zeros((count, 2)), np.zeros(count), np.zeros(count)
@@ -57,7 +57,7 @@ class Steady:
             wrench[..., self.bodies, 2] = wrench[..., self.bodies, 2] + torque
 
     def potential_energy(self, motion: Motion) -> Array:
-        """Return −F · r of the points that the forces act on."""
+        """Return −F · r, with r the points on which the forces act."""
         place, angle = motion.position[..., self.bodies, :], motion.angle[..., self.bodies]
         energy = np.zeros(motion.position.shape[:-1])
         energy[..., self.bodies] = -np.sum(self.force * place, axis=-1)
@@ -67,9 +67,10 @@ class Steady:
 
 @dataclass(frozen=True, slots=True)
 class Push:
-    """A force on a point of a body, of time, or constant along the body's axes.
+    """A force on a point of a body that changes with time, or turns with the body.
 
-    What turns with the body does work on a way round, so it has no potential; nor has what changes.
+    A force that turns with the body does work along closed paths, so it has no potential; nor has
+    one that changes with time.
     """
 
     effect: ClassVar[Effect] = replace(declared.Force.effect, book="work")
@@ -82,7 +83,7 @@ class Push:
     _steady: tuple[float, float] | None = field(init=False)  # N, unless it changes with time
 
     def __post_init__(self) -> None:
-        """See whether the force changes with time."""
+        """Store the force if it does not change with time."""
         changes = any("t" in component.names for component in self.force)
         start = np.zeros(())
         x, y = (float(component.over(self.values, start)) for component in self.force)
@@ -104,7 +105,7 @@ class Push:
         return np.zeros(motion.position.shape[:-1])
 
     def _turned(self, motion: Motion, x: Array | float, y: Array | float) -> tuple[Array, Array]:
-        """Return along the plane's axes what lies along the body's."""
+        """Return a vector of the body's axes in the plane's axes."""
         angle = motion.angle[..., self.body]
         c, s = np.cos(angle), np.sin(angle)
         return c * x - s * y, s * x + c * y

@@ -1,4 +1,4 @@
-"""Attraction of bodies to each other."""
+"""Newtonian attraction between bodies."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field
@@ -15,7 +15,7 @@ from sandbox.physics.forces.variable_mass import Share, steady
 from sandbox.physics.state.motion import Motion
 
 AT_ONCE = 15_000
-"""How many pairs are computed at once: their arrays stay in the cache."""
+"""The number of pairs that are computed at once, such that their arrays stay in the cache."""
 
 
 class Block(NamedTuple):
@@ -24,9 +24,9 @@ class Block(NamedTuple):
     Attributes
     ----------
     some, others
-        Which bodies: the others are the same and all that follow.
+        The bodies, and these with all that follow.
     ways
-        (..., some, others) each, x and y from the first to the second [m].
+        (..., some, others) each, the x and y components from the first to the second [m].
     """
 
     some: slice
@@ -34,14 +34,14 @@ class Block(NamedTuple):
     ways: tuple[Array, Array]
 
     def add(self, to: Array, mass: Array, of_pairs: Array, sign: int) -> None:
-        """Add m1 m2 times something of each pair to its first body, and to its second with a sign.
+        """Add m1 m2 times a value of each pair to its first body, and to its second with a sign.
 
         Parameters
         ----------
         to, mass
-            (..., k, 1), of all bodies.
+            (..., k, 1), the sums and the masses of all bodies.
         of_pairs
-            (..., some, others).
+            (..., some, others), the values.
         """
         to[..., self.some, :] += mass[..., self.some, :] * (of_pairs @ mass[..., self.others, :])
         later = slice(self.some.stop, self.others.stop)
@@ -52,10 +52,10 @@ class Block(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Gravitation:
-    """Newton's, between every two of k bodies: F = G m1 m2 r / s³, U = −G m1 m2 / s.
+    """Newton's law between every two of k bodies: F = G m1 m2 r / s³, U = −G m1 m2 / s.
 
-    s² = r² + ε² is Plummer's softening: without it, the force of bodies that meet has no end. The
-    energy of a pair belongs in equal parts to both.
+    s² = r² + ε² is Plummer's softening: without it, the force of bodies that meet is infinite. Each
+    of the two has half of the energy of a pair.
     """
 
     effect: ClassVar[Effect] = declared.Gravitation.effect
@@ -68,7 +68,7 @@ class Gravitation:
     _rows: slice | Integers = field(init=False)  # of the bodies
 
     def __post_init__(self) -> None:
-        """See which rows they have."""
+        """Store the rows of the bodies."""
         object.__setattr__(self, "_rows", in_place(self.bodies))
 
     def add(self, motion: Motion, wrench: Array) -> None:
@@ -95,7 +95,7 @@ class Gravitation:
         return energy
 
     def _blocks(self, motion: Motion) -> Iterator[tuple["Block", Array]]:
-        """Yield blocks in which all pairs are, and their s²: as many as fit into a cache."""
+        """Yield blocks that together contain each pair once, with s² of their pairs."""
         places = np.ascontiguousarray(np.moveaxis(motion.position[..., self._rows, :], -1, 0))
         count, stop = len(self.bodies), 0
         while (start := stop) < count:
@@ -106,16 +106,16 @@ class Gravitation:
             square += y * y
             square += self.softening**2
             own = np.arange(stop - start)
-            square[..., own, own] = np.inf  # none pulls itself
+            square[..., own, own] = np.inf  # no body attracts itself
             yield Block(slice(start, stop), slice(start, count), (x, y)), square
 
     def _mass(self, motion: Motion) -> Array:
-        """Return the masses of the bodies at the time: (..., k, 1) [kg]."""
+        """Return the masses of the bodies at the times of a motion: (..., k, 1) [kg]."""
         mass: Array = (self.mass * self.share(motion.t))[..., self._rows, None]
         return mass
 
 
 def laws(said: declared.Gravitation, given: Given) -> Iterator[Law]:
-    """Yield what all pull at each other with."""
+    """Yield the gravitation between the bodies."""
     constant, softening = said.constant(given.values), said.softening(given.values)
     yield Gravitation(constant, given.rows(said.bodies), given.mass, softening, given.share)

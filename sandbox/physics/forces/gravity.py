@@ -13,7 +13,7 @@ from sandbox.physics.state.motion import Motion
 
 @dataclass(frozen=True, slots=True)
 class Gravity:
-    """F = m g, U = −m g · r. pymunk applies it itself, at no cost."""
+    """F = m g, U = −m g · r. pymunk applies the force itself, at no cost."""
 
     effect: ClassVar[Effect] = declared.Gravity.effect
 

@@ -1,11 +1,11 @@
-"""The contract of a force law, and what laws are made from.
+"""The contract of a force law, and the input from which laws are made.
 
-The law of an effect is a module of its name in this folder, with a function
+The law of an effect is in the module of the effect's name in this folder, with a function
 
     def laws(said: Drag, given: Given) -> Iterator[Law]: ...
 
-which makes it from what a level says of the effect: a `Law`, or, of an effect that does no work, a
-`Turn`. The declaration of the effect is in `sandbox.model.effects`; a law passes it on.
+which makes it from the level's settings of the effect: a `Law`, or a `Turn` if the effect does no
+work. The effect is declared in `sandbox.model.effects`; a law refers to that declaration.
 """
 
 from collections.abc import Sequence
@@ -25,19 +25,19 @@ if TYPE_CHECKING:
 
 
 class Law(Protocol):
-    """A force, and the energy that it can give back.
+    """A force, and its potential energy.
 
-    Both work on arrays with any number of leading dimensions, so that the same lines serve a step
-    and a whole recorded run. A law touches only the bodies that it acts on.
+    Both take arrays with any number of leading axes, so that the same code serves a step and a
+    whole recorded run. A law changes only the rows of the bodies that it acts on.
     """
 
     @property
     def effect(self) -> Effect:
-        """The declaration: an effect's, or a spring's."""
+        """Its declaration: that of an effect, or of springs."""
         ...
 
     def add(self, motion: Motion, wrench: Array) -> None:
-        """Add force and torque on each body [N, N m] to an array: (..., n, 3)."""
+        """Add the force and torque on each body [N, N m] to an array, (..., n, 3)."""
         ...
 
     def potential_energy(self, motion: Motion) -> Array:
@@ -46,15 +46,15 @@ class Law(Protocol):
 
 
 class Turn(Protocol):
-    """A force at right angles to the velocity, F = m ω (−vy, vx): it turns it, and does no work.
+    """A force perpendicular to the velocity, F = m ω (−vy, vx), which turns it and does no work.
 
-    A law says how fast, and no more: the kick turns velocities by it without changing how long they
-    are (see `sandbox.physics.forces.velocity_rotation`).
+    A law gives only the rate ω: the kick turns velocities without changing their magnitudes (see
+    `sandbox.physics.forces.velocity_rotation`).
     """
 
     @property
     def effect(self) -> Effect:
-        """What declares it."""
+        """Its declaration."""
         ...
 
     def rate(self, motion: Motion) -> Array:
@@ -63,20 +63,21 @@ class Turn(Protocol):
 
 
 class Given(NamedTuple):
-    """What the laws of a level are made of.
+    """The input from which the laws of a level are made.
 
     Attributes
     ----------
     level, values
-        What says which there are, and its parameters' values.
+        The level that declares the laws, and the values of its parameters.
     names, mass
-        (n,), of its bodies; the mass [kg] is that at the start, 0 for those that nothing moves.
+        (n,), the names of its bodies, and their masses at the start, 0 for those that nothing moves
+        [kg].
     share
-        How the masses change.
+        The masses over those at the start, as a function of time.
     step
-        How long a kick lasts [s].
+        The duration of a kick [s].
     switches
-        What events switch: forces that have a name, whole effects, springs.
+        The switches of named forces, whole effects and springs that events turn on and off.
     """
 
     level: Level
@@ -92,5 +93,5 @@ class Given(NamedTuple):
         return self.names.index(body)
 
     def rows(self, bodies: Sequence[str] | None) -> NDArray[np.intp]:
-        """Return the rows of bodies that a law names, of all that move if it names none."""
+        """Return the rows of the bodies named, or of all dynamic bodies if none are."""
         return np.flatnonzero(self.mass) if bodies is None else np.array([*map(self.row, bodies)])

@@ -1,4 +1,4 @@
-"""The laws of a level one by one, each with the settings that it comes from."""
+"""The laws of a level one by one, each with its settings."""
 
 from collections.abc import Iterator
 
@@ -10,7 +10,7 @@ from sandbox.physics.forces.switched_laws import SwitchedLaw
 
 
 def one_by_one(effects: Effects, given: Given) -> Iterator[tuple[Model, Law]]:
-    """Yield each law with its settings; of a list, one for each entry."""
+    """Yield each law with its settings; if these are a list, one law for each entry."""
     for effect in effects.declarations:
         if effect.is_law and not effect.turns:
             make, said = part_of(effect, "laws"), getattr(effects, effect.name)

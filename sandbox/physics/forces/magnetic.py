@@ -1,4 +1,4 @@
-"""A uniform magnetic field across the plane."""
+"""A uniform magnetic field perpendicular to the plane."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -16,7 +16,7 @@ from sandbox.physics.state.motion import Motion
 
 @dataclass(frozen=True, slots=True)
 class Magnetic:
-    """F = q v × B: a velocity turns by ω = −q B / m, whatever it is."""
+    """F = q v × B: every velocity turns at the rate ω = −q B / m."""
 
     effect: ClassVar[Effect] = declared.Magnetic.effect
 

@@ -18,7 +18,7 @@ from sandbox.physics.state.motion import Motion
 
 @dataclass(frozen=True, slots=True)
 class Potential:
-    """F = −∇U, by the rules of the calculus."""
+    """F = −∇U, differentiated symbolically."""
 
     effect: ClassVar[Effect] = declared.Potential.effect
 
@@ -28,7 +28,7 @@ class Potential:
     _slopes: tuple[Function, Function] = field(init=False)  # N, or N/kg
 
     def __post_init__(self) -> None:
-        """Differentiate it."""
+        """Store the derivatives of U."""
         object.__setattr__(self, "_slopes", (self.energy.slope("x"), self.energy.slope("y")))
 
     def add(self, motion: Motion, wrench: Array) -> None:
@@ -38,7 +38,7 @@ class Potential:
             wrench[..., self.on.bodies, axis] -= weight * slope.at(self.values, place)
 
     def potential_energy(self, motion: Motion) -> Array:
-        """Return U of each body."""
+        """Return the potential energy U of each body."""
         stored = np.zeros(motion.position.shape[:-1])
         found = self.energy.at(self.values, self._place(motion))
         stored[..., self.on.bodies] = self.on.at(motion.t) * found

@@ -18,22 +18,22 @@ if TYPE_CHECKING:
     from sandbox.physics.forces.switch import Switch
 
 NODES = 40
-"""At how many points a force law is evaluated to find its potential energy."""
+"""The number of points at which a force law is evaluated to integrate its potential energy."""
 
 DAMPED = replace(ELASTIC, sees=(*ELASTIC.sees, "velocity"))
-"""The declaration of a spring with a damper, as a force."""
+"""The declaration of the force of a spring with a damper."""
 
 
 @cache
 def _gauss() -> tuple[Array, Array]:
-    """Return the nodes and weights of Gauss's rule from -1 to 1."""
+    """Return the nodes and weights of Gauss–Legendre quadrature from -1 to 1."""
     nodes, weights = np.polynomial.legendre.leggauss(NODES)
     return nodes, weights
 
 
 @dataclass(frozen=True, slots=True)
 class Law:
-    """What a spring pulls with beside k x: f(x), over how far it is stretched."""
+    """The force f(x) of a spring beside k x, as a function of its stretch x."""
 
     formula: SpringLaw  # N
     values: Values
@@ -43,14 +43,14 @@ class Law:
         return self.formula.at(self.values, {"x": x})
 
     def energy(self, x: Array) -> Array:
-        """Return ∫ f dx from 0 to x [J], by Gauss's rule: to rounding where f is smooth."""
+        """Return ∫ f dx from 0 to x [J] by Gauss's rule, exact to rounding if f is smooth."""
         nodes, weights = _gauss()
         there = x[..., None] * (nodes + 1) / 2
         forces = np.broadcast_to(self.force(there), there.shape)
         return np.asarray(x / 2 * (forces @ weights))
 
     def slope(self, x: float) -> float:
-        """Return the steepest slope, as far as it is stretched or pressed [N/m]."""
+        """Return the largest slope of f, in size, from −|x| to |x| [N/m]."""
         reach = np.linspace(-abs(x), abs(x), 2 * NODES + 1)
         slopes = self.formula.slope("x").at(self.values, {"x": reach})
         return float(np.max(np.abs(slopes)))
@@ -60,9 +60,9 @@ class Law:
 class SpringForce:
     """F = −k x − f(x) − c dx/dt along the line between its ends, U = k x² / 2 + ∫ f dx, x = l − l0.
 
-    One that pushes only does nothing where it is longer than l0, and never pulls.
+    A spring that only pushes has no force where it is longer than l0, and never pulls.
 
-    Its energy belongs in equal parts to the bodies at its ends, all of it where there is but one.
+    Its energy belongs in equal parts to the bodies at its ends.
     """
 
     ends: tuple[Anchor, Anchor]
@@ -71,7 +71,7 @@ class SpringForce:
     damping: float  # kg/s, c
     pushes_only: bool = False
     law: Law | None = None  # f
-    slope: float = 0.0  # N/m, the steepest of f, as far as it is stretched at the start
+    slope: float = 0.0  # N/m, the largest of f within its stretch at the start
     switch: "Switch | None" = None  # off once it is cut
 
     @property
@@ -81,20 +81,20 @@ class SpringForce:
 
     @property
     def is_plain(self) -> bool:
-        """Whether it stores k x² / 2 and no more, and cannot be cut."""
+        """Whether its energy is only k x² / 2, and it cannot be cut."""
         return self.law is None and self.switch is None
 
     @property
     def steepness(self) -> float:
-        """The largest slope of the force over the stretch [N/m]."""
+        """The largest derivative of the force by the stretch [N/m]."""
         return self.stiffness + self.slope
 
     def tension(self, motion: Motion) -> Array:
-        """Return the force with which it pulls [N]; negative where it pushes."""
+        """Return the force by which it pulls [N]; negative where it pushes."""
         return self._pull(motion)[0]
 
     def stored(self, motion: Motion) -> Array:
-        """Return k (l − l0)² / 2 [J]."""
+        """Return k x² / 2 + ∫ f dx [J]."""
         (a, _), (b, _) = (end.find(motion) for end in self.ends)
         stretch = self._stretch(np.abs(b - a))
         energy = self.stiffness * stretch**2 / 2
@@ -102,14 +102,14 @@ class SpringForce:
         return energy * self.switch.at(motion.t) if self.switch else energy
 
     def span(self, motion: Motion) -> tuple[Plane, Plane]:
-        """Return where it begins and ends [m]: one that has let go keeps its length l0."""
+        """Return its two ends [m]; a spring that only pushes is drawn at most l0 long."""
         (a, _), (b, _) = (end.find(motion) for end in self.ends)
         longest = self.length if self.pushes_only else np.inf
         length = np.maximum(np.abs(b - a), 1e-300)
         return a, a + (b - a) * np.minimum(1.0, longest / length)
 
     def add(self, motion: Motion, wrench: Array) -> None:
-        """Add the pull on both ends, and its torques."""
+        """Add the forces on both ends, and their torques."""
         pull, direction, arms = self._pull(motion)
         forces = wrench[..., :2].view(complex)[..., 0]
         for end, arm, force in zip(
@@ -121,7 +121,7 @@ class SpringForce:
                     wrench[..., end.body, 2] += (arm.conj() * force).imag
 
     def potential_energy(self, motion: Motion) -> Array:
-        """Return k (l − l0)² / 2, shared among the bodies at its ends."""
+        """Return k x² / 2 + ∫ f dx, in equal parts for the bodies at its ends."""
         bodies = [end.body for end in self.ends if end.body is not None]
         stored = self.stored(motion)
         energy = np.zeros(motion.position.shape[:-1])
@@ -133,11 +133,11 @@ class SpringForce:
         """Return the tension, the direction from the first end to the second, and the arms."""
         if self.damping:
             (a, moves_a, arm_a), (b, moves_b, arm_b) = (end.look(motion) for end in self.ends)
-        else:  # how they move does not matter
+        else:  # the velocities do not matter
             (a, arm_a), (b, arm_b) = (end.find(motion) for end in self.ends)
         span = b - a
         length = np.abs(span)
-        direction = span / np.maximum(length, 1e-300)  # none where the ends meet
+        direction = span / np.maximum(length, 1e-300)  # 0 where the ends meet
         stretch = self._stretch(length)
         pull = self.stiffness * stretch
         if self.law:
@@ -151,20 +151,17 @@ class SpringForce:
         return pull, direction, (arm_a, arm_b)
 
     def _stretch(self, length: Array) -> Array:
-        """Return by how much it is longer than l0, as far as that matters to it [m]."""
+        """Return the stretch x = l − l0, at most 0 if it only pushes [m]."""
         stretch = length - self.length
         return np.minimum(stretch, 0.0) if self.pushes_only else stretch
 
 
 class SpringRows:
-    """What many springs store at one instant, in arrays over all of them: U = Σ k x² / 2.
-
-    They are plain ones.
-    """
+    """The energy of many plain springs at one instant, computed together: U = Σ k x² / 2."""
 
     def __init__(self, springs: Sequence[SpringForce]) -> None:
         ends = [[spring.ends[i] for spring in springs] for i in (0, 1)]
-        # the row after those of the bodies is the plane: its origin, which does not turn
+        # the row after those of the bodies is the plane: its origin, which does not rotate
         self._rows = np.array([[-1 if e.body is None else e.body for e in row] for row in ends])
         self._points = np.array([[end.point for end in row] for row in ends])
         self._stiffness, self._length = (
@@ -174,7 +171,7 @@ class SpringRows:
         self._most = np.array([0.0 if spring.pushes_only else np.inf for spring in springs])
 
     def stored(self, motion: Motion) -> float:
-        """Return what they store together [J]; n bodies, with no time in front."""
+        """Return their total energy [J] in a motion of n bodies without leading axes."""
         place = np.append(motion.position @ (1, 1j), 0)
         turn = np.append(np.exp(1j * motion.angle), 1)
         first, second = place[self._rows] + self._points * turn[self._rows]

@@ -1,6 +1,6 @@
-"""A switch: whether a force acts that events turn on and off.
+"""Switches of forces that events turn on and off.
 
-A switch knows when it was thrown, so that a recorded run, too, tells what acted at each instant.
+A switch stores the times at which it was thrown, so it can be evaluated for a recorded run as well.
 """
 
 from collections.abc import Mapping
@@ -13,34 +13,34 @@ from sandbox.model.expressions import Array
 
 @dataclass(slots=True)
 class Switch:
-    """Whether something acts, and when that has changed.
+    """Whether a force acts, as a function of time.
 
     Attributes
     ----------
     first
-        Whether it acts at the start.
+        Whether the force acts at the start.
     thrown
-        The times at which it was thrown, in order [s].
+        The times at which the switch was thrown, in order [s].
     """
 
     first: bool
     thrown: list[float] = field(default_factory=list)
 
     def turn(self, t: float, *, on: bool) -> None:
-        """Let it be on, or off, from a time on [s]."""
+        """Turn it on or off from a time on [s]."""
         if self.now is not on:
             self.thrown.append(t)
 
     @property
     def now(self) -> bool:
-        """Whether it acts by now."""
+        """Whether it is on now."""
         return self.first is not bool(len(self.thrown) % 2)
 
     def at(self, t: Array) -> Array:
-        """Return 1 at the times at which it acts, 0 at others: (...)."""
+        """Return 1 at times at which it is on, and 0 at others: (...)."""
         count = np.searchsorted(np.array(self.thrown), t, side="right")
         return np.asarray((count % 2 == 1) != self.first, dtype=float)
 
 
 Switches = Mapping[str, Switch]
-"""Switches by the names of the effects, forces and springs that they switch."""
+"""Switches, by the names of their effects, forces and springs."""

@@ -15,18 +15,18 @@ from sandbox.physics.state.motion import Motion
 
 @dataclass(frozen=True, slots=True)
 class SwitchedLaw:
-    """A law that acts while its switch is on; what it stores then is gone when it is off."""
+    """A law that acts while its switch is on; while it is off, its potential energy is 0."""
 
     law: Law
     switch: Switch
 
     @property
     def effect(self) -> Effect:
-        """What declares the law."""
+        """The declaration of the law."""
         return self.law.effect
 
     def add(self, motion: Motion, wrench: Array) -> None:
-        """Add force and torque of the law where it is on."""
+        """Add the force and torque of the law while it is on."""
         acts = self.switch.at(motion.t)
         if acts.any():
             given = np.zeros_like(wrench)
@@ -34,24 +34,24 @@ class SwitchedLaw:
             wrench += given * acts[..., None, None]
 
     def potential_energy(self, motion: Motion) -> Array:
-        """Return what the law stores where it is on."""
+        """Return the potential energy of the law, 0 while it is off."""
         return self.law.potential_energy(motion) * self.switch.at(motion.t)[..., None]
 
 
 @dataclass(frozen=True, slots=True)
 class SwitchedTurn:
-    """What turns velocities while its switch is on."""
+    """A `Turn` that acts while its switch is on."""
 
     turn: Turn
     switch: Switch
 
     @property
     def effect(self) -> Effect:
-        """What declares it."""
+        """The declaration of the law."""
         return self.turn.effect
 
     def rate(self, motion: Motion) -> Array:
-        """Return how fast it turns velocities where it is on."""
+        """Return the rate at which it turns velocities, 0 while it is off."""
         return self.turn.rate(motion) * self.switch.at(motion.t)[..., None]
 
 
@@ -61,14 +61,14 @@ def switched_laws(
     name: str,
     given: Given,
 ) -> Iterator[Law | Turn]:
-    """Yield the laws of an effect; what events switch acts while it is on."""
+    """Yield the laws of an effect, with switches for those that events turn on and off."""
     for part, switch in _parts(said, name, given.switches):
         for law in make(part, given):
             yield _switched(law, switch) if switch else law
 
 
 def _parts(said: Any, name: str, switches: Switches) -> Iterator[tuple[Any, Switch | None]]:  # noqa: ANN401
-    """Yield the settings of an effect, split where parts are switched separately."""
+    """Yield the settings of an effect, split if entries have switches of their own."""
     whole = switches.get(name)
     if not isinstance(said, tuple):
         yield said, whole

@@ -1,6 +1,6 @@
 """The force on a body that loses matter: m dv/dt = F + u dm/dt.
 
-u is the velocity of what leaves relative to the body (Meshchersky's equation).
+u is the velocity of the lost matter relative to the body (Meshchersky's equation).
 """
 
 from collections.abc import Iterator, Sequence
@@ -20,7 +20,7 @@ from sandbox.physics.state.motion import Motion
 
 @dataclass(frozen=True, slots=True)
 class Thrust:
-    """A rocket's: F = u dm/dt, with the exhaust's u along the body's axes and dm/dt < 0."""
+    """The thrust of a rocket, F = u dm/dt, with u in the body's axes and dm/dt < 0."""
 
     effect: ClassVar[Effect] = declared.Thrust.effect
 
@@ -38,12 +38,12 @@ class Thrust:
         wrench[..., body, 1] += rate * (s * x + c * y)
 
     def potential_energy(self, motion: Motion) -> Array:
-        """Return zero: what leaves takes its energy along."""
+        """Return zero: thrust has no potential."""
         return np.zeros(motion.position.shape[:-1])
 
 
 def flows(said: Sequence[declared.Thrust], values: Values, names: Sequence[str]) -> Iterator[Flow]:
-    """Yield what the rockets of a level burn, in their order."""
+    """Yield the flow of propellant of each rocket, in order."""
     for thrust in said:
         rate, propellant = thrust.rate(values), thrust.propellant(values)
         yield Flow(names.index(thrust.body), -rate, propellant / rate, thrust.effect.name)

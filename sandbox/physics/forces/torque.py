@@ -1,4 +1,4 @@
-"""Given torques, on one body or between two."""
+"""Torques that a level prescribes, on one body or between two."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -13,28 +13,28 @@ from sandbox.physics.forces.law import Given, Law
 from sandbox.physics.state.motion import Motion
 
 SIGHTS: Mapping[str, Sight] = {"theta": "angle", "omega": "velocity", "t": "time"}
-"""What a torque depends on if its formula contains a variable."""
+"""The dependence of a torque that each variable in its formula means."""
 
 
 @dataclass(frozen=True, slots=True)
 class Turned:
-    """A body that is turned, and what feels it the other way round."""
+    """A body on which a torque acts, and the body on which its reaction acts, if any."""
 
     body: int
     against: int | None
 
     @classmethod
     def of(cls, body: str, against: str | None, given: Given) -> "Turned":
-        """Return what a level names."""
+        """Return the bodies that a level names."""
         return cls(given.row(body), None if against is None else given.row(against))
 
     def between(self, values: Array) -> Array:
-        """Return an angle of all bodies, or its rate, as one of the body against the other."""
+        """Return the relative angle of the two bodies, or its rate, from the values of all."""
         own: Array = values[..., self.body]
         return own if self.against is None else own - values[..., self.against]
 
     def add(self, torque: Array, wrench: Array) -> None:
-        """Add a torque on the body, and its reaction."""
+        """Add a torque on the body, and its reaction on the other."""
         wrench[..., self.body, 2] += torque
         if self.against is not None:
             wrench[..., self.against, 2] -= torque
@@ -42,7 +42,7 @@ class Turned:
 
 @dataclass(frozen=True, slots=True)
 class Torque:
-    """τ(θ, ω, t), as its formula says; what it does is booked as its work."""
+    """τ(θ, ω, t) by a formula; its energy is booked as work."""
 
     effect: Effect
     torque: TorqueOfTurning  # N m
@@ -59,12 +59,12 @@ class Torque:
         self.on.add(self.torque.at(self.values, seen), wrench)
 
     def potential_energy(self, motion: Motion) -> Array:
-        """Return zero: whether it could give back what it takes is not known."""
+        """Return zero: the torque need not have a potential."""
         return np.zeros(motion.position.shape[:-1])
 
 
 def laws(said: Sequence[declared.Torque], given: Given) -> Iterator[Law]:
-    """Yield each torque; one that does not look at angular velocities says so."""
+    """Yield each torque, declared to depend only on what its formula contains."""
     for one in said:
         used = {SIGHTS[name] for name in one.torque.names & SIGHTS.keys()}
         effect = replace(one.effect, sees=tuple(s for s in one.effect.sees if s in used))

@@ -1,4 +1,4 @@
-"""Torsion springs."""
+"""Torsion springs, between a body and the plane or another body."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -16,7 +16,7 @@ from sandbox.physics.state.motion import Motion
 
 @dataclass(frozen=True, slots=True)
 class Torsion:
-    """τ = −k (θ − θ0), U = k (θ − θ0)² / 2; the energy belongs to the body that is named first."""
+    """τ = −k (θ − θ0), U = k (θ − θ0)² / 2; the energy belongs to the first body."""
 
     effect: ClassVar[Effect] = declared.Torsion.effect
 
@@ -25,7 +25,7 @@ class Torsion:
     on: Turned
 
     def add(self, motion: Motion, wrench: Array) -> None:
-        """Add −k (θ − θ0), and its reaction."""
+        """Add −k (θ − θ0) on the body, and its reaction."""
         self.on.add(-self.stiffness * self._twist(motion), wrench)
 
     def potential_energy(self, motion: Motion) -> Array:

@@ -10,44 +10,44 @@ from sandbox.model.expressions import Array
 from sandbox.physics.engine.batch import Integers
 
 Share = Callable[[Array], Array | float]
-"""The masses of n bodies at a time, or at many, relative to the start: (..., n), or 1. Moments of
-inertia change with the mass: matter leaves or comes evenly over the body."""
+"""The masses of n bodies at times (...), over those at the start: (..., n), or 1 if constant.
+Moments of inertia change in proportion: matter is lost or gained evenly over the body."""
 
 
 def steady(_t: Array) -> float:
-    """Return 1: no mass ever changes."""
+    """Return 1: all masses are constant."""
     return 1.0
 
 
 @dataclass(frozen=True, slots=True)
 class Flow:
-    """A steady flow of matter to a body, which begins with the run."""
+    """A steady flow of matter to a body, from the start of the run."""
 
     body: int
-    rate: float  # kg/s, negative where the body loses it
+    rate: float  # kg/s, negative if the body loses matter
     until: float = inf  # s
-    effect: str = ""  # what lets it flow
+    effect: str = ""  # that causes the flow
 
     def gained(self, t: Array) -> Array:
-        """Return the matter gained up to a time [kg], as if it had flowed before the start, too."""
+        """Return the mass gained from t = 0 to a time [kg], extrapolated to times before 0."""
         gained: Array = self.rate * np.minimum(t, self.until)
         return gained
 
     def mean_rate(self, t: Array, step: float) -> Array:
-        """Return the mean rate over the kick around a time [kg/s]; it may end within."""
+        """Return the mean rate over the kick around a time [kg/s]; the flow may end within it."""
         return (self.gained(t + step / 2) - self.gained(t - step / 2)) / step
 
 
 @dataclass(frozen=True, slots=True)
 class MassFlows:
-    """All flows of a scene, and how they change the masses of its n bodies; see `Share`."""
+    """All flows of a scene, as the masses of its n bodies over time; see `Share`."""
 
     flows: Sequence[Flow]
     mass: Array  # (n,) kg, at the start
-    bodies: Integers = field(init=False)  # those whose mass changes
+    bodies: Integers = field(init=False)  # the bodies whose masses change
 
     def __post_init__(self) -> None:
-        """See whose mass changes."""
+        """Store the bodies whose masses change."""
         object.__setattr__(self, "bodies", np.unique([flow.body for flow in self.flows]))
 
     def __call__(self, t: Array) -> Array:

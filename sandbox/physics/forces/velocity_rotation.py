@@ -1,17 +1,17 @@
 """Forces that turn velocities and do no work, as a rotation inside the kick.
 
-J. P. Boris's way (Proc. 4th Conf. Numerical Simulation of Plasmas, 1970): half of what all other
-forces give in the kick, then a rotation, then the other half,
+This is J. P. Boris's method (Proc. 4th Conf. Numerical Simulation of Plasmas, 1970): half of the
+kick by all other forces, then a rotation, then the other half,
 
     v₊ = R(ω h) (v₋ + a h/2) + a h/2.
 
-The rotation is by the whole angle. So in a uniform field a velocity turns at the right rate
-whatever the step is, and keeps its size to rounding. Positions follow in straight drifts, and
-therefore a circle is too wide by (ω h)² / 24 of it: second order, like all of leapfrog.
+The rotation is by the whole angle. So in a uniform field a velocity turns at the exact rate for any
+step, and keeps its magnitude to rounding. Positions follow in straight drifts, so the radius of a
+circle is too large by a fraction of (ω h)² / 24: second order, like leapfrog as a whole.
 
-At a step, half-way through the kick, the velocity is (v₋ + v₊) / (2 cos(ω h / 2)), for v₋ + v₊ is
+At a step, half-way through the kick, the velocity is (v₋ + v₊) / (2 cos(ω h / 2)), as v₋ + v₊ is
 the chord of an arc. The impulse is v₊ − v₋ − a h = 2 tan(ω h / 2) J (v₋ + v₊)/2, where J is the
-quarter turn. It is at right angles to the mean velocity, so its work is zero, exactly.
+quarter turn. It is perpendicular to the mean velocity, so its work is exactly zero.
 """
 
 from collections.abc import Sequence
@@ -24,23 +24,23 @@ from sandbox.physics.state.motion import Motion
 
 
 def rates(turns: Sequence[Turn], motion: Motion) -> Array:
-    """Return how fast all together turn the velocity of each body: (n,) [rad/s]."""
+    """Return the total rate at which the velocity of each body turns: (n,) [rad/s]."""
     return np.asarray(sum(turn.rate(motion) for turn in turns))
 
 
 def turning_acceleration(rate: Array, velocity: Array, pulled: Array, length: float) -> Array:
-    """Return the mean acceleration by which velocities are turned in a kick: (n, 2) [m/s²].
+    """Return the mean acceleration by the rotation in a kick: (n, 2) [m/s²].
 
     Parameters
     ----------
     rate
-        (n,), how fast they turn [rad/s].
+        (n,), the rates of rotation [rad/s].
     velocity
-        (n, 2), before the kick [m/s].
+        (n, 2), the velocities before the kick [m/s].
     pulled
-        (n, 2), the acceleration by all other forces [m/s²].
+        (n, 2), the accelerations by all other forces [m/s²].
     length
-        How long the kick is [s].
+        The duration of the kick [s].
     """
     middle, half = velocity + pulled * (length / 2), rate * (length / 2)
     s, c = np.sin(half)[:, None], np.cos(half)[:, None]
@@ -48,15 +48,15 @@ def turning_acceleration(rate: Array, velocity: Array, pulled: Array, length: fl
 
 
 def at_the_step(rate: Array, mean: Array, length: float) -> Array:
-    """Return the velocities (n, 2) half-way through a kick, given their means."""
+    """Return the velocities (n, 2) half-way through a kick, from the means before and after."""
     return np.asarray(mean / np.cos(rate * (length / 2))[:, None])
 
 
 def given(rate: Array, mean: Array, length: float) -> Array:
-    """Return the change of velocities (n, 2) by the turning alone, of their means in a kick."""
+    """Return the change of velocities (n, 2) by the rotation in a kick, from their means."""
     return np.asarray(2 * np.tan(rate * (length / 2))[:, None] * _across(mean))
 
 
 def _across(velocity: Array) -> Array:
-    """Return velocities (n, 2) a quarter turn counter-clockwise."""
+    """Return velocities (n, 2) rotated by a quarter turn counter-clockwise."""
     return np.column_stack((-velocity[:, 1], velocity[:, 0]))

@@ -1,1 +1,1 @@
-"""Outlines: how far they are from each other, arcs and curves among them, and convex parts."""
+"""Geometry of outlines: distances, contacts on arcs and curves, convex decomposition."""

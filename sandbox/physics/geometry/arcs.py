@@ -1,10 +1,10 @@
-"""Where arcs and hoops touch other shapes, exactly and from both sides.
+"""Contacts of arcs and hoops with other shapes, exact on both sides.
 
-To pymunk a circle is filled. An arc is a line of some thickness along a part of a circle, so what
-touches it does so in one of three ways: from inside, with a corner or, if it is round, along the
-line from the arc's centre through its own; from outside, as it would touch a disc; or at one of the
-two ends, which are round. pymunk is right about the last two, once it is known which of them it is.
-Points of the plane are complex numbers here.
+pymunk's circles are filled. An arc is a line of some thickness along a part of a circle, so a shape
+can touch it in three ways: from inside, with a corner or, if it is round, on the line from the
+arc's centre through its own; from outside, as it would touch a disc; or at one of the two round
+ends. pymunk is right about the last two, once it is known which of the three it is. Points of the
+plane are complex numbers here.
 """
 
 from collections.abc import Sequence
@@ -16,40 +16,40 @@ from sandbox.physics.geometry.distance import dot
 from sandbox.physics.geometry.plane_curve import Side
 
 Placed = tuple[complex, complex]
-"""Where a body is, and how it is turned: x + iy [m], cos + i sin."""
+"""The position and rotation of a body: x + iy [m], cos + i sin."""
 
 KEPT = 5e-7
-"""m, by how much what follows an arc overlaps it, so that it is found again: less than is taken
-back. An overlap of less grows to that by and by:"""
+"""m, the overlap of a body that follows an arc, which lets pymunk find the contact again. It is
+below the overlap that is corrected."""
 SOON = 0.125
-"""by such a share of what lacks in a step."""
+"""The fraction by which a smaller overlap approaches `KEPT` in each step."""
 
 Motion = tuple[complex, float]
-"""How fast a body moves, and turns [m/s, rad/s]."""
+"""The velocity and angular velocity of a body [m/s, rad/s]."""
 
 THIN = 1e-4
-"""The share of an arc's radius by which the middle of what touches it from outside may be within
-it: what is as thin as a line is, by the overlap that is left alone."""
+"""The fraction of an arc's radius by which the middle of a shape may lie inside and still touch the
+outer side: the middle of a thin line does, by the overlap that is not corrected."""
 
 
 @dataclass(frozen=True, slots=True)
 class Arc:
-    """A line of some thickness along a part of a circle, or along all of it, as a hoop is.
+    """A line of some thickness along a part of a circle, or along a whole circle as a hoop.
 
     Attributes
     ----------
     body
         The body's index.
     center
-        Of the circle, in the axes of the body [m].
+        The centre of the circle, in the axes of the body [m].
     radius
-        Of the circle, in the middle of the line [m].
+        The radius of the circle, in the middle of the line [m].
     inner, outer
-        How far its two sides are from the centre [m].
+        The radii of the two sides [m].
     middle
         The direction from the centre to the middle of the arc, in the axes of the body.
     cosine
-        Of half the angle that it spans; below −1 if it goes all the way round.
+        The cosine of half the angle that it spans; below −1 for a whole circle.
     """
 
     body: int
@@ -61,33 +61,33 @@ class Arc:
     cosine: float
 
     def spans(self, way: complex, turned: complex) -> bool:
-        """Whether a way from the centre of the arc of a turned body leads to the arc."""
+        """Return whether a vector from the centre points at the arc, with the body turned."""
         return dot(way, self.middle * turned) >= self.cosine * abs(way)
 
 
 @dataclass(frozen=True, slots=True)
 class Piece:
-    """One of pymunk's shapes, as arcs see it.
+    """One of pymunk's shapes, for contacts with arcs and curves.
 
     Attributes
     ----------
     body
         The body's index.
     core
-        What is thickened by the radius, in the axes of the body: one point of what is round [m].
+        The corners before the radius is added, in the axes of the body; one point if round [m].
     radius
-        [m].
+        The thickness around the core [m].
     arc
-        Whose side it is, or whose end; None of other shapes.
+        The arc of which it is a side or an end; None for other shapes.
     away
-        Of an end: the direction in which the arc ends there; 0 of others.
+        The outward direction of an arc's end; 0 for other shapes.
     goes_on
-        Of an end: the direction in which another line goes on from there; 0 if none does.
+        The direction of another line that continues from an arc's end; 0 if there is none.
     corner
-        Of a feeler, which only touches arcs from inside: the corner, or end, that does [m]; None of
-        other shapes. The core is that of the whole.
+        The corner or end [m] of a feeler, a shape that only touches arcs from inside; None for
+        other shapes. The core of a feeler is that of the whole shape.
     curve
-        The stretch of a curve that it is; None of other shapes.
+        The side of a curve's stretch that it is; None for other shapes.
     """
 
     body: int
@@ -101,26 +101,26 @@ class Piece:
 
 
 class Touch(NamedTuple):
-    """A corner, or something round, that is near the inner side of an arc, or either of a curve.
+    """A contact of a corner or round shape with the inner side of an arc, or a side of a curve.
 
     Attributes
     ----------
     arc
-        Whose side it is; of a curve, the circle that is closest to it there.
+        The arc; for a curve, its osculating circle.
     body
-        The index of the body that touches it.
+        The index of the other body.
     point
-        The middle of what is round, or the corner, in the axes of that body [m].
+        The corner, or the centre of the round shape, in the axes of that body [m].
     radius
-        The radius by which that is thickened [m].
+        The radius around that point [m].
     depth
-        By how much the two overlap; negative if they are apart [m].
+        The overlap; negative if the two are apart [m].
     normal
-        The unit vector from the arc to the other, so towards its centre.
+        The unit vector from the arc to the other body.
     on_arc, on_other
-        The points of contact on the surface of each, in the plane [m].
+        The contact points on the two surfaces, in the plane [m].
     sign
-        1 from inside, −1 from outside; 0 where nothing is followed.
+        1 from inside, −1 from outside; 0 if the body does not follow the arc.
     """
 
     arc: Arc
@@ -135,17 +135,17 @@ class Touch(NamedTuple):
 
 
 class Way(NamedTuple):
-    """How what touches an arc comes to it, and must leave it to follow it.
+    """The velocities of a body relative to an arc that it touches.
 
     Attributes
     ----------
     comes
-        How fast it approaches [m/s].
+        The velocity of approach [m/s].
     leaves
-        How fast it must part, so that it overlaps no more after the next drift; negative where it
-        may still come closer [m/s].
+        The velocity of separation needed to keep the overlap through the next drift; negative if
+        the body may still come closer [m/s].
     along
-        How fast it moves along the arc [m/s].
+        The velocity along the arc [m/s].
     """
 
     comes: float
@@ -154,18 +154,18 @@ class Way(NamedTuple):
 
 
 Verdict = Touch | bool
-"""How two shapes touch: as told; as pymunk has it; or not at all."""
+"""A contact of two shapes: the touch; True for the one of pymunk; False for none."""
 
 
 def verdict(one: Piece, other: Piece, at: Placed, there: Placed) -> Verdict:
-    """Return how two shapes touch that overlap according to pymunk.
+    """Return the contact of two shapes that overlap according to pymunk.
 
     Parameters
     ----------
     one, other
         The shapes.
     at, there
-        Where their bodies are.
+        The positions and rotations of their bodies.
     """
     if _is_side(one) and _is_side(other):
         return _sides(one, other, at, there)
@@ -183,23 +183,23 @@ def way_along(
     drift: float,
     before: float | None,
 ) -> Way:
-    """Return how something comes to an arc, and how it leaves it to follow it for a drift.
+    """Return the velocity of approach to an arc, and that of separation to follow it for a drift.
 
-    A drift is straight, so what follows an arc is further out after it than before, by (v dt)² / 2r
-    if it moves along it. It is not if it parts with v² dt / 2r, or comes with as much from outside:
-    then the velocities before and after the kick are those along two chords, and their mean lies
-    along the arc. How the kick will change the speed along the arc is taken from the last one.
+    A drift is straight, so a tangential one takes a body outwards by (v dt)² / 2r. It stays on the
+    arc if it separates with v² dt / 2r, or approaches with as much from outside: then the
+    velocities before and after a kick are along two chords, and their mean is tangential. The
+    change of the tangential velocity in a kick is predicted from the last kick.
 
     Parameters
     ----------
     found
-        Who touches where.
+        The contact.
     places, motions
-        Of the bodies: of the arc's, and of the other.
+        The positions and velocities of the arc's body and of the other.
     drift
-        How long the next one lasts [s].
+        The duration of the next drift [s].
     before
-        The speed along the arc a step ago [m/s]; None if it did not follow the arc then.
+        The velocity along the arc a step ago [m/s]; None if the body did not follow the arc then.
     """
     (at, there), (rates, moves) = places, motions
     way = put(there, found.point) - put(at, found.arc.center)
@@ -220,7 +220,7 @@ def _is_side(piece: Piece) -> bool:
 
 
 def _at_side(side: Piece, other: Piece, at: Placed, there: Placed) -> Verdict:
-    """Return how a shape that is no side of an arc touches one."""
+    """Return the contact of an arc's side with a shape that is not such a side."""
     arc = side.arc
     assert arc is not None
     center = put(at, arc.center)
@@ -233,7 +233,7 @@ def _at_side(side: Piece, other: Piece, at: Placed, there: Placed) -> Verdict:
     if other.corner is None and abs(way) >= arc.radius:
         return not other.away or _ends_at(other, there, center)
     if other.corner is None and other.away:
-        return False  # its feeler does
+        return False  # its feeler touches instead
     if other.corner is not None:
         leans = dot(put(there, _mean(other.core)) - center, way) >= arc.radius * abs(way)
         if leans or _is_outside(arc, other, center, at[1], there):
@@ -247,7 +247,7 @@ def _at_side(side: Piece, other: Piece, at: Placed, there: Placed) -> Verdict:
 def _inside(
     arc: Arc, center: complex, body: int, point: complex, radius: float, way: complex
 ) -> Touch:
-    """Return how a thickened point at a distance from an arc's centre meets its inner side."""
+    """Return the contact of a point with a radius, at `way` from an arc's centre, from inside."""
     out = way / abs(way)
     on_arc, on_other = center + arc.inner * out, center + way + radius * out
     depth = abs(way) + radius - arc.inner
@@ -255,9 +255,10 @@ def _inside(
 
 
 def _is_outside(arc: Arc, other: Piece, center: complex, turned: complex, there: Placed) -> bool:
-    """Whether a shape with corners is at the outer side of an arc.
+    """Return whether a shape with corners is at the outer side of an arc.
 
-    It is nearest to the arc's centre with a point towards the arc, and lies beyond that.
+    The arc spans the direction of its point nearest to the centre, and its middle is beyond the
+    arc's radius in that direction.
     """
     core = [put(there, corner) for corner in other.core]
     way = nearest(core, center) - center
@@ -268,7 +269,7 @@ def _is_outside(arc: Arc, other: Piece, center: complex, turned: complex, there:
 
 
 def _sides(one: Piece, other: Piece, at: Placed, there: Placed) -> Verdict:
-    """Return how two arcs touch with their sides: the one in the other, or each from outside."""
+    """Return the contact of the sides of two arcs, one inside the other or both from outside."""
     wide, narrow = one.arc, other.arc
     assert wide is not None
     assert narrow is not None
@@ -285,10 +286,10 @@ def _sides(one: Piece, other: Piece, at: Placed, there: Placed) -> Verdict:
 
 
 def _at_end(end: Piece, other: Piece, at: Placed, there: Placed) -> bool:
-    """Whether a shape may touch what may be the end of an arc.
+    """Return whether a shape can touch another that may be the end of an arc.
 
-    It may where it is nearest beyond the end: what is beside the arc touches its side. A line
-    that goes on from there is touched in its place.
+    An end is touched only from beyond it: a shape beside the arc touches the arc's side, and one
+    beside a line that continues the arc touches that line.
     """
     if not end.away:
         return True
@@ -304,13 +305,13 @@ def _at_end(end: Piece, other: Piece, at: Placed, there: Placed) -> bool:
 
 
 def _ends_at(end: Piece, at: Placed, point: complex) -> bool:
-    """Whether a point is seen from an arc's end where neither the arc is nor another line."""
+    """Return whether a point is beyond an arc's end, and not beside a line that continues it."""
     way = point - put(at, end.core[0])
     return dot(way, end.away * at[1]) >= 0 and dot(way, end.goes_on * at[1]) <= 0
 
 
 def put(there: Placed, point: complex) -> complex:
-    """Return where a point of a body is in the plane [m]."""
+    """Return the position of a body's point in the plane [m]."""
     return there[0] + there[1] * point
 
 
@@ -319,14 +320,14 @@ def _mean(core: Sequence[complex]) -> complex:
 
 
 def nearest(core: Sequence[complex], place: complex) -> complex:
-    """Return the point of a convex core that is nearest to a place; the place, if it is within."""
+    """Return the point of a convex core nearest to a place; the place itself if it is inside."""
     best, within = core[0], len(core) > 2
     if len(core) == 1:
         return best
     for i, b in enumerate(core):
         a = core[i - 1]
         along = b - a
-        share = dot(place - a, along) / (dot(along, along) or 1.0)  # far away, ends are the same
+        share = dot(place - a, along) / (dot(along, along) or 1.0)  # far out, ends may coincide
         near = a + along * min(max(share, 0.0), 1.0)
         if abs(near - place) < abs(best - place):
             best = near

@@ -1,8 +1,8 @@
-"""Cutting polygons into convex ones.
+"""Decomposes polygons into convex ones.
 
-pymunk collides convex polygons only, and would silently fill the hollows of others. Its own
-decomposition ends the process on a bent bar of a few dozen corners, so this one clips ears
-(Meisters 1975) and then takes out every cut that is not needed (Hertel and Mehlhorn 1983).
+pymunk collides only convex polygons, and would silently fill the hollows of others. Its own
+decomposition aborts the process on a bent bar of a few dozen corners, so this one clips ears
+(Meisters 1975) and then removes every cut that is not needed (Hertel and Mehlhorn 1983).
 """
 
 from collections.abc import Sequence
@@ -13,14 +13,14 @@ from sandbox.model.expressions import Array
 from sandbox.model.shapes import XY
 
 STRAIGHT = 1e-12
-"""A corner counts as straight if its turn is less, relative to the square of the extent."""
+"""The turn of a corner, over the square of the extent, below which it counts as straight."""
 
 Part = list[int]
 """The indices of a part's corners, counter-clockwise."""
 
 
 def convex_parts(points: Sequence[XY]) -> list[list[XY]]:
-    """Return convex polygons that fill a simple one, counter-clockwise; one if it is convex."""
+    """Return convex polygons that make up a simple polygon, counter-clockwise."""
     corners = np.array(points, dtype=float)
     if twice_area(corners) < 0:
         corners = corners[::-1]
@@ -30,13 +30,13 @@ def convex_parts(points: Sequence[XY]) -> list[list[XY]]:
 
 
 def twice_area(corners: Array) -> float:
-    """Return twice the area of a polygon, positive if its corners go round counter-clockwise."""
+    """Return twice the area of a polygon, positive if its corners are counter-clockwise."""
     x, y = corners.T
     return float(x @ np.append(y[1:], y[0]) - y @ np.append(x[1:], x[0]))
 
 
 def _triangles(corners: Array) -> list[Part]:
-    """Cut off one corner after the other, that with the shortest cut first."""
+    """Cut off corners one by one, the one with the shortest cut first."""
     left, triangles = list(range(len(corners))), []
     while len(left) > 3:
         ring = corners[left]
@@ -45,7 +45,7 @@ def _triangles(corners: Array) -> list[Part]:
         order = np.argsort(np.hypot(*(after - before).T), kind="stable")
         blunt = turns > 0
         ears = (int(k) for k in order[blunt[order]] if _is_ear(ring, turns, int(k)))
-        flat = int(np.argmin(np.abs(turns)))  # by rounding, none may be left but a straight corner
+        flat = int(np.argmin(np.abs(turns)))  # by rounding, there may be only a straight corner
         k = next(ears, flat)
         triangles.append([left[k - 1], left[k], left[(k + 1) % len(left)]])
         del left[k]
@@ -53,17 +53,17 @@ def _triangles(corners: Array) -> list[Part]:
 
 
 def _is_ear(ring: Array, turns: Array, k: int) -> bool:
-    """Whether no other corner lies in the triangle of one corner and its neighbours."""
+    """Return whether no other corner lies in the triangle of a corner and its neighbours."""
     count = len(ring)
     others = np.delete(np.arange(count), [k - 1, k, (k + 1) % count])
-    points = ring[others[turns[others] <= 0]]  # if any corner does, one that bends inwards does
+    points = ring[others[turns[others] <= 0]]  # if any corner does, a reflex one does
     a, b, c = ring[k - 1], ring[k], ring[(k + 1) % count]
     inside = (_turn(a, b, points) >= 0) & (_turn(b, c, points) >= 0) & (_turn(c, a, points) >= 0)
     return not inside.any()
 
 
 def _merged(corners: Array, parts: list[Part]) -> list[Part]:
-    """Take out every cut between two parts that are convex together."""
+    """Remove every cut between two parts whose union is convex."""
     owner = {edge: part for part in parts for edge in _edges(part)}
     for i, j in list(owner):
         one, other = owner.get((i, j)), owner.get((j, i))
@@ -93,6 +93,6 @@ def _is_convex(corners: Array, part: Part) -> bool:
 
 
 def _turn(a: Array, b: Array, c: Array) -> Array:
-    """Twice the area of the triangle a-b-c, positive if it turns counter-clockwise."""
+    """Return twice the area of the triangle a-b-c, positive if it is counter-clockwise."""
     ab, ac = b - a, c - a
     return np.asarray(ab[..., 0] * ac[..., 1] - ab[..., 1] * ac[..., 0])

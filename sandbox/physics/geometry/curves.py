@@ -1,9 +1,9 @@
-"""Where curves touch other shapes, at points of the curve itself and from both sides.
+"""Contacts of curves with other shapes, exact on both sides.
 
-To pymunk each stretch of a curve is a filled circle around it, so that whatever may touch it is
-found. A round body touches the curve at the point that is nearest to its centre, and a corner at
-the point that is nearest to the corner. A straight side touches it from outside, where the curve
-runs along the side. Points of the plane are complex numbers here.
+In pymunk each stretch of a curve is a filled circle around it, so that every possible contact is
+found. A round body touches the curve at the point nearest to its centre, and a corner at the point
+nearest to the corner. A straight side touches it from outside, where the curve is parallel to the
+side. Points of the plane are complex numbers here.
 """
 
 from collections.abc import Iterator
@@ -22,11 +22,12 @@ from sandbox.physics.geometry.distance import dot
 from sandbox.physics.geometry.plane_curve import Course, Foot, Side
 
 CENTRED = 1e-3
-"""The share of the radius of curvature by which the middle of what touches a curve from inside
-stays clear of the centre of curvature, and is followed."""
+"""The smallest distance from the centre of curvature, over the radius of curvature, at which a body
+inside a curve is followed."""
 
 DEEP = 0.5
-"""The share of its width by which a side may be too deep in a curve, and still touch it."""
+"""The largest overlap of a straight side with a curve, over the width of its shape, that counts as
+a contact."""
 
 
 def course_of(curve: Curve, values: Values) -> Course:
@@ -37,7 +38,7 @@ def course_of(curve: Curve, values: Values) -> Course:
 
 @dataclass(frozen=True, slots=True)
 class _Chosen:
-    """A curve, known by being the very same, and the values of the parameters that it has."""
+    """A key for a cache: a curve, compared by identity, and the values of its parameters."""
 
     curve: Curve
     values: tuple[tuple[str, float], ...]
@@ -53,19 +54,19 @@ class _Chosen:
 
 @lru_cache(maxsize=64)
 def _course(chosen: _Chosen) -> Course:
-    """Return a course; each scene asks for those of its curves several times."""
+    """Return a course from the cache, as a scene needs each several times."""
     return Course(along(chosen.curve, dict(chosen.values)))
 
 
 def verdict(one: Piece, other: Piece, at: Placed, there: Placed) -> Verdict:
-    """Return how two shapes touch that overlap according to pymunk.
+    """Return the contact of two shapes that overlap according to pymunk.
 
     Parameters
     ----------
     one, other
         The shapes.
     at, there
-        Where their bodies are.
+        The positions and rotations of their bodies.
     """
     if one.curve:
         return _touch(one.curve, other, at, there)
@@ -75,7 +76,7 @@ def verdict(one: Piece, other: Piece, at: Placed, there: Placed) -> Verdict:
 
 
 def closest_circle(foot: Foot, half: float, body: int) -> Arc:
-    """Return the circle that is closest to a course at a point of it, as an arc of a thickness."""
+    """Return the osculating circle of a course at a point, as an arc of thickness 2 `half`."""
     radius = 1 / abs(foot.bend)
     center = foot.point + 1j * foot.tangent / foot.bend
     return Arc(body, center, radius, radius - half, radius + half, 1 + 0j, -2.0)
@@ -115,25 +116,25 @@ def _touch(side: Side, other: Piece, at: Placed, there: Placed) -> Verdict:
 
 
 def _is_far(side: Side, radius: float, way: complex, inwards: complex) -> bool:
-    """Return whether a point is too far from a stretch to touch it, without looking for its foot.
+    """Return whether a point is surely too far from a stretch to touch it, without its foot point.
 
     Parameters
     ----------
     radius
-        Of what is around the point [m].
+        The radius around the point [m].
     way, inwards
-        From the nearest knot to the point, and on to the middle of its shape [m].
+        The vectors from the nearest knot to the point, and on to the middle of its shape [m].
     """
     far, spacing = abs(way), side.course.spacing
     least = far - spacing
     if least <= side.half + radius:
         return False
-    turned = 2 * spacing / far  # how far the way from the foot may point elsewhere
+    turned = 2 * spacing / far  # the largest angle between the vectors from foot and knot
     return least + dot(inwards, way) / far > abs(inwards) * turned  # both are on the same side
 
 
 def _flat(side: Side, other: Piece, core: list[complex], at: Placed) -> Verdict:
-    """Return how the straight sides of a shape touch a stretch from outside."""
+    """Return the contact of a shape's straight sides with a stretch, from outside."""
     best: Touch | None = None
     for a, b in _edges(core):
         out = -1j * (b - a) / abs(b - a)
@@ -161,7 +162,7 @@ def _flat(side: Side, other: Piece, core: list[complex], at: Placed) -> Verdict:
 
 
 def _edges(core: list[complex]) -> Iterator[tuple[complex, complex]]:
-    """Yield the edges of a core counter-clockwise; a line has two, there and back."""
+    """Yield the edges of a core counter-clockwise; a segment has two, one in each direction."""
     corners = np.array(core)
     around = float((corners.conj() * np.roll(corners, -1)).imag.sum())
     for i, b in enumerate(core):

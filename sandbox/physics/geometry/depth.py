@@ -1,4 +1,4 @@
-"""The depth of points in a polygon: their distance from its outline, negative outside."""
+"""The depth of points in a polygon: the distance from its outline, negative outside."""
 
 import numpy as np
 
@@ -7,14 +7,14 @@ from sandbox.physics.state.anchor import Plane
 
 
 def depth(points: Plane, corners: Plane) -> Array:
-    """Return how deep points are in a polygon, convex or not: (...) [m].
+    """Return the depths of points in a polygon, convex or not: (...) [m].
 
     Parameters
     ----------
     points
         (...), points of the plane [m].
     corners
-        (k,), those of the polygon in order around it, either way [m].
+        (k,), the corners of the polygon in order, clockwise or counter-clockwise [m].
     """
     sides = np.roll(corners, -1) - corners
     apart = points[..., None] - corners
@@ -24,7 +24,7 @@ def depth(points: Plane, corners: Plane) -> Array:
 
 
 def _inside(apart: Plane, sides: Plane) -> Array:
-    """Whether a ray to the right crosses the outline an odd number of times: (...)."""
+    """Return whether a ray to the right crosses the outline an odd number of times: (...)."""
     low, high = apart.imag >= 0, apart.imag >= sides.imag
     left = apart.real * sides.imag - apart.imag * sides.real
     crosses = (low != high) & ((left < 0) == (sides.imag > 0))

@@ -1,8 +1,8 @@
-"""Outlines of shapes: the distance between them, and where they would touch.
+"""Outlines of shapes: the distance between them, and their possible contact points.
 
-To pymunk a disc is a point with a radius, a wall two points with a radius, a polygon its corners
-with a very small one. So the distance of two shapes is that of two cores, points of the plane (here
-complex numbers) joined by straight edges, less two radii.
+In pymunk a disc is a point with a radius, a wall two points with a radius, and a polygon its
+corners with a very small radius. So the distance of two shapes is that of their cores, points of
+the plane (here complex numbers) joined by straight edges, less both radii.
 """
 
 from collections.abc import Iterable, Sequence
@@ -17,10 +17,10 @@ import pymunk
 from sandbox.model.expressions import Array
 
 FLUSH = 1e-10
-"""m, by which the two ends of a side may differ in distance and both touch."""
+"""m, the largest difference in distance of the two ends of a side that both touch."""
 
 FEELER = 1 << 31
-"""The category of shapes that only arcs meet: the corners of what may be within one."""
+"""The category of shapes that only meet arcs: the corners of shapes that may be inside one."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,15 +32,15 @@ class Outline:
     body
         The body's index.
     corners
-        Of the core, counter-clockwise [m].
+        The corners of the core, counter-clockwise [m].
     radius
-        [m].
+        The radius around the core [m].
     reach
-        How far the core is from the centre of the body at the most [m].
+        The largest distance of the core from the centre of the body [m].
     group
-        Shapes of the same one do not touch, unless it is 0.
+        The collision group; shapes of the same group do not touch, unless it is 0.
     ways
-        From the ends of a line to where it goes on; 0 where it ends.
+        The vectors along the segments that continue a segment at its two ends; 0 without one.
     """
 
     body: int
@@ -52,16 +52,16 @@ class Outline:
 
 
 class Gap(NamedTuple):
-    """Between two shapes.
+    """The gap between two shapes.
 
     Attributes
     ----------
     distance
-        Negative where they overlap [m].
+        The distance, negative if they overlap [m].
     normal
         The unit vector from the first to the second.
     points
-        Where they touch if they do, one or the two ends of a side, on the first one's core [m].
+        The one or two contact points, on the core of the first [m].
     """
 
     distance: float
@@ -70,7 +70,7 @@ class Gap(NamedTuple):
 
 
 def outlines(bodies: Sequence[pymunk.Body]) -> list[Outline]:
-    """Return the outlines of all shapes, in an order that does not depend on memory addresses."""
+    """Return the outlines of all shapes, in an order independent of memory addresses."""
     found = [
         _outline(shape, row, body)
         for row, body in enumerate(bodies)
@@ -80,12 +80,12 @@ def outlines(bodies: Sequence[pymunk.Body]) -> list[Outline]:
 
 
 def plain(shapes: Iterable[pymunk.Shape]) -> list[pymunk.Shape]:
-    """Return the shapes that are not there for arcs only."""
+    """Return the shapes without feelers, which are for arcs only."""
     return [shape for shape in shapes if shape.filter.categories != FEELER]
 
 
 def surfaces(bodies: Iterable[pymunk.Body]) -> Array:
-    """Return how fast the surfaces of bodies run, as those of belts do: (n, 2) [m/s]."""
+    """Return the surface velocities of bodies, as of conveyor belts: (n, 2) [m/s]."""
     velocities = [[shape.surface_velocity for shape in body.shapes] for body in bodies]
     return np.array([shapes[0] if shapes else (0.0, 0.0) for shapes in velocities])
 
@@ -109,7 +109,7 @@ def _outline(shape: pymunk.Shape, row: int, body: pymunk.Body) -> Outline:
 
 
 def _goes_on(end: complex, lines: Sequence[tuple[complex, complex]]) -> complex:
-    """Return the vector from an end of a line to the line that continues it."""
+    """Return the vector along the segment that continues another at an end; 0 without one."""
     for a, b in lines:
         if end in (a, b):
             return (b if end == a else a) - end
@@ -129,8 +129,8 @@ class _Edge(NamedTuple):
 
     start: complex
     end: complex
-    along: complex  # from the one to the other
-    square: float  # of its length
+    along: complex  # from start to end
+    square: float  # its length, squared
     out: complex  # the unit normal on its right
 
 
@@ -163,7 +163,7 @@ def dot(a: complex, b: complex) -> float:
 
 
 def _edges(core: Sequence[complex]) -> list[_Edge]:
-    """Return the edges of a core; a line has two, there and back, a point has none."""
+    """Return the edges of a core; a segment has two, one in each direction, a point has none."""
     found = []
     for i in range(len(core) if len(core) > 1 else 0):
         along = core[i] - core[i - 1]
@@ -175,11 +175,10 @@ def _edges(core: Sequence[complex]) -> list[_Edge]:
 def _nearest(
     one: Sequence[complex], other: Sequence[complex], edges: Sequence[_Edge], least: float
 ) -> list[_Near]:
-    """Return for every corner of one core how near each edge of the other is.
+    """Return the nearest points of all edges of one core to every corner of another.
 
-    Beside an edge the normal is the edge's own, which stays right however near they are. What is
-    further off than the `least` known distance [m], or than another that is found here, is left
-    out.
+    Beside an edge the normal is that of the edge, which is accurate at any distance. Points further
+    away than the `least` known distance [m], or than one found here, are left out.
     """
     if len(other) == 1:
         return [_to_point(p, other[0]) for p in one]
@@ -213,8 +212,8 @@ Core = tuple[Sequence[complex], Sequence[_Edge]]
 def _overlap(one: Core, other: Core) -> _Near | None:
     """Return the least overlap of two cores along the normal of an edge; None if they are apart.
 
-    Points overlap with polygons only. Two lines overlap where they cross, but not where they only
-    touch, or lie in one line: there every distance is rounding.
+    A point can only overlap with a polygon. Two segments overlap if they cross, but not if they
+    only touch or are collinear, as their distances are then only rounding.
     """
     sizes = len(one[0]), len(other[0])
     thin = sizes[0] < 3 > sizes[1]
@@ -235,7 +234,7 @@ def _overlap(one: Core, other: Core) -> _Near | None:
 
 
 def width(shape: pymunk.Shape) -> float:
-    """Return how wide a shape is where it is narrowest [m]."""
+    """Return the smallest width of a shape [m]."""
     match shape:
         case pymunk.Circle():
             return 2 * shape.radius
@@ -251,6 +250,6 @@ def width(shape: pymunk.Shape) -> float:
 
 
 def smallest(space: pymunk.Space) -> float:
-    """Return how wide the narrowest shape of a dynamic body is [m], 0 if there is none."""
+    """Return the smallest width of all shapes of dynamic bodies [m], 0 if there are none."""
     dynamic = [s for s in plain(space.shapes) if s.body and s.body.body_type == pymunk.Body.DYNAMIC]
     return min(map(width, dynamic), default=0.0)

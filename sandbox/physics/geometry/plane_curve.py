@@ -1,6 +1,6 @@
-"""A plane curve: its points, the point nearest to another, and its curvature.
+"""A plane curve: its points, the point nearest to another point, and its curvature.
 
-Everything is along the axes of its body, and a place on it is counted in the pieces of `Quintics`.
+All points are in the axes of the curve's body. The curve's parameter counts pieces of `Quintics`.
 """
 
 from dataclasses import dataclass
@@ -15,28 +15,29 @@ from sandbox.physics.geometry.distance import dot
 from sandbox.physics.geometry.quintics import Quintics
 
 KNOT = 16
-"""How many pieces are between two places at which it is looked at first."""
+"""The number of pieces between two knots, the points that a search tries first."""
 
 QUADRATIC = 1e-6
-"""Pieces, below which the course is as good as its own parabola."""
+"""Pieces, the Newton step below which the course equals its own parabola up to rounding."""
 
 HALVINGS = 60
-"""How often a foot is looked for; what Newton's method does not find is halved in on."""
+"""The most iterations of a search, by Newton's method or else bisection."""
 
 STRAIGHT = 1.01
-"""How many times as long as the straight ways between its points a course is, at the most."""
+"""The upper bound of a course's length over the chords between its points."""
 
 FOLLOWED = 0.125
-"""The share of a course by which a foot may go on in a step."""
+"""The largest fraction of a course by which a foot can move in a step."""
 
 FLATTEST = 1e-9
-"""1/m, the least curvature: what bends less is taken for a circle as large as this makes it."""
+"""1/m, the lower bound of the curvature; flatter parts count as a circle with this curvature."""
 
 TURN = 1.0
-"""rad, by which a stretch turns at the most, about."""
+"""rad, the approximate upper bound of the angle by which a stretch turns."""
 
 RISES = 1.001
-"""How many times the curvature between them two bends have that are told apart."""
+"""The ratio of two maxima of the curvature to the minimum between them from which they count as
+separate."""
 
 _GAUSS = tuple((0.5 + x, w) for x, w in ((-sqrt(0.15), 5 / 18), (0.0, 4 / 9), (sqrt(0.15), 5 / 18)))
 
@@ -47,13 +48,13 @@ class Foot(NamedTuple):
     Attributes
     ----------
     at
-        Where along it, in pieces.
+        The parameter, in pieces.
     point
-        [m].
+        The position [m].
     tangent
-        The unit vector along it.
+        The unit tangent.
     bend
-        The curvature, positive where it turns to the left; never 0 [1/m].
+        The curvature, positive where the course turns left; never 0 [1/m].
     """
 
     at: float
@@ -63,16 +64,16 @@ class Foot(NamedTuple):
 
 
 class Stretch(NamedTuple):
-    """A part of a course that bends one way, and is nearest to anything beside it at one point.
+    """A part of a course that bends one way, with one nearest point to anything beside it.
 
     Attributes
     ----------
     first, last
         The knots at its ends.
     bend
-        1 where it turns to the left, −1 to the right, 0 where it is straight.
+        1 if it turns left, −1 if right, 0 if it is straight.
     center, reach
-        A circle around it [m].
+        The centre and radius of a circle around it [m].
     """
 
     first: int
@@ -83,16 +84,18 @@ class Stretch(NamedTuple):
 
 
 class Course:
-    """A course through points at equal steps of its parameter, of a whole number of knots.
+    """The middle line of a curve, through points at equal steps of its parameter.
+
+    The number of pieces between the points is a multiple of `KNOT`.
 
     Attributes
     ----------
     stretches
-        The stretches of which the curve consists.
+        Its parts.
     ends
-        The first and last points; none if they are the same.
+        Its first and last point; empty if it is closed.
     spacing
-        How far it is from a knot to the next along it, at the most [m].
+        The largest length between successive knots [m].
     """
 
     def __init__(self, points: Points) -> None:
@@ -104,7 +107,7 @@ class Course:
         self.stretches = self._cut()
 
     def knot(self, point: complex, stretch: Stretch | None = None) -> tuple[int, complex]:
-        """Return which knot of the course, or of a stretch, is nearest to a point, and where."""
+        """Return the knot of the course or a stretch nearest to a point, and its position [m]."""
         first, last = self._range(stretch)
         way = self._knots[first : last + 1] - point
         near = first + int(np.argmin(way.real**2 + way.imag**2))
@@ -113,10 +116,10 @@ class Course:
     def foot(
         self, point: complex, stretch: Stretch | None = None, near: int | None = None
     ) -> Foot | None:
-        """Return the nearest point of the course, or of a stretch of it; by its nearest knot.
+        """Return the foot point on the course or a stretch, searched around the nearest knot.
 
-        There is none where that would be an end of it; a point that is beside the end of one
-        stretch, and so beside the beginning of the next, is beside the first of them alone.
+        None if the nearest point is an end. A point beside the common end of two stretches has a
+        foot point on the first of them only.
         """
         first, last = self._range(stretch)
         near = self.knot(point, stretch)[0] if near is None else near
@@ -128,16 +131,16 @@ class Course:
         return self._between(point, float(low), float(high), float(near * KNOT))
 
     def _range(self, stretch: Stretch | None) -> tuple[int, int]:
-        """Return the first and the last knot of a stretch, or of the whole."""
+        """Return the first and last knot of a stretch, or of the whole course."""
         return (stretch.first, stretch.last) if stretch else (0, len(self._knots) - 1)
 
     def follow(self, point: complex, at: float) -> Foot:
-        """Return the nearest point of the course that is near to a place on it."""
+        """Return the foot point on the course near a parameter."""
         reach = self._curve.count * FOLLOWED
         return self._between(point, at - reach, at + reach, at)
 
     def parallel(self, direction: complex, stretch: Stretch) -> Foot | None:
-        """Return where a stretch that bends runs in a direction, None if it does nowhere."""
+        """Return the point where a bent stretch runs in a direction; None if there is none."""
         low, high = float(stretch.first * KNOT), float(stretch.last * KNOT)
         at = (low + high) / 2
         if not stretch.bend or self._turned(low, direction) * self._turned(high, direction) > 0:
@@ -159,7 +162,7 @@ class Course:
         return self.look(at)
 
     def look(self, at: float) -> Foot:
-        """Return the point at a place."""
+        """Return the point at a parameter."""
         point, slope, bend = self._curve.at(at)
         speed = abs(slope)
         curvature = (slope.conjugate() * bend).imag / speed**3
@@ -168,21 +171,21 @@ class Course:
         return Foot(at, point, slope / speed, curvature)
 
     def length(self, start: float, end: float) -> float:
-        """Return how long a short way along the course is [m], negative backwards."""
+        """Return the arc length between two close parameters [m], negative backwards."""
         way = end - start
         return way * sum(w * abs(self._curve.at(start + x * way)[1]) for x, w in _GAUSS)
 
     def _ahead(self, at: float, point: complex) -> float:
-        """Return whether a point is ahead of a place, as a number, or behind it."""
+        """Return a positive number if a point is ahead of a parameter, negative if behind it."""
         place, slope, _ = self._curve.at(at)
         return dot(slope, point - place)
 
     def _turned(self, at: float, direction: complex) -> float:
-        """Return whether the course has turned to the left of a direction, as a number."""
+        """Return a positive number if the tangent is to the left of a direction, else negative."""
         return (direction.conjugate() * self._curve.at(at)[1]).imag
 
     def _between(self, point: complex, low: float, high: float, at: float) -> Foot:
-        """Return the nearest point between two places, by Newton's method."""
+        """Return the foot point between two parameters, by Newton's method and bisection."""
         for _ in range(HALVINGS):
             place, slope, bend = self._curve.at(at)
             away = point - place
@@ -199,7 +202,7 @@ class Course:
         return self.look(at)
 
     def _cut(self) -> tuple[Stretch, ...]:
-        """Return the stretches: from one bend to the next, and none turns by much."""
+        """Return the stretches, which end at maxima of curvature, inflections, or large turns."""
         _, slope, bend = self._curve.over(np.arange(0, self._curve.count + 1, KNOT))
         speed = np.abs(slope)
         size = float(np.abs(self._knots - self._knots[0]).max())
@@ -228,9 +231,9 @@ class Side:
     body
         The body's index.
     course, stretch
-        Of which course it is which part.
+        The course, and the part of it.
     half
-        How far its two sides are from the course [m].
+        The distance of the two sides from the course, half the thickness [m].
     """
 
     body: int
@@ -240,13 +243,13 @@ class Side:
 
 
 def _cuts(bends: np.ndarray, turns: np.ndarray) -> list[int]:
-    """Return the knots between stretches, the ends among them.
+    """Return the knots between stretches, and the two ends.
 
-    Between two points that are nearest to something on the same side there is one where the course
-    bends most; so it is cut there, where it begins to bend the other way, and where it has turned.
+    Between two foot points of the same point there is a maximum of curvature. So the course is cut
+    at the maxima, where the curvature changes sign, and after each turn by `TURN`.
     """
     cuts, turned = [0], 0.0
-    most, least = 0, abs(bends[0])  # since the last cut: where it bent most, and how little it did
+    most, least = 0, abs(bends[0])  # since the last cut: knot of most curvature, least curvature
     rising = False
     for knot in range(1, len(bends)):
         size = abs(bends[knot])

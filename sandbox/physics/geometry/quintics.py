@@ -1,4 +1,4 @@
-"""A smooth curve through points at equal steps of its parameter: a quintic through six at a time.
+"""A smooth curve through points at equal steps of its parameter: quintics through six points each.
 
 The parameter counts the pieces between the points. The plane is complex here.
 """
@@ -13,32 +13,32 @@ from sandbox.physics.engine.batch import Integers
 
 _FIT = np.linalg.inv(np.vander(np.arange(-2.0, 4.0), increasing=True))
 _BEFORE = np.array([6.0, -15.0, 20.0, -15.0, 6.0, -1.0])
-"""What the quintic through six points is, one point earlier."""
+"""The weights of six points that extrapolate their quintic to one point earlier."""
 
 BETTER = 0.1
-"""Points that are closer at the ends are used if their error is less than this share of that of
-equal steps."""
+"""The largest error of points that are closer together at the ends, over the error of equal steps,
+for which they are used."""
 
 
 class Quintics:
-    """A curve through points (n + 1,) [m]; one whose ends meet is closed.
+    """A curve through points (n + 1,) [m]; it is closed if its ends meet.
 
     Attributes
     ----------
     closed
-        Whether it is.
+        Whether it is closed.
     count
-        n, its pieces.
+        The number of pieces, n.
     """
 
     def __init__(self, points: Points) -> None:
         self.closed = is_closed(points)
         self._table = _quintics(points, self.closed)
         self.count = len(self._table)
-        self._pieces: dict[int, list[complex]] = {}  # of which a run asks for few, again and again
+        self._pieces: dict[int, list[complex]] = {}  # a cache: a run needs few of them repeatedly
 
     def over(self, places: Integers) -> tuple[Points, Points, Points]:
-        """Return what `at` does at the ends of pieces, (k,), all at once."""
+        """Return the results of `at` for many ends of pieces, (k,), at once."""
         piece = np.minimum(places, self.count - 1)
         u = places - piece
         a, b, c, d, e, f = self._table[piece].T
@@ -49,7 +49,7 @@ class Quintics:
         )
 
     def at(self, place: float) -> tuple[complex, complex, complex]:
-        """Return the point [m], and its first and second derivative by the number of pieces."""
+        """Return the point [m], and its first and second derivative by the parameter."""
         count = self.count
         piece = int(place // 1) % count if self.closed else min(max(int(place), 0), count - 1)
         u = place % count - piece if self.closed else place - piece
@@ -64,9 +64,9 @@ class Quintics:
 
 
 def course(wire: Wire, values: Values) -> Points:
-    """Return points through which quintics follow a wire: (n + 1,) [m].
+    """Return the points of a wire for quintics through them: (n + 1,) [m].
 
-    They are at equal steps of its own parameter, or closer at its ends where that follows better.
+    They are at equal steps of the wire's parameter, or closer at its ends if that is more accurate.
     """
     even = along(wire, values, 2 * PIECES)
     if is_closed(even):
@@ -76,14 +76,14 @@ def course(wire: Wire, values: Values) -> Points:
 
 
 def _off(points: Points, between: Points) -> float:
-    """Return the largest distance of quintics through points from those half-way between [m]."""
+    """Return the largest distance of quintics through points from given midpoints [m]."""
     halves = _quintics(points, is_closed(points)) @ 0.5 ** np.arange(6)
     off = np.abs(halves - between)
     return float(off.max()) if np.isfinite(off).all() else np.inf
 
 
 def _quintics(points: Points, closed: bool) -> Points:
-    """Return for each piece the coefficients of the quintic through its six nearest points."""
+    """Return the coefficients of each piece, the quintic through its six nearest points."""
     if closed:
         around = np.concatenate((points[-3:-1], points, points[1:3]))
     else:

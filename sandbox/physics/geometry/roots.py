@@ -1,18 +1,18 @@
-"""The root of a function of one number."""
+"""Finds a root of a function of one number."""
 
 from collections.abc import Callable
 from math import inf
 
 CLOSE = 1e-13
-"""A function this close to 0 counts as 0."""
+"""The absolute value below which a function counts as 0."""
 
 TRIES = 60
 
 
 def root(function: Callable[[float], float], until: float) -> float:
-    """Return where a function falls to 0 between 0 and another number; inf if it is not below it.
+    """Return a root of a falling function between 0 and `until`; inf if it is still positive there.
 
-    By the rule of false position, whose end that stays counts for half (the Illinois method).
+    It uses the Illinois method, false position with the value at a retained end halved.
     """
     low, high = 0.0, until
     above, below = function(low), function(high)

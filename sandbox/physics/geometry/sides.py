@@ -1,7 +1,7 @@
-"""On which side of a line a body is: segments, arcs and curves, from their start to their end.
+"""The side of a line on which a body is; lines are segments, arcs and curves from start to end.
 
-The side is that on which the point of the body lies that is nearest to the line. Points of the
-plane are complex numbers here, along the axes of the line.
+It is the side of the body's point that is nearest to the line. Points of the plane are complex
+numbers here, in the axes of the line.
 """
 
 from collections.abc import Sequence
@@ -18,16 +18,16 @@ if TYPE_CHECKING:
     from sandbox.model.expressions import Array
 
 LOOKS = 8
-"""How often the nearest points of a body and of a line are determined in turn."""
+"""The most alternating projections onto a line and a body to find their nearest points."""
 
 HALVINGS = 40
-"""How often an edge is bisected to find where it crosses a line."""
+"""The number of bisections of an edge to find where it crosses a line."""
 
 SAME = 1e-12
-"""m, by which a repeated search may find another point and count as converged."""
+"""m, the distance below which two points count as the same."""
 
 TOUCHING = 1e-6
-"""m, the overlap of touching bodies at which they still count as on one side."""
+"""m, the largest overlap of touching bodies that still count as on one side."""
 
 
 class Beside(NamedTuple):
@@ -38,14 +38,14 @@ class Beside(NamedTuple):
 
 
 class Line(Protocol):
-    """What has a left and a right."""
+    """A line with a left and a right side."""
 
     def beside(self, point: complex) -> Beside:
-        """Return the point of it that is nearest to another [m]."""
+        """Return its point nearest to another point [m]."""
 
 
 class Straight:
-    """A chain of straight pieces through two points or more [m]."""
+    """A chain of straight segments through two or more points [m]."""
 
     def __init__(self, points: Sequence[complex]) -> None:
         self._starts = np.array(points[:-1])
@@ -53,7 +53,7 @@ class Straight:
         self._squares = np.abs(self._ways) ** 2
 
     def beside(self, point: complex) -> Beside:
-        """Return the nearest point; in a corner, left is between the lefts of both pieces."""
+        """Return the nearest point; at a corner, left bisects the lefts of both segments."""
         share = ((point - self._starts) * self._ways.conj()).real / self._squares
         feet = self._starts + np.clip(share, 0, 1) * self._ways
         far: Array = np.abs(feet - point)
@@ -81,7 +81,7 @@ class Round:
 
 
 class Curved:
-    """A curve, in the direction in which its parameter runs."""
+    """A curve, in the direction of its increasing parameter."""
 
     def __init__(self, course: Course) -> None:
         self._course = course
@@ -95,18 +95,18 @@ class Curved:
 
 
 def side(line: Line, core: Sequence[complex], radii: float) -> tuple[int, float]:
-    """Return on which side of a line a body is, 1 to its left, −1 to its right, and how far [m].
+    """Return the side of a line on which a body is, 1 left and −1 right, and the gap [m].
 
-    The side is 0 if the line goes through it, or if it lies where the line would go on.
+    The side is 0 if the line passes through the body, or if the body is straight ahead of its end.
 
     Parameters
     ----------
     line
-        The middle of a line.
+        The line, without its thickness.
     core
-        The corners of a convex body, in order, or the middle of a disc [m].
+        The corners of a convex body, in order, or the centre of a disc [m].
     radii
-        By how much the two are thickened together [m].
+        The sum of the radii around line and core [m].
     """
     middle = sum(core) / len(core)
     beside, point = min(
@@ -125,7 +125,7 @@ def side(line: Line, core: Sequence[complex], radii: float) -> tuple[int, float]
 
 
 def _crosses(line: Line, start: complex, end: complex) -> bool:
-    """Whether a line and an edge cross."""
+    """Return whether a line and an edge cross."""
     low, high = _across(line, start), _across(line, end)
     if low * high > 0:
         return False
@@ -139,13 +139,13 @@ def _crosses(line: Line, start: complex, end: complex) -> bool:
 
 
 def _across(line: Line, point: complex) -> float:
-    """Return how far to the left of a line a point is [m]."""
+    """Return the distance of a point to the left of a line [m]."""
     beside = line.beside(point)
     return dot(point - beside.point, beside.left)
 
 
 def _is_on(line: Line, corner: complex, hand: int, radii: float) -> bool:
-    """Whether a corner of a body that touches a line is on one side of it, or beyond its ends."""
+    """Return whether a corner of a touching body is on one side of a line, or beyond its ends."""
     beside = line.beside(corner)
     way = corner - beside.point
     across = dot(way, beside.left)
@@ -153,7 +153,7 @@ def _is_on(line: Line, corner: complex, hand: int, radii: float) -> bool:
 
 
 def _between(line: Line, core: Sequence[complex], start: complex) -> tuple[Beside, complex]:
-    """Return points of a line and of a body that are nearest to each other, from where one is."""
+    """Return the nearest points of a line and of a body, searched from a point of the body."""
     point = start
     for _ in range(LOOKS):
         beside = line.beside(point)

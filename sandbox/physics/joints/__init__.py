@@ -1,1 +1,1 @@
-"""What joins bodies: exactly, as pymunk does, or as one."""
+"""Joints between bodies: exact ones, pymunk's own, and welds into one solid."""

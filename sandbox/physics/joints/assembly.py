@@ -1,7 +1,8 @@
-"""Making the joints of a scene: what holds exactly, and what pulls like a spring.
+"""Makes the joints of a scene: exact ones, springs, and those that pymunk solves.
 
 A plain string over pegs that shares no body with another exact joint is solved by itself, which is
-five times as fast. All other exact joints are solved together. pymunk solves what is not exact.
+five times as fast. All other exact joints are solved together. pymunk solves joints that are not
+exact.
 """
 
 from collections.abc import Mapping
@@ -51,11 +52,11 @@ from sandbox.physics.state.anchor import Anchor
 from sandbox.physics.state.errors import JointFailure
 
 NEAR = 1e-9
-"""m or rad, by which a rope may be too short, or a stop passed, where it is tied."""
+"""m or rad, the largest violation of a rope or stop at the time when it is tied."""
 
 FAR = 1e4
-"""m from the plane's origin, beyond which exact joints count places from among their bodies: there,
-a float knows a place worse than joints are kept."""
+"""m, the distance from the plane's origin beyond which exact joints use the centre of the bodies as
+origin: there, the rounding of positions exceeds the accuracy of joints."""
 
 
 def assemble(
@@ -73,21 +74,22 @@ def assemble(
     Parameters
     ----------
     level, values
-        What says which there are.
+        The level with the joints' models, and its parameters.
     bodies, batch
-        What they hold, and what reads and writes it; n of them.
+        The n bodies, and the batch that reads and writes them.
     inverse_mass
-        (n, 3), one over mass, mass and moment, 0 of what nothing moves or turns [1/kg, 1/(kg m²)].
+        (n, 3), the inverse mass, mass and moment of inertia, 0 of bodies that do not move or turn
+        [1/kg, 1/(kg m²)].
     touches
-        Tells which of the pairs that stick have met; None if none do.
+        Finds the pairs to stick together that have met; None if there are none.
     direct
-        Whether contacts are solved together with the exact joints, of which there may be none.
+        Whether contacts are solved together with the exact joints, even if there are none.
     """
     return _Assembly(level, values, bodies, inverse_mass, touches).joints(batch, direct=direct)
 
 
 class _Assembly:
-    """Makes joints one after the other; for the parameters see `assemble`."""
+    """Makes the joints one by one; for the parameters see `assemble`."""
 
     def __init__(
         self,
@@ -137,7 +139,7 @@ class _Assembly:
         return joints
 
     def _elastic(self, batch: Batch) -> JointSystem | None:
-        """Return the sides of the stops that give back speed, if there are any."""
+        """Return the sides of elastic stops; None if there are none."""
         level, start = self._level, _coordinates(self._bodies, self._origin)
         names = [name for name, _ in bouncing(level.joints)]
         made = [self._equations.of(name, self._solved(name), start) for name in names]
@@ -149,7 +151,7 @@ class _Assembly:
         return JointSystem(rows, others, batch, *inverse_mass, self._origin)
 
     def _make_one(self, name: str) -> None:
-        """Make two bodies one that a joint welds, if it does."""
+        """Join two bodies into one solid if the joint is a weld."""
         joint, solids = self._level.joints[name], self._joints.solids
         assert solids
         if isinstance(joint, Weld) and len(held := tuple(bodies_of(joint))) == 2:
@@ -162,18 +164,18 @@ class _Assembly:
         together.add(*self._equations.weld(f"{a} and {b}", *ends, together.place()))
 
     def _solved(self, name: str) -> Solved:
-        """Return a joint that is no force."""
+        """Return the model of a joint that is not a spring."""
         spec = self._level.joints[name]
         assert not isinstance(spec, Spring)
         return spec
 
     def _tie(self, name: str, t: float) -> None:
-        """Let an open joint hold what there is at a time [s]; its impact is still to come.
+        """Tie an open joint, which keeps its value at a time [s]; its impact is not solved here.
 
         Raises
         ------
         JointFailure
-            If it is a rope that is too short for that, or a stop that is passed already.
+            If it has a given length or bounds, and exceeds them already.
         """
         joints, spec = self._joints, self._solved(name)
         together = joints.together
@@ -197,7 +199,7 @@ class _Assembly:
         self._make_one(name)
 
     def _take_ours(self) -> tuple[list[Row], list[Equation]]:
-        """Make the joints that pymunk does not solve, and return what is to be solved together."""
+        """Make the joints that pymunk does not solve, and return those to be solved together."""
         level, values, joints, lengths = self._level, self._values, self._joints, self._lengths
         rows: list[Row] = []
         others: list[Equation] = []
@@ -215,7 +217,7 @@ class _Assembly:
         return rows, others
 
     def _take_own(self) -> None:
-        """Make the joints that pymunk solves, and put them into the space of their bodies."""
+        """Make the joints that pymunk solves, and add them to the space of their bodies."""
         values, bodies, joints = self._values, self._bodies, self._joints
         for name, spec in self._level.joints.items():
             if isinstance(spec, Own) and not spec.exact:
@@ -234,7 +236,7 @@ class _Assembly:
 
 
 def _require_made(joint: Model) -> None:
-    """Refuse a joint that nothing here makes, which mypy reports as well."""
+    """Refuse a joint without a case here, which mypy reports as well."""
     if not isinstance(joint, Solved | Spring):
         raise not_made(joint)
 
@@ -253,13 +255,13 @@ def _anchor(end: End, index: Mapping[str, int], values: Values) -> Anchor:
 
 
 def _origin(bodies: Mapping[str, pymunk.Body]) -> complex:
-    """Return from where places are counted [m]: from among bodies that are far away."""
+    """Return the origin of positions [m]: the centre of the bodies, if that is far away, else 0."""
     middle = sum(complex(*body.position) for body in bodies.values()) / len(bodies)
     return middle if abs(middle) > FAR else 0j
 
 
 def _coordinates(bodies: Mapping[str, pymunk.Body], origin: complex) -> Coordinates:
-    """Return where bodies are at the start, the plane itself last."""
+    """Return the positions at the start, the plane itself last."""
     places = [complex(*body.position) - origin for body in bodies.values()]
     angles = [body.angle for body in bodies.values()]
     return Coordinates.of(np.array([*places, 0j]), np.array([*angles, 0.0]))

@@ -1,13 +1,13 @@
-"""Joints that are cut, stick or catch while a scene runs."""
+"""Joints that are cut, tied, or weld bodies that stick, while a scene runs."""
 
 from sandbox.physics.joints.joints import Joints
 from sandbox.physics.state.kick import Kick
 
 
 def let_go(joints: Joints, name: str, t: float) -> None:
-    """Cut a joint at a time [s]; what is open, or cut already, is left alone.
+    """Cut a joint at a time [s], unless it is open or cut already.
 
-    A spring is a force, and has its switch for that.
+    A spring is a force law, which has its own switch.
     """
     if name in joints.cut or not joints.holds(name, t):
         return
@@ -22,7 +22,7 @@ def let_go(joints: Joints, name: str, t: float) -> None:
 
 
 def stick(joints: Joints, _kick: Kick) -> None:
-    """Weld those that have just met where they are."""
+    """Weld the bodies that have just met, at their present positions."""
     assert joints.touches and joints.solids and joints.weld  # noqa: PT018 (all come together)
     joints.touches.end_step()
     for a, b in joints.touches.latest:
@@ -31,9 +31,9 @@ def stick(joints: Joints, _kick: Kick) -> None:
 
 
 def catch(joints: Joints, name: str, t: float) -> bool:
-    """Tie a joint that is open, at a time [s]; tell whether it is one of those solved together.
+    """Tie an open joint at a time [s], and return whether it is solved together with others.
 
-    It holds what there is then. What it stops is an impact, which is still to come.
+    It keeps its value at that time. The impact of motion that it stops is not solved here.
     """
     latches = joints.latches
     if latches is None or name in latches.tied:

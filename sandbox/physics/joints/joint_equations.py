@@ -1,4 +1,4 @@
-"""The equations of joints, from what a level says of them."""
+"""The equations of joints, made from their models in a level."""
 
 from collections.abc import Callable, Mapping, Sequence
 from itertools import pairwise
@@ -53,26 +53,27 @@ Solved = Lengths | Turning | Wire
 Made = tuple[list[Row], Sequence[Equation]]
 
 DRAWN = 200
-"""How many pieces of a wire are shown."""
+"""The number of segments of a wire that are drawn."""
 
 
 class JointEquations:
-    """Makes the equations of a scene's joints, and notes what they measure by.
+    """Makes the equations of a scene's joints, and stores their wires and radii.
 
     Parameters
     ----------
     values
         The level's parameters.
     index
-        The numbers of its n bodies, by name.
+        The indices of its n bodies, by name.
     inverse_mass
-        (n, 3), one over mass, mass and moment, 0 of what nothing moves or turns [1/kg, 1/(kg m²)].
+        (n, 3), the inverse mass, mass and moment of inertia, 0 of bodies that do not move or turn
+        [1/kg, 1/(kg m²)].
     lengths
-        How far it is from end to end of each joint at the start, by name [m].
+        The length of each joint from end to end at the start, by name [m].
     joints
-        Has the points that each runs through; wires and wound radii are noted there.
+        Has the points that each joint runs through; wires and radii are stored there.
     origin
-        From where places are counted [m].
+        The origin of positions in the equations [m].
     """
 
     def __init__(
@@ -88,7 +89,7 @@ class JointEquations:
         self._lengths, self._joints, self._origin = lengths, joints, origin
 
     def of(self, name: str, spec: Solved, start: Coordinates) -> Made:
-        """Return the equations of a joint that is solved with others, from where bodies are."""
+        """Return the equations of a joint that is solved with others, for positions `start`."""
         joints, values = self._joints, self._values
         path = counted_from(self._origin, joints.paths[name])
         if isinstance(spec, Lengths):
@@ -107,7 +108,7 @@ class JointEquations:
         path: tuple[Anchor, ...],
         start: Coordinates,
     ) -> Made:
-        """Return the equations of a joint that holds a point, an angle, or a rolling way."""
+        """Return the equations of a joint that keeps a point, an angle, or a rolling distance."""
         (a, b), values, radii = path, self._values, self._joints.radii
         match spec:
             case Pivot():
@@ -135,29 +136,29 @@ class JointEquations:
                 raise _no_case(spec)
 
     def weld(self, name: str, a: Anchor, b: Anchor, start: Coordinates) -> Made:
-        """Return the equations that weld two bodies as they are."""
+        """Return the equations that weld two bodies at their positions `start`."""
         rows, others = weld(name, a, b, start)
         return rows, others if self.can_turn(a, b) else ()
 
     def can_turn(self, *anchors: Anchor) -> bool:
-        """Whether anything turns one of some bodies."""
+        """Return whether any of the bodies can turn."""
         held = [anchor.body for anchor in anchors if anchor.body is not None]
         return bool(self._inverse_mass[held, 2].any())
 
 
 def not_made(joint: object) -> IncompleteError:
-    """Return the error of a joint that nothing makes."""
+    """Return the error of a joint that has no equations here."""
     rule = f"add {type(joint).__name__} to sandbox/physics/joints/joint_equations.py"
     return IncompleteError(f"no code makes this joint: {rule}")
 
 
 def _no_case(joint: Never) -> IncompleteError:
-    """Return the same of a joint without a `case`, which mypy reports by the type."""
+    """Return the error of a joint without a `case`, which mypy reports by the type."""
     return not_made(joint)
 
 
 def counted_from(origin: complex, path: tuple[Anchor, ...]) -> tuple[Anchor, ...]:
-    """Return points through which a joint runs, those of the plane from another origin."""
+    """Return the points of a joint, with those of the plane relative to an origin."""
     return tuple(a if a.body is not None else Anchor(None, a.point - origin) for a in path)
 
 
@@ -193,9 +194,10 @@ def _in_time(length: Formula, values: Values) -> Callable[[float], float]:
 
 
 def _driven(rate: Formula, values: Values) -> Callable[[float], float]:
-    """Return what tells the angle that a motor has turned by, from one time asked for to the next.
+    """Return the function from a time to the angle that a motor has turned by until then.
 
-    By the midpoint rule: leapfrog's velocity between two steps is that of the middle.
+    It integrates the rate between successive calls by the midpoint rule, as leapfrog's velocity
+    between two steps is that of the middle.
     """
     if "t" not in rate.names:
         steady = rate(values)

@@ -14,20 +14,20 @@ from sandbox.physics.joints.pulley import PulleyString
 
 
 class Pulls(NamedTuple):
-    """What exact joints did in a kick; m equations, n bodies.
+    """The forces of exact joints in a kick; m equations, n bodies.
 
     Attributes
     ----------
     jacobian
-        (m, n, 3), how what they keep changes with the bodies' places and angles.
+        (m, n, 3), the derivatives of the equations by the bodies' positions and angles.
     tension
-        (m,), the force against that [N].
+        (m,), the forces along these rows, positive where they pull [N].
     pulls_only
-        (m,), whether they may be shorter, as ropes.
+        (m,), whether they can only pull, as ropes.
     changes
-        (m,), whether what they keep changes with time.
+        (m,), whether the values to keep change with time.
     joints
-        (m,), the names of the joints that they belong to.
+        (m,), the names of their joints.
     """
 
     jacobian: Array
@@ -37,9 +37,9 @@ class Pulls(NamedTuple):
     joints: NDArray[np.str_]
 
     def slack_before(self, last: "Pulls", first: "Pulls") -> Booleans:
-        """Return which of these did not pull in one of two kicks before: (m,).
+        """Return which of these did not pull in one of two earlier kicks: (m,).
 
-        Of what was not there then it is not known.
+        Equations that did not exist then count as not slack.
         """
         if all(np.array_equal(one.joints, self.joints) for one in (last, first)):
             return np.asarray((last.tension <= 0) | (first.tension <= 0))
@@ -47,14 +47,14 @@ class Pulls(NamedTuple):
         return np.array([row in slack for row in self.numbered()], dtype=bool)
 
     def new(self, last: "Pulls") -> Booleans:
-        """Return which of these were not there in the last kick: (m,)."""
+        """Return which of these did not exist in the last kick: (m,)."""
         if np.array_equal(last.joints, self.joints):
             return np.zeros(len(self.joints), dtype=bool)
         there = set(last.numbered())
         return np.array([row not in there for row in self.numbered()], dtype=bool)
 
     def numbered(self, which: Booleans | None = None) -> list[tuple[str, int]]:
-        """Return the joint of each, or of some of them, and the how many-th of that it is."""
+        """Return the joint of each equation, or of some, and its index among that joint's."""
         counts: Counter[str] = Counter()
         found = []
         for name in self.joints.tolist():
@@ -64,7 +64,7 @@ class Pulls(NamedTuple):
 
 
 def pulls_of(joints: Joints, count: int) -> Pulls:
-    """Return what the exact joints did in the last kick, to so many bodies."""
+    """Return the forces of the exact joints in the last kick on all `count` bodies."""
     parts = [
         _of_string(name, string, [joints.paths[name][end].body for end in (0, -1)], count)
         for name, string in joints.strings.items()
@@ -92,14 +92,14 @@ def _of_string(name: str, string: PulleyString, rows: Sequence[int | None], coun
 
 
 class Pull(NamedTuple):
-    """What a joint did to one body in the last kick.
+    """The force of a joint on one body in the last kick.
 
     Attributes
     ----------
     joint
-        Its name.
+        The name of the joint.
     wrench
-        The force and, about the body's centre of mass, the torque [N, N m].
+        The force, and the torque about the body's centre of mass [N, N m].
     """
 
     joint: str
@@ -107,7 +107,7 @@ class Pull(NamedTuple):
 
 
 def pulls_on(joints: Joints, row: int, count: int) -> Iterator[Pull]:
-    """Yield what the exact joints did to one of so many bodies, joint by joint."""
+    """Yield the force of each exact joint on the body `row` of all `count` bodies."""
     for name, string in joints.strings.items():
         one = _of_string(name, string, [joints.paths[name][end].body for end in (0, -1)], count)
         yield _on(name, row, one.jacobian, one.tension)

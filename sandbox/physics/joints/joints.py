@@ -1,4 +1,4 @@
-"""The joints of a scene, as a step needs them and as they are measured."""
+"""The joints of a scene, for its steps and for measurements."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
@@ -27,31 +27,32 @@ NO_PAIRS: Integers = np.empty((0, 2), dtype=np.intp)
 
 @dataclass(slots=True, kw_only=True)
 class Joints:
-    """All joints of a scene; j of them, in the level's order. None, unless said otherwise.
+    """All j joints of a scene, in the level's order; by default none.
 
     Attributes
     ----------
     paths
-        The points that each runs through, by name; of a wire, points of its curve.
+        The points that each joint runs through, by name; for a wire, points of its curve.
     lines
-        The names of rods, ropes and strings, which swing across when they are taut.
+        The names of rods, ropes and strings, which can oscillate transversely when they are taut.
     wires
-        What keeps bodies on wires, by name.
+        The equations that keep bodies on wires, by name.
     springs, strings, own, together
-        Those that are force laws, are solved by themselves, and are solved by pymunk, by name; all
-        other exact ones, None if there are none.
+        By name, the joints that are force laws, those that are solved by themselves, and those that
+        pymunk solves; all other exact joints, or None.
     radii
-        Of the circles on which strings are wound, by name [m].
+        The radii of the circles on which strings are wound, by name [m].
     twists
-        Whether any holds bodies against turning.
+        Whether any joint exerts a torque.
     solids
-        Who is welded or stuck to whom; None if nobody can be.
+        The bodies that are welded or stuck together; None if there can be none.
     touches, weld
-        Tells which of the pairs that stick have met, None if none do; welds two, by name.
+        Finds the pairs to stick together that have met, or None; a function that welds two bodies
+        by name.
     elastic, latches
-        The sides of stops that give back speed, and what ties open joints; None if there are none.
+        The sides of elastic stops, and the joints that events tie; None if there are none.
     cut
-        When joints were cut, by name [s].
+        The times at which joints were cut, by name [s].
     """
 
     paths: "dict[str, tuple[Anchor, ...]]" = field(default_factory=dict)
@@ -72,11 +73,11 @@ class Joints:
 
     @property
     def joined(self) -> Integers:
-        """(k, 2), who is part of one solid with whom, as numbers."""
+        """(k, 2), the indices of the bodies that were joined into one solid."""
         return self.solids.pairs if self.solids else NO_PAIRS
 
     def length(self, name: str, motion: Motion) -> Array:
-        """Return how long a joint is, from end to end, or as far as it is not wound [m]."""
+        """Return the length of a joint from end to end, without the part that is wound [m]."""
         from sandbox.physics.state.anchor import length
 
         distance = length(self.paths[name], motion)
@@ -84,14 +85,14 @@ class Joints:
         return distance if radius is None else np.sqrt(distance**2 - radius**2)
 
     def time(self, kick: float, drift: float) -> None:
-        """Set how long the next kicks last, and the drift that follows each [s]."""
+        """Set the durations of the next kicks, and of the drift after each [s]."""
         for own in self.own.values():
             own.time(kick, drift)
         if self.together:
             self.together.time(kick, drift)
 
     def refit(self, t: float) -> None:
-        """Take the present lengths as those that hold from a time on [s]."""
+        """Keep the present lengths from a time on [s]."""
         for string in self.strings.values():
             string.refit()
         for own in self.own.values():
@@ -102,23 +103,23 @@ class Joints:
             self.together.refit(t)
 
     def holds(self, name: str, t: float) -> bool:
-        """Whether a joint is there at a time [s]."""
+        """Return whether a joint is tied and not cut at a time [s]."""
         is_open = self.latches is not None and self.latches.is_open(name, t)
         return not (is_open or t >= self.cut.get(name, np.inf))
 
     def parting(self) -> tuple[str, float]:
-        """Return which of those solved together is furthest off, and by how much [m, rad]."""
+        """Return the joint of `together` with the largest residual, and the residual [m, rad]."""
         return self.together.parting() if self.together else ("", 0.0)
 
     def tension(self, name: str, snapshot: Snapshot) -> Array:
-        """Return the force with which a joint pulls, or a wire pushes to its left: (...) [N]."""
+        """Return the force by which a joint pulls, or a wire pushes to its left: (...) [N]."""
         if spring := self.springs.get(name):
             return spring.tension(snapshot)
         tension: Array = snapshot.tension[..., list(self.paths).index(name)]
         return tension
 
     def tensions(self) -> Array:
-        """Return the force with which each joint that is solved pulls now; 0 of springs: (j,)."""
+        """Return the forces by which joints pulled in the last kick, 0 for springs: (j,) [N]."""
         return np.array([self._tension(name) for name in self.paths], dtype=float)
 
     def _tension(self, name: str) -> float:
@@ -133,7 +134,7 @@ class Joints:
         return -force if name in self.wires else force
 
     def torque(self) -> Array:
-        """Return the torque of each joint on its second body in the last kick [N m]."""
+        """Return the torque of each joint on its second body in the last kick: (j,) [N m]."""
         torque = np.zeros(len(self.paths))
         if self.twists:
             for i, name in enumerate(self.paths):

@@ -13,11 +13,11 @@ class Latches:
     Attributes
     ----------
     names
-        Theirs; they hold nothing before.
+        The names of these joints, which are inactive until they are tied.
     tie
-        Lets one that is solved with others hold what there is at a time [s].
+        Ties a joint that is solved together with others, at a time [s].
     tied
-        When they were tied, by name [s].
+        The times at which joints were tied, by name [s].
     """
 
     names: frozenset[str]
@@ -25,5 +25,5 @@ class Latches:
     tied: dict[str, float] = field(default_factory=dict)
 
     def is_open(self, name: str, t: float) -> bool:
-        """Whether a joint has not caught yet at a time [s]."""
+        """Return whether a joint is still open at a time [s]."""
         return name in self.names and not t >= self.tied.get(name, np.inf)

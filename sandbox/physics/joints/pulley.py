@@ -1,23 +1,23 @@
 """Pulleys: a light, inextensible string over fixed pegs, which pymunk does not have.
 
-The unknown is one impulse along the string. It is chosen so that the string has its length *after
-the next drift*, at position level, which is the constrained form of leapfrog (SHAKE; Ryckaert,
-Ciccotti and Berendsen 1977):
+The unknown is one impulse along the string. It is solved for so that the string has its length
+*after the next drift*, at position level, which is the constrained form of leapfrog (SHAKE;
+Ryckaert, Ciccotti and Berendsen 1977):
 
     |x_a + h v_a − peg_a| + |x_b + h v_b − peg_b| − L = 0
 
-by Newton's method, with the pull along the string's direction at the step. What a drift adds to an
-arm r is written without a difference of lengths,
+by Newton's method, with the pull along the string's direction at the step. The change of an arm r
+by a drift d is written without a difference of lengths,
 
     |r + d| − |r| = (2 r + d) · d / (|r + d| + |r|),
 
-so that it is known to the rounding of d, not of r: a length of 6 m, known to 1e-15, gives
+so its error is the rounding of d, not of r: a length of 6 m, with an error of 1e-15, gives
 4e-12 m/s² when it is differenced twice at 60 Hz. The present error of the length is the rounding of
-places, and would be as noisy if it were taken back at once. Each step takes back a share of it.
+positions. Its correction in one step would be as noisy, so each step corrects a fraction of it.
 
-The impulse only ever pulls: where the equation asks for a push, the string is slack. The solver of
-contacts takes turns with the string. Where there are contacts, last step's pull therefore acts from
-the start of the kick, so that the solver knows of it.
+The impulse only pulls: where the equation needs a push, the string is slack. The solvers of
+contacts and of the string alternate. Where there are contacts, the pull of the last step therefore
+acts from the start of the kick, as a warm start that the solver of contacts takes into account.
 """
 
 from itertools import pairwise
@@ -34,28 +34,28 @@ from sandbox.physics.state.kick import Kick
 MAX_ITERATIONS = 20
 
 QUADRATIC = 1e-9
-"""How far the length may be off, relative to it, for one more of Newton's steps to leave nothing
-but rounding."""
+"""The relative error of the length below which one more Newton step leaves only rounding."""
 
 ROUNDING = 2e-15
-"""How far it may be off at a step by the rounding of places, relative to how far out they are."""
+"""The largest error of the length by the rounding of positions, relative to their distances from
+the origin."""
 
 SHARE = 1 / 64
-"""How much of that is taken back in a step."""
+"""The fraction of that error that is corrected in a step."""
 
 
 End = tuple[float, float, float, float, float, float, float]
-"""Of an end: its arm from its peg and how long that is [m], its velocity [m/s], and what a unit of
-impulse takes off that [1/kg]."""
+"""The arm of an end from its peg and its length [m], its velocity [m/s], and the decrease of that
+velocity by a unit of impulse [1/kg]."""
 
 
 class PulleyString:
-    """The string between two bodies, as it is solved in a step.
+    """The solver of a string between two bodies.
 
     Attributes
     ----------
     tension
-        The force with which the string pulled in the last kick [N].
+        The force by which the string pulled in the last kick [N].
     """
 
     def __init__(
@@ -72,24 +72,24 @@ class PulleyString:
         self._warm_start = 0.0  # the tension that has acted in this kick already
 
     def refit(self) -> None:
-        """Take the present path as the string's length, as after a body was put elsewhere."""
+        """Keep the present length of the path, as after a body was moved."""
         self._free_length = sum(hypot(*arm) for arm in self._arms())
         self.tension = 0.0
 
     def jacobian(self) -> tuple[XY, XY]:
-        """Return how its length changes with the places of its ends."""
+        """Return the gradients of the length by the positions of the ends."""
         (ax, ay), (bx, by) = self._arms()
         far_a, far_b = hypot(ax, ay) or 1.0, hypot(bx, by) or 1.0
         return (ax / far_a, ay / far_a), (bx / far_b, by / far_b)
 
     def _arms(self) -> tuple[XY, XY]:
-        """Return where the ends are, as seen from their pegs [m]."""
+        """Return the positions of the ends relative to their pegs [m]."""
         ax, ay, _, _, bx, by, _, _ = self._pair.read()
         (peg_ax, peg_ay), (peg_bx, peg_by) = self._pegs
         return (ax - peg_ax, ay - peg_ay), (bx - peg_bx, by - peg_by)
 
     def warm_start(self, _kick: Kick) -> None:
-        """Pull in this kick as in the one before, in the direction of now."""
+        """Apply the tension of the last kick to this one, in the present direction."""
         if not self.tension:
             return
         self._warm_start = self.tension
@@ -105,7 +105,7 @@ class PulleyString:
         ax, ay, bx, by = ax - peg_ax, ay - peg_ay, bx - peg_bx, by - peg_by
         far_a, far_b = hypot(ax, ay), hypot(bx, by)
         try:
-            # an end that nothing moves needs no direction: it may lie on its peg
+            # a fixed end needs no direction: it may lie on its peg
             reply_a = self._inverse[0] and self._inverse[0] / far_a
             reply_b = self._inverse[1] and self._inverse[1] / far_b
             px, py, qx, qy = reply_a * ax, reply_a * ay, reply_b * bx, reply_b * by
@@ -124,7 +124,7 @@ class PulleyString:
         self._warm_start = 0.0
 
     def _newton(self, kick: Kick, one: End, other: End) -> float:
-        """Return the impulse beyond the warm start's, found by Newton's method [N s]."""
+        """Return the impulse beyond that of the warm start, by Newton's method [N s]."""
         (ax, ay, far_a, ux, uy, px, py), (bx, by, far_b, vx, vy, qx, qy) = one, other
         h, lasts, close = kick.drift, kick.length, QUADRATIC * self._free_length
         least = -self._warm_start * lasts
@@ -133,7 +133,7 @@ class PulleyString:
             off *= SHARE
         impulse = self.tension * lasts + least
         for _ in range(MAX_ITERATIONS):
-            # how far both drift, where to, and how long their arms are then
+            # the displacements of both ends, and their arms after the drift
             dax, day = h * (ux - impulse * px), h * (uy - impulse * py)
             dbx, dby = h * (vx - impulse * qx), h * (vy - impulse * qy)
             tax, tay, tbx, tby = ax + dax, ay + day, bx + dbx, by + dby

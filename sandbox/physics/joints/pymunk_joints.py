@@ -1,11 +1,11 @@
 """pymunk's own joints: springs, and joints that levels declare as not exact.
 
-pymunk's solver takes turns between its constraints. How well it holds velocities depends on its
-iterations; positions it corrects later, by a share of their error.
+pymunk's solver iterates over its constraints one by one. The accuracy of velocities depends on the
+number of iterations; errors of positions are corrected by a fraction in each later step.
 
 A spring without a damper is not solved as a constraint. It pulls once a step, between drift and
-kick, by its extension there: this is leapfrog to the last digit, at a hundredth of what a force law
-costs.
+kick, by its extension there: this is leapfrog to the last digit, at a hundredth of the cost of a
+force law.
 """
 
 from collections.abc import Iterable, Sequence
@@ -17,7 +17,7 @@ from sandbox.model.joints import Motor, Own, Pivot, Rod, Rope, Weld
 from sandbox.physics.forces.spring import SpringForce
 
 End = tuple[pymunk.Body, tuple[float, float]]
-"""A body, and the point of it that is held, along its own axes [m]."""
+"""A body, and its anchor point in its own axes [m]."""
 
 
 class OwnJoint:
@@ -26,13 +26,13 @@ class OwnJoint:
     Parameters
     ----------
     spec, values
-        What it is.
+        The joint's model, and the level's parameters.
     ends
-        What it holds.
+        The bodies and points that it joins.
     length
-        How long a rod or a rope is [m].
+        The length of a rod or rope [m].
     turns
-        Whether the bodies can turn against each other.
+        Whether any of the bodies can turn.
     """
 
     def __init__(
@@ -54,28 +54,28 @@ class OwnJoint:
                 self._angular = (pymunk.GearJoint(a, b, b.angle - a.angle, 1),)
             case Motor(rate=rate):
                 self._linear = pymunk.PivotJoint(a, b, at, on)
-                # pymunk's rate is that of the first body against the second
+                # pymunk's rate is that of the first body relative to the second
                 self._angular = (pymunk.SimpleMotor(a, b, -rate(values)),)
         self._angular = self._angular if turns else ()
         self._kick = 1.0
 
     @property
     def constraints(self) -> Iterable[pymunk.Constraint]:
-        """What belongs in the space."""
+        """Its constraints, to be added to the space."""
         return self._linear, *self._angular
 
     def time(self, kick: float, _drift: float) -> None:
-        """Set how long the next kicks last [s]."""
+        """Set the duration of the next kicks [s]."""
         self._kick = kick
 
     def leave(self) -> None:
-        """Leave the space."""
+        """Remove the constraints from the space."""
         space = self._linear.a.space or self._linear.b.space
         assert space
         space.remove(*self.constraints)
 
     def refit(self) -> None:
-        """Take the present length as a rod's or a rope's, as after a body was put elsewhere."""
+        """Keep the present length of a rod or rope, as after a body was moved."""
         joint = self._linear
         if isinstance(joint, pymunk.PinJoint | pymunk.SlideJoint):
             here, there = (
@@ -99,7 +99,7 @@ class OwnJoint:
 
 
 def pull_by_pymunk(spring: SpringForce, bodies: Sequence[pymunk.Body], space: pymunk.Space) -> None:
-    """Let pymunk pull at the ends of a spring that neither damps nor lets go."""
+    """Let pymunk exert the force of a spring that neither damps nor is ever slack."""
     a, b = (space.static_body if e.body is None else bodies[e.body] for e in spring.ends)
     at, on = ((end.point.real, end.point.imag) for end in spring.ends)
     space.add(pymunk.DampedSpring(a, b, at, on, spring.length, spring.stiffness, 0.0))

@@ -1,4 +1,4 @@
-"""Springs, and strings that are solved by themselves, from what a level says of them."""
+"""Springs, and strings that are solved by themselves, made from their models in a level."""
 
 from collections.abc import Mapping
 from typing import cast
@@ -16,7 +16,7 @@ from sandbox.physics.state.anchor import Anchor
 def make_string(
     name: str, spec: Pulley, bodies: Mapping[str, pymunk.Body], path: float, values: Values
 ) -> PulleyString:
-    """Return a plain string over pegs; as long as its path [m], if the level does not say."""
+    """Return a plain string over pegs; its length is that of its path [m] unless given."""
     first, second = (_holder(end, bodies, values) for end in spec.ends)
     pegs: tuple[XY, ...] = tuple(evaluate(cast("Point", peg), values) for peg in spec.over)
     length = spec.length(values) if spec.length else path
@@ -34,7 +34,7 @@ def _holder(end: End, bodies: Mapping[str, pymunk.Body], values: Values) -> pymu
 def make_spring(
     spec: Spring, path: tuple[Anchor, ...], distance: float, values: Values
 ) -> SpringForce:
-    """Return a spring's force law; as long as the distance of its ends [m], if it is not said."""
+    """Return the force law of a spring; its length is the distance of its ends [m] unless given."""
     length = distance if spec.length is None else spec.length(values)
     law = Law(spec.law, values) if spec.law else None
     return SpringForce(

@@ -1,4 +1,4 @@
-"""Composites: bodies that are welded by the level, or stick at their first touch."""
+"""Composites: bodies that are welded by the level, or stick at their first contact."""
 
 from collections.abc import Iterable, Mapping, Sequence
 from functools import partial
@@ -14,12 +14,12 @@ if TYPE_CHECKING:
 
 
 class Solids:
-    """Which bodies are parts of one solid; such do not touch each other.
+    """Groups bodies into solids, whose parts do not collide with each other.
 
     Attributes
     ----------
     pairs
-        (k, 2), those that were joined, as numbers.
+        (k, 2), the indices of the bodies that were joined.
     """
 
     pairs: Integers
@@ -31,12 +31,12 @@ class Solids:
         self._begin()
 
     def _begin(self) -> None:
-        """Let every body be by itself."""
+        """Make every body a solid of its own."""
         self.pairs = np.empty((0, 2), dtype=np.intp)
         self._parts = {name: {name} for name in self._bodies}
 
     def part(self, joint: str) -> None:
-        """Take apart what a joint has made one, as far as no other joint does."""
+        """Undo what a joint has joined, unless another joint joins it too."""
         if not any(joint == by for _, _, by in self._by):
             return
         joined, self._by = [entry for entry in self._by if entry[2] != joint], []
@@ -48,7 +48,7 @@ class Solids:
             self.join(a, b, by)
 
     def join(self, a: str, b: str, by: str = "") -> bool:
-        """Make two bodies parts of one solid, by a joint; tell whether they were not yet."""
+        """Join two bodies into one solid, by a joint, and return whether they were separate."""
         self._by.append((a, b, by))
         if b in self._parts[a]:
             return False
@@ -64,16 +64,16 @@ class Solids:
 
 
 class Touches:
-    """Watches pairs of bodies for their first touch; pymunk leaves that impact to others.
+    """Watches pairs of bodies for their first contact, and keeps pymunk from solving its impact.
 
     Parameters
     ----------
     space
-        Where they move.
+        The space of the bodies.
     names
-        Of the bodies; the collision type of each is its number, counted from 1.
+        The names of the bodies; the collision type of each is its index from 1.
     pairs
-        Whom to watch.
+        The pairs to watch.
 
     """
 
@@ -100,11 +100,11 @@ class Touches:
         return self._latest
 
     def end_step(self) -> None:
-        """Turn to the pairs that have met since this was last called."""
+        """Make the pairs that have met since the last call the latest ones."""
         self._latest, self._met = self._met, {}
 
     def with_latest(self, contacts: Contacts) -> Contacts:
-        """Return the contacts of a step and those of the pairs that met in it, without forces."""
+        """Return the contacts of a step with those of the pairs that met in it, without forces."""
         if not self._latest:
             return contacts
         bodies = [[self._index[name] for name in pair] for pair in self._latest]

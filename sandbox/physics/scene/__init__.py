@@ -1,1 +1,1 @@
-"""From a level to a pymunk space, and which schemes and rates may run it."""
+"""Makes a pymunk space from a level, and checks schemes and rates."""

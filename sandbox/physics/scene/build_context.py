@@ -1,4 +1,4 @@
-"""What each part of a scene is handed while the scene is built."""
+"""Data that is passed between the parts of a scene while it is built."""
 
 from math import inf
 from typing import TYPE_CHECKING, NamedTuple
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 class Pairs(NamedTuple):
-    """The part of a `Scene` about pairs of bodies, and the coefficients of impacts in sequence."""
+    """The fields of a `Scene` for pairs of bodies, and the restitution of impacts in sequence."""
 
     callbacks: int = 0
     sticking: "Mapping[frozenset[int], Sticking]" = {}  # noqa: RUF012 (nobody writes to it)
@@ -30,7 +30,7 @@ class Pairs(NamedTuple):
 
 
 class Made(NamedTuple):
-    """What there is of a scene before contacts have a solver; see `Scene`."""
+    """The fields of a scene that are needed to make the solver of contacts; see `Scene`."""
 
     level: Level
     values: Values

@@ -1,9 +1,9 @@
 """Composition schemes: the drifts and kicks that make up a fourth-order step.
 
-A scheme of higher order is a row of drifts and kicks of different lengths, some of which go back in
-time. The kick at the end of a step belongs in equal parts to that step and to the next. pymunk
-takes a kick as long as the drift before it; forces are scaled so that it comes out as long as it
-should be.
+A scheme of higher order is a sequence of drifts and kicks of different durations, some of which go
+back in time. The kick at the end of a step belongs in equal parts to that step and to the next.
+pymunk's kick lasts as long as the drift before it; forces are scaled to give the impulse of the
+intended duration.
 """
 
 from collections.abc import Sequence
@@ -14,20 +14,20 @@ from sandbox.physics.scene.substeps import Substep
 
 
 class Composition(NamedTuple):
-    """Drifts and kicks in turn, as shares of a step; each add up to 1."""
+    """Alternating drifts and kicks, as fractions of a step; the sum of each is 1."""
 
     drifts: Sequence[float]
     kicks: Sequence[float]
     """after each drift; the last is shared with the next step"""
     reach: float
-    """the largest ω h at which an oscillation stays what it is: there the trace of the step's
-    matrix leaves −2 to 2"""
+    """the largest stable ω h of an oscillation, at which the trace of the step's matrix leaves the
+    range from −2 to 2"""
 
 
 def _composed(half: Sequence[float], reach: float) -> Composition:
-    """Compose leapfrog steps, given the first half and the middle one.
+    """Return a symmetric composition of leapfrog steps, from the first half and the middle one.
 
-    Each kick lasts as long as half of the drifts beside it.
+    The duration of each kick is the mean of the drifts before and after it.
     """
     drifts = (*half, *half[-2::-1])
     around = pairwise((*drifts, drifts[0]))
@@ -35,9 +35,9 @@ def _composed(half: Sequence[float], reach: float) -> Composition:
 
 
 def _split(drifts: Sequence[float], kicks: Sequence[float], reach: float) -> Composition:
-    """Make a symmetric scheme from its first drifts and kicks; the rest follows.
+    """Return a symmetric scheme, from its first drifts and kicks; the rest follows.
 
-    It begins with the first kick, which is therefore half of that at the end of a step.
+    The scheme begins with its first kick, which is half of the kick at the end of a step here.
     """
     first, *inner = kicks
     middle = 1 - 2 * sum(kicks)
@@ -50,7 +50,7 @@ _FIFTH = 1 / (4 - 4 ** (1 / 3))
 SUZUKI = _composed((_FIFTH, _FIFTH, 1 - 4 * _FIFTH), 2.7209745)
 """Five steps of leapfrog, the middle one back in time; M. Suzuki, Phys. Lett. A 146 (1990) 319.
 
-It composes any symmetric step of second order, so that with which exact joints hold as well.
+It composes any symmetric step of second order, so also steps with exact joints.
 """
 
 BLANES_MOAN = _split(
@@ -60,18 +60,18 @@ BLANES_MOAN = _split(
 )
 """Six kicks, SRKN6b of S. Blanes and P. C. Moan, J. Comput. Appl. Math. 142 (2002) 313.
 
-At the same work its error is a thirtieth of Suzuki's, and less. It is for x'' = f(x, t): its drifts
-must be exact, and those of bodies that joints hold are not.
+At the same cost its error is at most a thirtieth of Suzuki's. It is for x'' = f(x, t): its drifts
+must be exact, and those of bodies with exact joints are not.
 """
 
 
 def fourth_order(*, held: bool) -> Composition:
-    """Return what a step of fourth order is made of, where joints hold exactly or none does."""
+    """Return the scheme of fourth order, with (`held`) or without exact joints."""
     return SUZUKI if held else BLANES_MOAN
 
 
 def substeps(shares: Composition, dt: float) -> list[Substep]:
-    """Return the parts of a step [s]; the last is followed by the next one's first.
+    """Return the substeps of a step [s]; the drift after the last is the first of the next step.
 
     >>> [round(part.drift, 3) for part in substeps(SUZUKI, 0.5)]
     [0.207, 0.207, -0.329, 0.207, 0.207]

@@ -1,4 +1,4 @@
-"""Setting up contacts: shapes, the choice of solver, and who sticks to whom."""
+"""Sets up contacts: shapes, the choice of solver, and bodies that stick together."""
 
 from typing import TYPE_CHECKING
 
@@ -42,7 +42,7 @@ def make_contacts(
     values: Values,
     stepping: Stepping,
 ) -> Pairs:
-    """Give bodies the shapes with which they touch, and say what happens where they do."""
+    """Give bodies their shapes, and set up the handling of their contacts."""
     ours = not stepping.is_stock
     if ours:
         skip_ids(space, level)
@@ -80,7 +80,7 @@ def _make_shapes(
     skin: float,
     most: int,
 ) -> dict[str, list[pymunk.Shape]]:
-    """Put into a space what bodies touch each other with, unless that makes too many pairs."""
+    """Make the shapes of bodies and add them to the space; refuse too many pairs."""
     shapes = {
         name: make_surfaces(spec, bodies[name], level, values, skin, kind)
         for kind, (name, spec) in enumerate(level.bodies.items(), start=1)
@@ -90,7 +90,7 @@ def _make_shapes(
 
         keep_apart(space, bodies, pairs_apart)
     refuse_crowd(shapes, most)
-    for made in shapes.values():  # pymunk looks for pairs at once
+    for made in shapes.values():  # last, as pymunk looks for pairs at once
         space.add(*made)
     return shapes
 
@@ -98,7 +98,7 @@ def _make_shapes(
 def _make_gates(
     level: Level, values: Values, bodies: dict[str, pymunk.Body], skin: float
 ) -> "Gates | None":
-    """Make what lets bodies through surfaces one way, if there are any."""
+    """Make the gates of surfaces that let bodies through one way, if there are any."""
     if not any(body.one_way for body in level.bodies.values()):
         return None
     from sandbox.physics.contacts.one_way import Gates
@@ -109,7 +109,7 @@ def _make_gates(
 def _choose_solver(
     space: pymunk.Space, level: Level, values: Values, dt: float, *, direct: bool
 ) -> None:
-    """Leave contacts to what solves them directly, or say how pymunk is to take overlaps back."""
+    """Leave contacts to the direct solver, or set pymunk's correction of overlaps."""
     if direct:
         leave_contacts(space)
     else:
@@ -117,14 +117,14 @@ def _choose_solver(
 
 
 def _skin(*, ours: bool, direct: bool) -> float:
-    """Return how far flat surfaces stand proud [m]."""
+    """Return the thickness that is added to flat surfaces [m]."""
     if not ours:
         return 0.0
     return DIRECT_SKIN if direct else SKIN
 
 
 def make_direct(made: Made, pairs: Pairs) -> "Direct | None":
-    """Make what solves contacts and exact joints together, where the level wants it."""
+    """Make the direct solver of contacts and exact joints, if the level uses it."""
     level, stepping = made.level, made.stepping
     if stepping.is_stock or not is_direct(level, stepping):
         return None
@@ -144,7 +144,7 @@ def make_direct(made: Made, pairs: Pairs) -> "Direct | None":
 
 
 def make_sequence(made: Made, restitution: Array | None) -> "Sequential | None":
-    """Make what lets impacts come one after the other, where their coefficients say so."""
+    """Make the solver of impacts in sequence, if there are coefficients for it."""
     if restitution is None:
         return None
     from sandbox.physics.contacts.sequential_impacts import Sequence
@@ -154,7 +154,7 @@ def make_sequence(made: Made, restitution: Array | None) -> "Sequential | None":
 
 
 def touches_of(space: pymunk.Space, level: Level) -> Touches | None:
-    """Watch the pairs that are to stick to each other, if there are any."""
+    """Return the watch on pairs that are to stick together, if there are any."""
     sticking = level.effects.sticking
     if sticking is None:
         return None

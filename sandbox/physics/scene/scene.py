@@ -1,7 +1,7 @@
-"""From a level to a pymunk space, as the scene that a world runs.
+"""Makes a pymunk space from a level, as the scene that a world runs.
 
-What a level does not declare is not made: without contact no shape joins the space, without
-rotation every moment is infinite, without friction or restitution the coefficients are zero.
+Only effects that a level declares are set up: without contact there are no shapes in the space,
+without rotation every moment is infinite, without friction or restitution coefficients are zero.
 """
 
 from collections.abc import Mapping, Sequence
@@ -32,50 +32,51 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Scene:
-    """A level's objects in pymunk, and what must be known of them to run and to measure.
+    """A level's objects in pymunk, with the data for running and measuring it.
 
     Attributes
     ----------
+    space
+        pymunk's space.
     bodies
-        In the level's order, static and kinematic ones included; n of them.
+        The n bodies in the level's order, with static and kinematic ones.
     batch
-        Reads and writes them.
+        Reads and writes the bodies.
     mass, moment
-        (n,), of dynamic bodies at the start; 0 for others. The moment is 0, too, where nothing
-        rotates.
+        (n,), of dynamic bodies at the start, 0 for others [kg, kg m²]. The moment is also 0 in a
+        level without rotation.
     inertia
         (n, 3), mass, mass and moment [kg, kg m²].
     share
-        How they change.
+        The masses over those at the start, as a function of time.
     inverse_mass
-        (n, 3), what a force or torque is multiplied by to give an acceleration: one over the
-        inertia, 0 of what nothing moves or turns [1/kg, 1/(kg m²)].
+        (n, 3), one over the inertia, 0 of bodies that do not move or turn [1/kg, 1/(kg m²)].
     joints
         The joints, in the level's order.
     pair_callbacks
-        How many callbacks the pairs with coefficients of their own make, with a contact each.
+        The number of callbacks by the pairs with coefficients of their own, with one contact each.
     sticking
-        The friction of pairs whose static coefficient is larger, by their bodies' numbers.
+        The friction of pairs whose static coefficient is larger, by the indices of their bodies.
     sequence
-        Lets impacts come one after the other; None where that is not how the level wants them.
+        The solver of impacts in sequence; None if the level does not use it.
     reach
-        How far from the origin pymunk can look for pairs [m].
+        The distance from the origin within which pymunk finds pairs [m].
     direct
-        Solves contacts and exact joints together; None where pymunk solves contacts.
+        The solver of contacts together with exact joints; None if pymunk solves contacts.
     hollows
-        The arcs, and the hoops that may have something in them; None if there are none.
+        The arcs, and the hoops that may have bodies inside; None if there are none.
     gates
         The surfaces that let bodies through one way; None if there are none.
     gravity, laws
-        What acts on the bodies; gravity is pymunk's own.
+        Uniform gravity, which pymunk applies, and the force laws.
     hooked
-        The laws that need a hook: all but the springs that pymunk pulls.
+        The laws that need a hook: all but the springs that pymunk applies.
     turns
-        What turns velocities, and does no work.
+        The laws that turn velocities, and do no work.
     switches
-        Of the forces that events switch, by name.
+        The switches of forces that events turn on and off, by name.
     happened
-        The events that were, and when [s].
+        The times of the events so far, by name [s].
     """
 
     space: pymunk.Space
@@ -108,7 +109,7 @@ def make_scene(level: Level, values: Values, stepping: Stepping) -> Scene:
     Raises
     ------
     SimulationError
-        If springs or drags are too strong for the rate, or bodies overlap that may not.
+        If springs or drags are too strong for the rate, or bodies overlap that must not.
     """
     space, bodies = _make_space(level, values, stepping)
     pairs = _touching(space, bodies, level, values, stepping)
@@ -152,7 +153,7 @@ def make_scene(level: Level, values: Values, stepping: Stepping) -> Scene:
 def _make_space(
     level: Level, values: Values, stepping: Stepping
 ) -> tuple[pymunk.Space, dict[str, pymunk.Body]]:
-    """Make the space, and the bodies in it."""
+    """Make the space with its bodies."""
     space = pymunk.Space()
     space.iterations = stepping.iterations
     bodies = {name: make_body(name, level, values) for name in level.bodies}
@@ -163,7 +164,7 @@ def _make_space(
 def _hooked(
     made: Made, forces: tuple[Law, ...], turns: tuple[Turn, ...], share: Share
 ) -> tuple[Law, ...]:
-    """Return the laws that are called in each step, if the rate is high enough for all."""
+    """Return the laws that are called in each step; refuse a rate that is too low for any."""
     if not (made.joints.springs or forces or turns):
         return forces
     from sandbox.physics.scene.springs import check_rate, hooked_springs
@@ -173,10 +174,7 @@ def _hooked(
 
 
 def _inertia(bodies: Sequence[pymunk.Body]) -> tuple[Array, Array, Array, Array]:
-    """Return masses and moments, 0 where nothing moves or turns [kg, kg m²].
-
-    (n,) and (n,), and for the coordinates x, y, θ: (n, 3), and the inverse of that, 0 for 0.
-    """
+    """Return masses (n,), moments (n,), inertia (n, 3) and its inverse (n, 3); see `Scene`."""
     dynamic = [body.body_type == pymunk.Body.DYNAMIC for body in bodies]
     moment = np.array([body.moment for body in bodies])
     mass = np.where(dynamic, [body.mass for body in bodies], 0.0)
@@ -193,7 +191,7 @@ def _touching(
     values: Values,
     stepping: Stepping,
 ) -> Pairs:
-    """Give bodies the shapes with which they touch, if they do."""
+    """Set up contacts, if the level has any."""
     if not level.effects.contact:
         return Pairs()
     from sandbox.physics.scene.contact_setup import make_contacts
@@ -210,7 +208,7 @@ def _make_joints(
     inverse_mass: Array,
     pairs: Pairs,
 ) -> Joints:
-    """Make the joints, if anything may ever hold bodies together."""
+    """Make the joints; also for contacts, which may be solved together with exact joints."""
     contact = level.effects.contact
     if not (level.joints or contact or level.effects.sticking):
         return Joints()
@@ -229,7 +227,7 @@ def _make_joints(
 
 
 def _make_switches(level: Level, joints: Joints) -> "Switches":
-    """Make what events switch on and off, if anything ever happens."""
+    """Make the switches of forces, if the level has events."""
     if not level.happens:
         return {}
     from sandbox.physics.scene.switches import make_switches
@@ -238,7 +236,7 @@ def _make_switches(level: Level, joints: Joints) -> "Switches":
 
 
 def _solvers(made: Made, pairs: Pairs) -> "tuple[Direct | None, Sequential | None]":
-    """Make what solves contacts, or impacts, where that is not pymunk."""
+    """Make the solvers of contacts and of impacts in sequence; None where pymunk solves them."""
     if not made.level.effects.contact:
         return None, None
     from sandbox.physics.scene.contact_setup import make_direct, make_sequence

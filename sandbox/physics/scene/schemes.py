@@ -1,4 +1,4 @@
-"""Which schemes of integration a level may have."""
+"""The schemes of integration that suit a level."""
 
 from collections.abc import Iterator
 from typing import get_args
@@ -10,21 +10,21 @@ from sandbox.physics.state.errors import SchemeError
 
 
 def require(level: Level, scheme: Scheme) -> None:
-    """Refuse a scheme that is not for a level.
+    """Refuse a scheme that does not suit a level.
 
     Raises
     ------
     SchemeError
-        If it is not.
+        If it does not.
     """
     if scheme == "fourth-order" and (rule := unsmooth(level)):
         raise SchemeError(rule)
 
 
 def usable(level: Level) -> Iterator[Scheme]:
-    """Yield the schemes that are for a level and differ there.
+    """Yield the schemes that suit a level and differ from each other there.
 
-    Without a force law there is nothing that explicit Euler takes at another place.
+    Explicit Euler differs from leapfrog only by where force laws are evaluated.
     """
     for scheme in get_args(Scheme):
         if scheme == "fourth-order" and unsmooth(level):

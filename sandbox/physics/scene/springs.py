@@ -1,4 +1,4 @@
-"""Which springs pymunk handles itself, and whether the rate is high enough for all forces."""
+"""Selects the springs that pymunk applies itself, and checks the rate for all forces."""
 
 from collections.abc import Iterator, Sequence
 
@@ -15,7 +15,7 @@ from sandbox.physics.state.motion import Reading
 
 
 def check_rate(made: Made, forces: Sequence[Law], turns: Sequence[Turn]) -> None:
-    """Refuse a rate that is too low for the springs, for the drags, or for what turns."""
+    """Refuse a rate that is too low for springs, drags, or forces that turn velocities."""
     joints, inverse_mass, stepping = made.joints, made.inverse_mass, made.stepping
     drags = [law for law in forces if law.effect.sees_velocity and not stepping.is_stock]
     if not (joints.springs or drags or turns):
@@ -40,10 +40,11 @@ def _reach(stepping: Stepping, *, held: bool) -> float:
 
 
 def hooked_springs(made: Made, share: Share) -> Iterator[SpringForce]:
-    """Leave plain springs to pymunk, and yield the others.
+    """Add plain springs to pymunk's space, and yield all others.
 
-    Where bodies touch, what pulls them apart from contacts must be known by itself; where matter
-    flows, masses are known only in the hook; and pymunk's pulls are those of leapfrog.
+    pymunk applies none in a level with contacts, where forces other than those of contacts must be
+    known; none where masses change, as these are known only in the hook; and none in schemes other
+    than leapfrog.
     """
     level, bodies = made.level, list(made.bodies.values())
     space, flows = bodies[0].space, isinstance(share, MassFlows)

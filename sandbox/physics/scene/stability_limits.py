@@ -1,4 +1,4 @@
-"""The rate that springs and drag need: below it, leapfrog is unstable."""
+"""The rates that springs and drag need; below these, leapfrog is unstable."""
 
 from collections.abc import Mapping, Sequence
 from math import inf
@@ -16,13 +16,13 @@ from sandbox.physics.state.errors import SimulationError
 from sandbox.physics.state.motion import Instant, Motion
 
 MARGIN = 4
-"""The advised rate as a multiple of the least: there the energy swings by 6 % at most."""
+"""The advised rate over the least stable one; at it the energy oscillates by at most 6 %."""
 
 READABLE = 1e9
-"""Hz, up to which a rate is given to the last digit."""
+"""Hz, the rate below which all digits are given."""
 
 CLOSE = 1 + 1e-9
-"""How much a rate may be too low, by rounding."""
+"""The largest ratio of the rate needed to the rate given, for rounding errors."""
 
 PROBE = 1e-6
 """m/s, the velocity at which the damping of bodies at rest is determined."""
@@ -31,21 +31,21 @@ PROBE = 1e-6
 def check_drag(
     law: Law, names: Sequence[str], start: Motion, joints: Joints, inverse_mass: Array, rate: float
 ) -> None:
-    """Refuse a law that slows a body down so strongly that each step would throw it back further.
+    """Refuse a drag so strong that velocities would alternate and grow from step to step.
 
-    As leapfrog guesses velocities, a law may take no more than all of one in a step. One that grows
-    faster than the velocity is known where it begins.
+    With the velocities that leapfrog extrapolates, the drag must not take more than the whole
+    velocity in a step. A drag that grows faster than the velocity is evaluated at the start.
 
     Parameters
     ----------
     law
-        One that depends on each body's own velocity.
+        A law that depends on each body's own velocity.
     names, inverse_mass
         (n,) and (n, 3), of the bodies; see `check_springs`.
     start
-        Their motion at the start.
+        The motion at the start.
     joints
-        Those of the scene: a light body that is held to a heavy one is slowed down with it.
+        The joints of the scene: a light body joined to a heavy one slows down with it.
     rate
         Steps a second [Hz].
 
@@ -54,7 +54,7 @@ def check_drag(
     SimulationError
         If the scene is not stable at that rate; it names the effect and the body.
     """
-    with np.errstate(all="ignore"):  # what is not finite is told by the watchdog
+    with np.errstate(all="ignore"):  # the watchdog reports values that are not finite
         taken = np.asarray(_strength(law, start) * inverse_mass[:, 0])
         braked = _braking(law, start, inverse_mass[:, 2])
     if (needed := float(braked.max(initial=0.0))) > rate * CLOSE:
@@ -68,11 +68,11 @@ def check_drag(
 
 
 def check_turn(turn: Turn, names: Sequence[str], start: Motion, rate: float) -> None:
-    """Refuse a law that turns velocities by more than 2 rad in a step, as springs' limit is.
+    """Refuse a law that turns velocities by more than 2 rad in a step, as the limit of springs.
 
-    A circle would be wider than it should be by a fifth of it; see `check_drag` for the parameters.
+    There a circle is too large by a fifth. See `check_drag` for the parameters.
     """
-    with np.errstate(all="ignore"):  # what is not finite is told by the watchdog
+    with np.errstate(all="ignore"):  # the watchdog reports values that are not finite
         turning = np.abs(turn.rate(start))
     row = int(turning.argmax())
     if (needed := float(turning[row]) / 2) > rate * CLOSE:
@@ -92,12 +92,12 @@ def _strength(law: Law, motion: Motion) -> Array:
 
 
 def _braking(law: Law, start: Motion, inverse_mass: Array) -> Array:
-    """Return how fast a law slows down the turning of each body, with what it turns against: (n,).
+    """Return the decay rates of angular velocities by a law, with reactions: (n,) [1/s].
 
     Parameters
     ----------
     inverse_mass
-        (n,), one over the moments [1/(kg m²)].
+        (n,), the inverse moments of inertia [1/(kg m²)].
     """
     found = np.zeros_like(inverse_mass)
     motion = Instant.of(start)
@@ -113,9 +113,9 @@ def _braking(law: Law, start: Motion, inverse_mass: Array) -> Array:
 
 
 def _held(taken: Array, inverse_mass: Array, joints: Joints) -> float:
-    """Return the fastest decay that joints leave [1/s], of those of free bodies: (n,).
+    """Return the fastest decay with joints [1/s], from the rates of free bodies: (n,) [1/s].
 
-    The largest eigenvalue of √M⁻¹ C √M⁻¹ in the directions that exact joints leave free.
+    It is the largest eigenvalue of √M⁻¹ C √M⁻¹ in the directions that exact joints leave free.
     """
     decay = np.stack((taken, taken, np.zeros_like(taken)), axis=1).ravel()
     if not joints.together:
@@ -139,11 +139,11 @@ def check_springs(
     Parameters
     ----------
     springs
-        All of a scene, by name.
+        All springs of a scene, by name.
     inverse_mass
-        (n, 3), one over mass, mass and moment [1/kg, 1/(kg m²)].
+        (n, 3), one over mass, mass and moment of inertia [1/kg, 1/(kg m²)].
     angle
-        (n,), of the bodies at the start [rad].
+        (n,), the angles of the bodies at the start [rad].
     rate
         Steps a second [Hz].
     reach
@@ -152,7 +152,7 @@ def check_springs(
     Raises
     ------
     SimulationError
-        If the scene is not stable at that rate; it names the spring that asks for most.
+        If the scene is not stable at that rate; it names the spring that needs the highest.
     """
     needed, name = limit(springs, inverse_mass, angle)
     needed *= 2 / reach
@@ -183,16 +183,16 @@ def _refused(
 def limit(
     springs: Mapping[str, SpringForce], inverse_mass: Array, angle: Array
 ) -> tuple[float, str]:
-    """Return the rate at which springs are just stable [Hz], and the name of the stiffest.
+    """Return the rate at which springs are just stable [Hz], and the spring that needs most alone.
 
-    See `check_springs` for what they are given.
+    See `check_springs` for the parameters.
     """
     if not springs:
         return 0.0, ""
     delassus = _delassus(list(springs.values()), inverse_mass, angle)
     stiffness = np.repeat([spring.steepness for spring in springs.values()], 2)
     damping = np.repeat([spring.damping for spring in springs.values()], 2)
-    with np.errstate(all="ignore"):  # what is more than a number holds is infinite
+    with np.errstate(all="ignore"):  # values beyond the range of floats become infinite
         needed = just_stable(*(_largest(delassus, weight) for weight in (stiffness, damping)))
         own = delassus.diagonal()
         alone = [just_stable(k, c) for k, c in zip(stiffness * own, damping * own, strict=True)]
@@ -200,25 +200,25 @@ def limit(
 
 
 def just_stable(stiffness: float, damping: float) -> float:
-    """Return the rate at which a mode is just stable [Hz].
+    """Return the rate at which a mode x'' = −k x − c x' is just stable [Hz].
 
-    At the limit velocities change sign each step. In that, x'' = −k x − c x' with the velocity
-    guessed from the two before, 3/2 and −1/2, gives k h² / 4 + c h = 1: ω h = 2 without damping.
+    At the limit velocities change sign in each step. With the velocity extrapolated from the two
+    before, by weights 3/2 and −1/2, this gives k h² / 4 + c h = 1: ω h = 2 without damping.
     """
     return float(damping + np.sqrt(damping**2 + stiffness)) / 2
 
 
 def _largest(delassus: Array, weight: Array) -> float:
-    """Return the largest eigenvalue of M⁻¹ K, by that of √k J M⁻¹ Jᵀ √k."""
+    """Return the largest eigenvalue of M⁻¹ K, which is that of √k J M⁻¹ Jᵀ √k."""
     root = np.sqrt(weight)
     matrix = root[:, None] * delassus * root
     return float(np.linalg.eigvalsh(matrix)[-1]) if np.isfinite(matrix).all() else inf
 
 
 def _delassus(springs: list[SpringForce], inverse_mass: Array, angle: Array) -> Array:
-    """Return how the ends of springs part by unit forces along others: J M⁻¹ Jᵀ, (2 s, 2 s).
+    """Return the relative accelerations of springs' ends by unit forces: J M⁻¹ Jᵀ, (2 s, 2 s).
 
-    Each counts in both directions of the plane, for it may come to point in any.
+    Each spring has rows for both axes of the plane, as its direction can change.
     """
     jacobian = np.zeros((len(springs), 2, len(inverse_mass), 3))
     for row, spring in zip(jacobian, springs, strict=True):

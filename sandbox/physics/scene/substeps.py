@@ -9,20 +9,20 @@ class Substep(NamedTuple):
     drift: float
     """s, backwards if negative"""
     ahead: float
-    """how much of the step the drift brings to an end"""
+    """the fraction of the step that is over after the drift"""
     kick: float
-    """s, how long the kick lasts"""
+    """s, the duration of the kick"""
     following: float
-    """s, the drift after that kick"""
+    """s, the duration of the drift after that kick"""
 
     @property
     def scale(self) -> float:
-        """What forces are multiplied by, for pymunk's kick lasts as long as the drift."""
+        """The factor of forces, since pymunk's kick lasts as long as the drift before it."""
         return self.kick / self.drift
 
 
 def once(dt: float) -> Substep:
-    """Return the one part of a step of a length [s]: leapfrog's.
+    """Return the single substep of a leapfrog step of a duration [s].
 
     >>> once(0.5)
     Substep(drift=0.5, ahead=1, kick=0.5, following=0.5)

@@ -1,4 +1,4 @@
-"""The switches of a scene, one for each thing that events cut or switch."""
+"""The switches of a scene, one for each force that events turn on and off or cut."""
 
 from dataclasses import replace
 
@@ -9,7 +9,7 @@ from sandbox.physics.joints.joints import Joints
 
 
 def make_switches(level: Level, joints: Joints) -> Switches:
-    """Make a switch for everything that events switch, and connect the springs among it."""
+    """Make a switch for each force that events switch, and connect those of springs."""
     switches = {name: Switch(first) for name, first in switched(level).items()}
     for name in switches.keys() & joints.springs.keys():
         joints.springs[name] = replace(joints.springs[name], switch=switches[name])

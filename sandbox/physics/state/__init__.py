@@ -1,1 +1,1 @@
-"""What moves, frozen: the state at a step, and how it is read."""
+"""The state at a step as immutable data, and access to it."""

@@ -1,4 +1,4 @@
-"""Anchors: the points of bodies on which joints hold."""
+"""Anchors: the points of bodies to which joints are attached."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -18,7 +18,7 @@ _NOTHING: Plane = np.zeros((), dtype=complex)
 
 @dataclass(frozen=True, slots=True)
 class Anchor:
-    """A point of a body, from its centre of mass along its axes; of the plane if the body is None.
+    """A point of a body, from its centre of mass in its axes; of the plane if the body is None.
 
     The plane is complex: x + iy [m].
     """
@@ -27,7 +27,7 @@ class Anchor:
     point: complex = 0j
 
     def look(self, motion: Motion) -> tuple[Plane, Plane, Plane]:
-        """Return where it is [m], how it moves [m/s], and its arm from the centre of mass [m]."""
+        """Return its position [m], velocity [m/s], and lever arm from the centre of mass [m]."""
         place, arm = self.find(motion)
         if self.body is None:
             return place, _NOTHING, arm
@@ -37,7 +37,7 @@ class Anchor:
         return place, moves, arm
 
     def find(self, motion: Motion) -> tuple[Plane, Plane]:
-        """Return where it is [m], and its arm from the centre of mass [m]."""
+        """Return its position [m], and its lever arm from the centre of mass [m]."""
         if self.body is None:
             return np.asarray(self.point), _NOTHING
         place = _plane(motion.position[..., self.body, :])
@@ -53,6 +53,6 @@ def _plane(vectors: Array) -> Plane:
 
 
 def length(path: Sequence[Anchor], motion: Motion) -> Array:
-    """Return how long it is from the first of some points to the last, through all others [m]."""
+    """Return the length of a path through points [m]."""
     places = [anchor.find(motion)[0] for anchor in path]
     return np.asarray(sum(np.abs(b - a) for a, b in pairwise(places)))

@@ -1,26 +1,26 @@
-"""Cancellation points: places in a long computation where it can be broken off.
+"""Cancellation points: places in a long computation where it can be cancelled.
 
-The loops that can make one step last for seconds come to a `cancellation_point` each time round.
-pymunk's own step and a call of LAPACK have none, and always run to their end. A cancellation point
-does nothing unless somebody has asked for it by `cancellable`.
+Loops that can make a step last for seconds call `cancellation_point` in each iteration. pymunk's
+step and calls of LAPACK have none, and always run to their end. A cancellation point does nothing
+outside of `cancellable`.
 """
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
 Look = Callable[[], None]
-"""Looks at the situation; raises a `SandboxError` to cancel."""
+"""A check that raises a `SandboxError` to cancel."""
 
 _asked: tuple[Look, ...] = ()
 
 
 def cancellation_point() -> None:
-    """Let the waiting caller look; a run that it cancels has ended.
+    """Call the checks of all enclosing `cancellable` blocks; a run that they cancel has ended.
 
     Raises
     ------
     SandboxError
-        The errors they raise.
+        If a check cancels.
     """
     for look in _asked:
         look()
@@ -28,7 +28,7 @@ def cancellation_point() -> None:
 
 @contextmanager
 def cancellable(look: Look) -> Iterator[None]:
-    """Ask at every cancellation point inside, together with earlier requests."""
+    """Call a check at every cancellation point inside, after those of outer blocks."""
     global _asked
     before, _asked = _asked, (*_asked, look)
     try:

@@ -10,29 +10,29 @@ from sandbox.model.message import NOTHING, Message
 
 
 def way_out(needed: float, rate: float) -> Message:
-    """Return what to do where a higher rate would hold [Hz], if a level may have that."""
+    """Return the advice to take the rate needed [Hz], or that no allowed rate is enough."""
     if needed > HIGHEST_RATE:
         return Message("no 'rate' that a level may have is enough")
     return Message("take a higher 'rate': {needed:,}, not {rate:g}", needed=ceil(needed), rate=rate)
 
 
 class SimulationError(SandboxError):
-    """A run that had to stop; the world keeps the last state that was good.
+    """A run that had to stop; the world keeps its last valid state.
 
     Attributes
     ----------
     subject
-        The body or joint that is to blame.
+        The body or joint that caused it.
     time
-        When it was noticed [s].
+        The time at which it was noticed [s].
     rate
-        Steps a second at which it should hold; None if no rate that a level may have does [Hz].
+        The steps a second that should suffice; None if no allowed rate does [Hz].
     reason
-        The message.
+        The cause.
     hint
-        What may help, which nobody has tried; empty if nothing is known.
+        A possible remedy; empty if none is known.
     place
-        Where in the level's file the cause stands, if the world could not even start.
+        The location of the cause in the level's file, if the world could not start.
     """
 
     def __init__(
@@ -54,7 +54,7 @@ class SimulationError(SandboxError):
         super().__init__(self.with_advice(hint))
 
     def __reduce__(self) -> tuple[object, ...]:
-        """Let it be told in another process, too."""
+        """Support pickling, to pass the error to another process."""
         arguments = self.subject, self.time, self.reason, self.rate, self._path, self.hint
         return type(self), arguments, {"place": self.place}
 
@@ -63,30 +63,30 @@ class SimulationError(SandboxError):
 
     @property
     def message(self) -> Message:
-        """What is wrong and when, with the hint, to be translated."""
+        """The cause and the time, with the hint, for translation."""
         return self.with_advice(self.hint)
 
     def with_advice(self, advice: Message) -> Message:
-        """Return the message with some advice; none if that is empty."""
+        """Return the message, with advice unless that is empty."""
         begin = self.place or Message("stopped at t = {t:.6g} s", t=self.time)
         told = Message("{begin}: {reason}", begin=begin, reason=self.reason)
         return Message("{told}; {advice}", told=told, advice=advice) if advice else told
 
     def when(self, condition: str) -> "SimulationError":
-        """Return the same, of values of the parameters only."""
+        """Return the same error, restricted to some values of the parameters."""
         reason = Message("{reason} when {condition}", reason=self.reason, condition=condition)
         return SimulationError(self.subject, self.time, reason, self.rate, self._path, self.hint)
 
     def advised(self, hint: Message, rate: float | None) -> "SimulationError":
-        """Return the same error with remedies, and a rate that works [Hz]."""
+        """Return the same error with a remedy, and a rate that works, if any [Hz]."""
         found = SimulationError(self.subject, self.time, self.reason, rate, self._path, hint)
         found.place = self.place
         return found
 
     def refuse(self, level: Level) -> None:
-        """Say where in a level that cannot start the cause stands, instead of when it stopped.
+        """Name the cause's location in a level that cannot start, instead of the time.
 
-        The subject of the message, if nothing else is known.
+        If no location was given, it is that of the subject.
         """
         parts = (part for part in ("joints", "bodies") if self.subject in getattr(level, part))
         path = self._path or next(((part, self.subject) for part in parts), ())
@@ -94,10 +94,7 @@ class SimulationError(SandboxError):
 
 
 class BreakdownError(SimulationError):
-    """A run that ended for an unforeseen reason: a defect of the program.
-
-    What was raised is its cause.
-    """
+    """A run that ended by an unforeseen exception, its cause: a defect of the program."""
 
     def __init__(self, error: Exception, time: float) -> None:
         what = " ".join(f"{error}".split()) or Message("no more is known")
@@ -114,13 +111,13 @@ class BreakdownError(SimulationError):
 
 
 class SchemeError(SandboxError):
-    """A scheme that is asked of a level which it is not for."""
+    """A scheme that does not suit a level."""
 
 
 class JointFailure(Exception):  # noqa: N818 (not an error to be shown: the world adds the time)
     """A joint that cannot be kept.
 
-    It could with `finer` times as many steps, if that is known.
+    `finer` is the factor of more steps with which it could, if known.
     """
 
     def __init__(self, joint: str, reason: Message, finer: float | None = None) -> None:
@@ -129,7 +126,7 @@ class JointFailure(Exception):  # noqa: N818 (not an error to be shown: the worl
 
 
 class NoForces(Exception):  # noqa: N818 (as above)
-    """Two bodies that touch, between which no forces were found."""
+    """Two touching bodies for whose contact the solver found no forces."""
 
     def __init__(self, a: int, b: int) -> None:
         self.bodies = a, b

@@ -1,4 +1,4 @@
-"""A kick, as it is handed to everything that acts in it."""
+"""A kick, as it is passed to everything that acts in it."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -20,28 +20,28 @@ class Clock:
 
 @dataclass(frozen=True, slots=True)
 class Kick:
-    """A kick of n bodies, as it is handed on to what acts in it.
+    """A kick of n bodies, as it is passed to everything that acts in it.
 
-    Time is counted in steps, so that it is the same everywhere to the last digit. The kick of
-    most steps differs from the last in nothing but the time, and is made once.
+    Time is counted in steps, so that it is the same everywhere to the last digit. The kicks of most
+    steps differ only in time, so one object serves for all of them.
 
     Attributes
     ----------
     clock
         Counts the steps.
     ahead
-        When it acts: so many steps after the last that was counted.
+        The time of the kick, in steps after the last that was counted.
     length
-        How long it lasts [s].
+        Its duration [s].
     drift
-        How long the drift after it lasts [s]; backwards if negative.
+        The duration of the drift after it, negative if backwards [s].
     ends
-        Where that drift is taken to end, so many steps after the kick.
+        The end of that drift, in steps after the kick.
     scale
-        What forces are multiplied by, for pymunk's kick lasts as long as the drift before it.
+        The factor of forces, since pymunk's kick lasts as long as the drift before it.
     start
-        (n, 3), the velocities right at its start, of bodies that stand still to be kicked
-        [m/s, rad/s]; None where they come out of a drift, with velocities half a kick old.
+        (n, 3), the velocities at its start [m/s, rad/s], for a kick of bodies that are held in
+        place; None if it follows a drift, whose velocities are those of half a kick earlier.
     at_step
         Whether it begins at a step, with the velocities there.
     """
@@ -57,14 +57,14 @@ class Kick:
 
     @property
     def t(self) -> float:
-        """When it acts [s]."""
+        """The time of the kick [s]."""
         return (self.clock.steps + self.ahead) * self.clock.dt
 
     @property
     def until(self) -> float:
-        """The end of the drift after it, through which joints hold [s]."""
+        """The time at the end of the drift after it, where joints hold [s]."""
         return (self.clock.steps + self.ahead + self.ends) * self.clock.dt
 
 
 Work = Callable[[Kick], None]
-"""A part of a kick; it is called with the kick."""
+"""A part of a step; it is called with the kick."""

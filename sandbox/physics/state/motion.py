@@ -1,4 +1,4 @@
-"""The motion of bodies, in the form that force laws and joints read."""
+"""The motion of bodies, as read by force laws and joints."""
 
 from typing import NamedTuple, Protocol
 
@@ -8,9 +8,9 @@ from sandbox.model.expressions import Array
 
 
 class Motion(Protocol):
-    """What a law may look at: an instant of n bodies, or many, with time in front.
+    """The motion of n bodies at one instant, or at many along leading axes, as input of laws.
 
-    A `Snapshot` is one; in a step the velocities are the best guess of those at the step.
+    A `Snapshot` is one. Within a step, the velocities are the best estimate of those at the step.
     """
 
     @property
@@ -20,22 +20,22 @@ class Motion(Protocol):
 
     @property
     def position(self) -> Array:
-        """(..., n, 2) [m]."""
+        """The positions: (..., n, 2) [m]."""
         ...
 
     @property
     def angle(self) -> Array:
-        """(..., n) [rad]."""
+        """The angles: (..., n) [rad]."""
         ...
 
     @property
     def velocity(self) -> Array:
-        """(..., n, 2) [m/s]."""
+        """The velocities: (..., n, 2) [m/s]."""
         ...
 
     @property
     def angular_velocity(self) -> Array:
-        """(..., n) [rad/s]."""
+        """The angular velocities: (..., n) [rad/s]."""
         ...
 
 
@@ -50,25 +50,25 @@ class Instant(NamedTuple):
 
     @classmethod
     def of(cls, motion: Motion) -> "Instant":
-        """Return a motion, or as much of it, as one that can be changed in parts."""
+        """Return the fields of a motion as an `Instant`, which can be changed by `_replace`."""
         return cls(*(getattr(motion, field) for field in cls._fields))
 
     @classmethod
     def at(cls, t: float, place: Array, velocity: Array) -> "Instant":
-        """Return the motion at a time [s], of two arrays (..., n, 3) [m, rad, m/s, rad/s]."""
+        """Return the motion at a time [s], from two arrays (..., n, 3) [m, rad, m/s, rad/s]."""
         moves, turns = velocity[..., :2], velocity[..., 2]
         return cls(np.asarray(t), place[..., :2], place[..., 2], moves, turns)
 
 
 class Reading:
-    """The motion of n bodies as one array, from which laws take what they need; see `Motion`.
+    """The motion of n bodies, as views of one array; see `Motion`.
 
     Attributes
     ----------
     t
         The time [s].
     state
-        (n, 6), x, y, angle, and how fast they change [m, rad, m/s, rad/s].
+        (n, 6), x, y, angle, and their rates of change [m, rad, m/s, rad/s].
     """
 
     __slots__ = ("state", "t")
@@ -78,34 +78,34 @@ class Reading:
 
     @property
     def position(self) -> Array:
-        """(n, 2) [m]."""
+        """The positions: (n, 2) [m]."""
         return self.state[:, :2]
 
     @property
     def angle(self) -> Array:
-        """(n,) [rad]."""
+        """The angles: (n,) [rad]."""
         return self.state[:, 2]
 
     @property
     def velocity(self) -> Array:
-        """(n, 2) [m/s]."""
+        """The velocities: (n, 2) [m/s]."""
         return self.state[:, 3:5]
 
     @property
     def angular_velocity(self) -> Array:
-        """(n,) [rad/s]."""
+        """The angular velocities: (n,) [rad/s]."""
         return self.state[:, 5]
 
 
 def momentum(share: Array, place: Array) -> Array:
-    """Return x, y and, about the origin, the angular momentum of n bodies: (3,).
+    """Return the total momentum of n bodies, and the angular momentum about the origin: (3,).
 
     Parameters
     ----------
     share
-        (n, 3), each one's momentum, and its angular momentum about its own centre; or impulses.
+        (n, 3), each body's momentum, and angular momentum about its own centre; or impulses.
     place
-        (n, 2) or, with the angles, (n, 3), where they are [m].
+        (n, 2) or, with angles, (n, 3), the positions [m].
     """
     x, y = place.T[:2]
     moment = x * share[:, 1] - y * share[:, 0] + share[:, 2]
@@ -118,9 +118,9 @@ def kinetic_energy(mass: Array, moment: Array, motion: Motion) -> Array:
     Parameters
     ----------
     mass, moment
-        (..., n), 0 of what nothing moves, or turns [kg, kg m²].
+        (..., n), 0 for bodies that do not move or turn [kg, kg m²].
     motion
-        How they move.
+        The motion of the bodies.
     """
     square = np.sum(motion.velocity * motion.velocity, axis=-1)
     return np.asarray((mass * square + moment * motion.angular_velocity**2) / 2)

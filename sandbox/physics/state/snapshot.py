@@ -11,10 +11,10 @@ from sandbox.model.expressions import Array
 
 @dataclass(frozen=True, slots=True)
 class Snapshot:
-    """Everything that moves, read at one instant; n bodies in the level's order, j joints.
+    """The state of a world at one instant; n bodies and j joints, in the level's order.
 
-    Arrays may have leading dimensions in front of those given here: a recorded run of T steps is a
-    snapshot too, with T in front. Velocities are those *at* the step, not between two steps.
+    Arrays may have leading axes before those given here: a recorded run of T steps is a snapshot
+    with a leading axis of length T. Velocities are those *at* the step, not between two steps.
 
     Attributes
     ----------
@@ -25,12 +25,12 @@ class Snapshot:
     angle, angular_velocity, angular_acceleration
         (n,) [rad, rad/s, rad/s²].
     normal, friction
-        (n,), the sizes of the contact forces on each body, added up [N].
+        (n,), the sums of the sizes of the contact forces on each body [N].
     tension
-        (j,), with which each joint pulls [N]; of a wire, with which it pushes its bead to its left.
-        0 of springs: theirs follows from the motion (`Joints.tension`).
+        (j,), the force by which each joint pulls, or a wire pushes its bead to its left [N]. It is
+        0 for springs, whose force follows from the motion (`Joints.tension`).
     torque
-        (j,), of each weld or motor on its second body [N m].
+        (j,), the torque of each joint on its second body [N m].
     """
 
     t: Array
@@ -47,6 +47,6 @@ class Snapshot:
 
     @classmethod
     def stack(cls, snapshots: Sequence[Self]) -> Self:
-        """Put instants of one world behind each other, time in front."""
+        """Return many instants of one world as one snapshot, with time as the leading axis."""
         names = [field.name for field in fields(cls)]
         return cls(**{name: np.array([getattr(s, name) for s in snapshots]) for name in names})

@@ -1,1 +1,1 @@
-"""Joints that hold to rounding: what they say, and how they are solved together."""
+"""Joints that hold to rounding: their equations, and solvers for them."""

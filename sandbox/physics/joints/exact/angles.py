@@ -1,4 +1,4 @@
-"""Equations in which bodies turn: a fixed angle, or a string wound on a wheel."""
+"""Equations with the angles of bodies: fixed angles, gears, and strings wound on wheels."""
 
 from cmath import exp, phase
 from collections.abc import Callable, Sequence
@@ -15,14 +15,14 @@ from sandbox.physics.state.anchor import Anchor
 from sandbox.physics.state.errors import JointFailure
 
 PLANE = -1
-"""The number of the plane itself, which is the last of the bodies."""
+"""The index of the plane itself, which is the last of the bodies."""
 
 
 @dataclass(frozen=True, slots=True)
 class Turn:
-    """How far one body turns with another is given: ±(θ_b − n θ_a − (1 − n) θ_c) [rad].
+    """Keeps the angle of a body b relative to a: ±(θ_b − n θ_a − (1 − n) θ_c) [rad].
 
-    n is 1 where an angle is kept, and c the arm of a gear that turns itself.
+    n is the ratio of a gear, else 1; c is the arm that carries the gear.
     """
 
     joint: str
@@ -36,7 +36,7 @@ class Turn:
     carrier: int = PLANE
 
     def look(self, place: Coordinates) -> tuple[float, Sequence[Share]]:
-        """Return the angle, and its jacobian."""
+        """Return the angle, and its gradient."""
         shares = (
             Share(self.b, 0j, float(self.sense)),
             Share(self.a, 0j, -self.sense * self.ratio),
@@ -47,9 +47,9 @@ class Turn:
 
 @dataclass(frozen=True, slots=True)
 class Meshed:
-    """A bar moves as a wheel turns: u · (r − r_wheel) − R θ is given [m].
+    """A bar that moves as a wheel turns: u · (r − r_wheel) − R θ is kept [m].
 
-    u is the way of the bar, which does not turn; the teeth push along it, at the wheel's rim.
+    u is the fixed direction of the bar; the teeth push along it, at the wheel's rim.
     """
 
     joint: str
@@ -62,7 +62,7 @@ class Meshed:
     pulls_only: bool = False
 
     def look(self, place: Coordinates) -> tuple[float, Sequence[Share]]:
-        """Return how far the bar is beyond what the wheel has turned, and the gradient of that."""
+        """Return the displacement of the bar beyond the wheel's rotation, and its gradient."""
         body = number(self.end)
         arm = self.end.point * exp(1j * place.angle[body])
         apart = complex(place.plane[body] + arm - place.plane[self.wheel])
@@ -75,11 +75,12 @@ class Meshed:
 
 @dataclass(slots=True)
 class Wound:
-    """A string that is wound on a wheel: s ± R (φ − θ) is given, free and wound together [m].
+    """A string wound on a wheel: its length s ± R (φ − θ), free and wound, is kept [m].
 
-    s = √(d² − R²) is free, θ is the wheel's angle, and at φ the string leaves the wheel; the sign
-    is + where the wheel turns counter-clockwise to give off string. φ is followed around and around
-    from one look to the next. The gradient is the direction of the free string.
+    s = √(d² − R²) is the free length, θ the wheel's angle, and φ the angle at which the string
+    leaves the wheel; the sign is + if the wheel turns counter-clockwise to unwind the string. φ is
+    continuous from one look to the next, over any number of turns. The gradient is the direction of
+    the free string.
     """
 
     joint: str
@@ -93,12 +94,12 @@ class Wound:
     _contact: float = field(default=0.0, init=False)
 
     def look(self, place: Coordinates) -> tuple[float, Sequence[Share]]:
-        """Return how long it is, free and wound, and the gradient of that.
+        """Return the length, free and wound, and its gradient.
 
         Raises
         ------
         JointFailure
-            If its end is within the wheel.
+            If the end of the string is inside the wheel.
         """
         body = number(self.end)
         arm = self.end.point * exp(1j * place.angle[body])
@@ -128,34 +129,34 @@ def pin(name: str, a: Anchor, b: Anchor) -> list[Row]:
 
 
 def weld(name: str, a: Anchor, b: Anchor, start: Coordinates) -> tuple[list[Row], list[Equation]]:
-    """Return the equations that keep b where it is from a, and at its angle to it."""
+    """Return the equations that keep the position and angle of b relative to a."""
     return pin(name, Anchor(a.body, where(a, b, start)), b), [turn(name, a, b, start)]
 
 
 def where(a: Anchor, b: Anchor, start: Coordinates) -> complex:
-    """Return where the point b is on the body of a, along its axes [m]."""
+    """Return the position of the point b in the axes of the body of a [m]."""
     first, second = number(a), number(b)
     point = start.plane[second] + b.point * exp(1j * start.angle[second])
     return complex((point - start.plane[first]) * exp(-1j * start.angle[first]))
 
 
 def meshed(name: str, end: Anchor, wheel: Anchor, radius: float, way: complex) -> Meshed:
-    """Return the equation of a bar that a wheel moves; it is still to be told how far it is."""
+    """Return the equation of a bar that a wheel moves; `starting` sets its value."""
     return Meshed(name, end, number(wheel), radius, way / abs(way))
 
 
 def starting(equation: Gearing, start: Coordinates) -> Gearing:
-    """Return an equation that keeps what it is at the start."""
+    """Return the equation that keeps the value at the start."""
     return replace(equation, length=equation.look(start)[0])
 
 
 def geared(name: str, a: Anchor, b: Anchor, ratio: float, carrier: int) -> Turn:
-    """Return the equation by which b turns with a; it is still to be told how far it is."""
+    """Return the equation by which b turns with a; `starting` sets its value."""
     return Turn(name, number(a), number(b), 0.0, ratio=ratio, carrier=carrier)
 
 
 def angle_stops(name: str, a: Anchor, b: Anchor, least: float, most: float) -> list[Turn]:
-    """Return the equations that keep the angle that b has to a between two."""
+    """Return the equations that keep the angle of b relative to a between two bounds [rad]."""
     bodies = number(a), number(b)
     return [
         Turn(name, *bodies, sense * limit, pulls_only=True, sense=sense)
@@ -164,7 +165,7 @@ def angle_stops(name: str, a: Anchor, b: Anchor, least: float, most: float) -> l
 
 
 def stops(name: str, a: Anchor, b: Anchor, way: complex, limits: tuple[float, float]) -> list[Row]:
-    """Return the equations that keep how far along a way a is from b between two [m]."""
+    """Return the equations that keep the distance of a from b along a direction in bounds [m]."""
     along, (least, most) = way / abs(way), limits
     return [
         Row(name, [(b, a)], most, pulls_only=True, along=along),
@@ -179,7 +180,7 @@ def turn(
     start: Coordinates,
     changing: Callable[[float], float] | None = None,
 ) -> Turn:
-    """Return the equation that keeps the angle that b has to a, or adds to it in time."""
+    """Return the equation that keeps the angle of b relative to a, plus a given change in time."""
     first, second = number(a), number(b)
     angle = float(start.angle[second] - start.angle[first])
     return Turn(name, first, second, angle, changing)
@@ -188,7 +189,7 @@ def turn(
 def winding(
     name: str, end: Anchor, wheel: Anchor, radius: float, sense: int, start: Coordinates
 ) -> Wound:
-    """Return the equation of a string that is as long as it is at the start."""
+    """Return the equation that keeps the length of a wound string at the start."""
     assert wheel.body is not None
     wound = Wound(name, end, wheel.body, radius, sense)
     wound.length = wound.look(start)[0]
@@ -196,5 +197,5 @@ def winding(
 
 
 def number(anchor: Anchor) -> int:
-    """Return the number of the body that an anchor belongs to."""
+    """Return the index of an anchor's body."""
     return PLANE if anchor.body is None else anchor.body

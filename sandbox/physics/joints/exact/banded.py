@@ -1,8 +1,8 @@
-"""Many rods, ropes and pivots solved at a cost that grows with their number.
+"""Many rods, ropes and pivots as a banded system, at a cost linear in their number.
 
-An equation meets only those that share a body with it. Numbered so that these stand close together
-(Cuthill and McKee 1969), the system of a chain has three diagonals, and that of a net few for its
-size: LU factors of a band take m b², where those of the whole take m³.
+Equations are coupled only if they share a body. Ordered so that coupled equations are close
+together (Cuthill and McKee 1969), the matrix of a chain has three diagonals, and that of a net few
+for its size. The LU factorisation of a band takes m b² operations, that of a full matrix m³.
 """
 
 from collections.abc import Iterator
@@ -16,16 +16,16 @@ from sandbox.physics.joints.exact.constraints import MAX_ITERATIONS, QUADRATIC, 
 from sandbox.physics.joints.exact.distances import Reaches
 
 FEWEST = 48
-"""Equations from which on a band is worth while."""
+"""The smallest number of equations for which a band pays."""
 
 NARROW = 0.2
-"""The share of the equations that a band may be wide, each way."""
+"""The largest half bandwidth that pays, over the number of equations."""
 
 Places = NDArray[np.intp]
 
 
 class Look(NamedTuple):
-    """What equations add up to (m,), and the entries of their Jacobian."""
+    """The values of equations (m,), and the entries of their Jacobian."""
 
     total: Array
     partials: Array
@@ -37,11 +37,11 @@ class Banded:
     Parameters
     ----------
     reaches
-        The pieces of the equations.
+        The segments of the equations.
     count
-        m.
+        The number of equations, m.
     inverse
-        (3 N,), one over the mass or moment of each coordinate.
+        (3 N,), the inverse mass or moment of inertia of each coordinate.
     """
 
     def __init__(self, reaches: Reaches, count: int, inverse: Array) -> None:
@@ -60,7 +60,7 @@ class Banded:
         self._size = (3 * self.width + 1) * count
 
     def _meetings(self) -> Iterator[tuple[int, int]]:
-        """Yield which two entries are of the same coordinate, of those that move."""
+        """Yield the pairs of entries of the same coordinate, for coordinates that can change."""
         held: dict[int, list[int]] = {}
         for entry in np.flatnonzero(self._weight).tolist():
             held.setdefault(int(self._column[entry]), []).append(entry)
@@ -69,32 +69,37 @@ class Banded:
 
     @property
     def pays(self) -> bool:
-        """Whether it is cheaper than a system of all with all."""
+        """Whether the band is cheaper than the full matrix."""
         return self._count >= FEWEST and self.width <= NARROW * self._count
 
     def look(self, place: Coordinates) -> Look:
-        """Return what the equations add up to somewhere, and their Jacobian there."""
+        """Return the values of the equations at given positions, and their Jacobian."""
         return Look(*self._reaches.measure(place))
 
     def along(self, look: Look, motion: Array) -> Array:
-        """Return how fast the equations change with a motion (3 N,): (m,)."""
+        """Return the rates J v of the equations at velocities v (3 N,): (m,)."""
         moved = look.partials * motion[self._column]
         return np.bincount(self._row, moved, self._count).astype(float, copy=False)
 
     def response(self, look: Look, impulse: Array) -> Array:
-        """Return what impulses (m,) along the Jacobian change of the motion: (3 N,)."""
+        """Return the velocity changes M⁻¹ Jᵀ λ by impulses λ (m,): (3 N,)."""
         push = impulse[self._row] * look.partials * self._weight
         return np.bincount(self._column, push, len(self._inverse)).astype(float, copy=False)
 
     def solved(self, there: Look, here: Look, violation: Array) -> Array:
-        """Return the impulses along the Jacobian here that change what is there by so much: (m,).
+        """Return the impulses along the Jacobian `here` that change the values `there`: (m,).
+
+        Parameters
+        ----------
+        violation
+            (m,), the changes.
 
         Raises
         ------
         LinAlgError
-            If none do.
+            If the matrix is singular.
         """
-        from scipy.linalg.lapack import dgbsv  # takes its time, and few scenes need it
+        from scipy.linalg.lapack import dgbsv  # slow to import, and few scenes need it
 
         products = there.partials[self._there] * (self._weight * here.partials)[self._here]
         band = np.bincount(self._into, products, self._size).reshape(-1, self._count)
@@ -119,16 +124,16 @@ class Banded:
         Parameters
         ----------
         place, motion, here
-            Where the drift begins and with what velocities, and the equations there.
+            The positions and velocities at the beginning of the drift, and the equations there.
         length, guess
-            (m,), what they keep [m], and the impulses it begins with [N s].
+            (m,), the lengths to keep [m], and the initial guess of the impulses [N s].
         drift
-            How long [s].
+            The duration of the drift [s].
 
         Returns
         -------
-        The impulses (m,), the velocities after them (3 N,), and by how much each was off at the
-        last: (m,), more than rounding if there are none.
+        The impulses (m,), the velocities after them (3 N,), and the residuals of the last iteration
+        (m,), which exceed rounding if there is no solution.
         """
         impulse = guess
         for _ in range(MAX_ITERATIONS):
@@ -142,7 +147,7 @@ class Banded:
 
 
 def _close_together(rows: Places, columns: Places, count: int) -> Places:
-    """Return equations in an order in which those that meet, in pairs, stand close together."""
+    """Return an order of the equations that brings coupled ones, given in pairs, close together."""
     from scipy.sparse import csr_array
     from scipy.sparse.csgraph import reverse_cuthill_mckee
 

@@ -1,7 +1,7 @@
-"""The exact joints of many runs, solved at once: what `ExactJoints` does, with the runs in front.
+"""The exact joints of many runs, solved at once: `ExactJoints` with a leading axis of runs.
 
-Each operation is that of one run, in the same order, and each run ends its iterations where it
-would end them alone. So all get the bits that they would get alone.
+Every run goes through the same operations as alone, in the same order, and ends its iterations
+at the same point. So all results are equal to the last bit to those of single runs.
 """
 
 from collections.abc import Sequence
@@ -23,7 +23,7 @@ from sandbox.physics.joints.exact.constraints import (
 from sandbox.physics.joints.exact.shake import ExactJoints, parabola
 
 DOUBTED = 1 + (GROWS - 1) / 2
-"""How many times its kinetic energy a kick may leave before it is looked at in a run alone."""
+"""The largest growth factor of the kinetic energy in a kick; beyond it the run is solved alone."""
 
 
 class ManyJoints:
@@ -32,9 +32,9 @@ class ManyJoints:
     Parameters
     ----------
     joints
-        Those of each run, all `plain`, right after its start.
+        The joints of each run, all `plain`, right after its start.
     step
-        How long a kick, and the drift after it, last [s].
+        The duration of each kick and each drift [s].
     """
 
     def __init__(self, joints: Sequence[ExactJoints], step: float) -> None:
@@ -49,7 +49,7 @@ class ManyJoints:
         self._past = [np.array([one.past[i] for one in joints]) for i in range(depth)]
 
     def keep(self, rows: Booleans) -> None:
-        """Go on with some of the runs: (N,)."""
+        """Keep only some of the runs: (N,)."""
         self._reaches = self._reaches.holding(self._reaches.points[rows])
         for name in ("_inverse", "_inertia", "_length", "_origin"):
             setattr(self, name, getattr(self, name)[rows])
@@ -61,11 +61,11 @@ class ManyJoints:
         Parameters
         ----------
         place, velocity
-            (N, n, 3), at the kick [m, rad, m/s, rad/s].
+            (N, n, 3), the positions and velocities at the kick [m, rad, m/s, rad/s].
 
         Returns
         -------
-        (N, n, 3), and which runs must be looked at alone: (N,).
+        The velocities (N, n, 3), and which runs must be solved alone (N,).
         """
         here = Coordinates(self._values(place))
         planes(here.values)[:, :-1] -= self._origin
@@ -80,7 +80,7 @@ class ManyJoints:
         return moved[:, self._order], lost | gained
 
     def _newton(self, place: Array, motion: Array, response: Array) -> tuple[Array, Booleans]:
-        """Return the impulses, (N, m), and which runs have not found theirs."""
+        """Return the impulses, (N, m), and which runs did not converge."""
         impulse, h = parabola(self._past) * self._step, self._step
         seeking = np.ones(len(place), dtype=bool)
         across = response.swapaxes(1, 2)
@@ -96,19 +96,19 @@ class ManyJoints:
         return impulse, seeking
 
     def _values(self, rows: Array) -> Array:
-        """Return places or velocities as equations have them, the plane itself last: (N, 3 N)."""
+        """Return positions or velocities in the order of `Coordinates`: (N, 3 (n + 1))."""
         values = np.zeros((len(rows), self._inverse.shape[1]))
         values[:, self._order] = rows
         return values
 
 
 def _times(vectors: Array, matrices: Array) -> Array:
-    """Multiply vectors, (N, m), with a matrix each, (N, m, k)."""
+    """Multiply each vector, (N, m), by its own matrix, (N, m, k)."""
     return np.asarray((vectors[:, None] @ matrices)[:, 0])
 
 
 def _solved(delassus: Array, violation: Array) -> Array:
-    """Solve a linear system each: (N, m)."""
+    """Solve the linear system of each run: (N, m)."""
     if violation.shape[1] == 1:
         return violation / delassus[:, 0]
     return np.asarray(np.linalg.solve(delassus, violation[:, :, None])[:, :, 0], dtype=float)

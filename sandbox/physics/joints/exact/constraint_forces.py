@@ -1,6 +1,6 @@
-"""The forces of exact joints: of the last kicks, which tell what to expect of the next.
+"""The forces of exact joints in the last kicks, from which those of the next are predicted.
 
-Joints come and go while a scene runs; their equations, and what is known of their forces, follow.
+Joints come and go while a scene runs; their equations and known forces are kept up to date.
 """
 
 from collections.abc import Sequence
@@ -22,11 +22,12 @@ class ConstraintForces(JointSystem):
     tension
         (m,), the force along each row in the last kick [N]; positive where it pulls.
     parts
-        How many kicks a step has: the same one of the steps before tells what to expect of each.
+        The number of kicks in a step. The forces of a kick are predicted from the same kick of
+        earlier steps.
     added
-        (m,), which equations have joined since the last kick.
+        (m,), the equations that were added since the last kick.
     kick, drift
-        How long the next kick lasts, and the drift that follows it [s].
+        The durations of the next kick, and of the drift after it [s].
     """
 
     def __init__(
@@ -52,10 +53,10 @@ class ConstraintForces(JointSystem):
         """Make the tables of all equations."""
         super()._lay_out(rows, others)
         self._cold = np.zeros(len(self._joints))
-        self._fresh = True  # whether they repeat each other has not been looked at yet
+        self._fresh = True  # not checked for redundancy yet
 
     def add(self, rows: Sequence[Row], others: Sequence[Equation]) -> None:
-        """Take on more equations; what they stop at once is an impact, over with the next kick."""
+        """Add equations; motion that they stop at once is an impact, which the next kick ends."""
         old = self.equations
         where = [len(old.rows)] * len(rows) + [len(self.length)] * len(others)
         lengths = [equation.length for equation in (*rows, *others)]
@@ -69,31 +70,31 @@ class ConstraintForces(JointSystem):
         self._struck = True
 
     def keep(self, t: float) -> None:
-        """Let what has joined since the last kick keep what there is at a time [s]."""
+        """Let the equations added since the last kick keep their present values, at a time [s]."""
         self.length[self.added] += self._off(t)[self.added]
 
     def beyond(self, t: float) -> float:
-        """Return by how much what has joined is too long for what it keeps at a time [m, rad]."""
+        """Return the largest excess length of the equations added, at a time [s]: [m, rad]."""
         return float(self._off(t)[self.added].max(initial=0.0))
 
     def _off(self, t: float) -> Array:
-        """Return by how much each equation misses what it keeps at a time: (m,) [m, rad]."""
+        """Return the residuals of the equations at a time [s]: (m,) [m, rad]."""
         return np.asarray(self.look(self.place()).total - self.lengths(t))
 
     def calm(self) -> None:
-        """Take what has joined for what has held all along: its impact is over."""
+        """Treat the equations added like all others: their impact is over."""
         self.added = np.zeros_like(self._taut)
         self._past, self._struck = [], False
 
     def drop(self, name: str) -> None:
-        """Let go of what a joint holds."""
+        """Remove the equations of a joint."""
         stay = np.array([joint != name for joint in self._joints], dtype=bool)
         old = self.equations
         rows = [row for row in old.rows if row.joint != name]
         others = [equation for equation in old.others if equation.joint != name]
         self.length, self._taut = self.length[stay], self._taut[stay]
         self.tension, self.added = self.tension[stay], self.added[stay]
-        self._past = []  # the others hold with other forces from now on
+        self._past = []  # the forces of the others change now
         self._lay_out(rows, others)
         self._warm_start = self._cold
 
@@ -103,14 +104,14 @@ class ConstraintForces(JointSystem):
         return self._past
 
     def expected(self) -> tuple[Array, Booleans]:
-        """Return the forces that the next kick is likely to need, and what of it holds: (m,)."""
+        """Return the expected forces of the next kick, and which equations are active: (m,)."""
         last = self._past[0] if self._past else self._cold
         return np.where(self._taut, last, 0.0), self._taut
 
     def take(self, tension: Array, taut: Booleans, *, struck: bool) -> None:
-        """Take up the forces of a kick that was solved elsewhere, and what held in it: (m,).
+        """Store the forces of a kick that was solved elsewhere, and its active equations: (m,).
 
-        After an impact they tell nothing of the next kick.
+        After an impact they do not predict the next kick.
         """
         self.tension, self._taut = tension, taut
         last = self._past[: 3 * self.parts - 1]
@@ -119,10 +120,10 @@ class ConstraintForces(JointSystem):
         self.added = np.zeros_like(taut)
 
     def force(self, name: str) -> float:
-        """Return the force with which a joint pulled in the last kick [N]."""
+        """Return the force by which a joint pulled in the last kick [N]."""
         rows = self.equations.pulling.get(name, [])
         if not rows:
-            return 0.0  # it keeps nothing but an angle
+            return 0.0  # it keeps only an angle
         if len(rows) == 1:
             return self.tension.item(rows[0])
         return float(np.hypot(*self.tension[rows]))
@@ -130,17 +131,17 @@ class ConstraintForces(JointSystem):
     def torque(self, name: str) -> float:
         """Return the torque of a joint on its second body in the last kick [N m].
 
-        0 of one that keeps no angle, or is solved elsewhere.
+        0 if the joint keeps no angle, or is solved elsewhere.
         """
         rows, senses = self.equations.turning.get(name, ()), self.equations.senses
         return -float(sum(senses[row] * self.tension[row] for row in rows))
 
     def time(self, kick: float, drift: float) -> None:
-        """Set how long the next kicks last, and the drift that follows each [s]."""
+        """Set the durations of the next kicks, and of the drift after each [s]."""
         self.kick, self.drift = kick, drift
 
     def refit(self, t: float) -> None:
-        """Take the present lengths as those that hold from a time on [s]."""
+        """Keep the present lengths from a time on [s]."""
         place, _ = self.coordinates()
         self.length = np.zeros_like(self.length)
         self.length = self.look(place).total - self.lengths(t)
@@ -150,14 +151,14 @@ class ConstraintForces(JointSystem):
         self._fresh = True
 
     def go_on(self, t: float) -> None:
-        """Take what is driven to have turned at a time as far as it has [s]."""
+        """Let driven angles keep their present values at a time [s]."""
         rows = len(self.equations.rows)
         driven = [i for i, _ in self.equations.changing if i >= rows]
         if driven:
             self.length[driven] += self._off(t)[driven]
 
     def warm_start(self, wrench: Array) -> None:
-        """Add to the forces of a kick what the joints pulled in the last: (n, 3) [N, N m]."""
+        """Add the joint forces of the last kick to the forces of the next: (n, 3) [N, N m]."""
         steady = self._past[0] if self._past else self.tension
         self._warm_start = steady * self.kick
         wrench += self.wrenches(steady, self.place())

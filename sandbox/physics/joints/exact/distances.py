@@ -1,4 +1,4 @@
-"""Rods, ropes, strings and pivots: sums of lengths, all of a scene in a few array operations."""
+"""Rods, ropes, strings and pivots: sums of lengths, computed together for a whole scene."""
 
 from collections.abc import Callable, Sequence
 from copy import copy
@@ -17,22 +17,22 @@ TINY = 1e-300
 
 @dataclass(frozen=True, slots=True)
 class Row:
-    """One equation between coordinates: a sum of lengths is a given length.
+    """One equation: a sum of lengths is kept.
 
     Attributes
     ----------
     joint
-        The name of the joint it belongs to.
+        The name of its joint.
     reaches
-        The pieces whose lengths add up, each between two ends.
+        The segments whose lengths are added, each between two ends.
     length
-        What they add up to [m].
+        The sum to keep [m].
     changing
-        What is to be added to the length at a time [m]; None if it stays.
+        The change of that sum [m] as a function of time [s]; None if it is constant.
     pulls_only
-        Whether the row may also be shorter, as a rope.
+        Whether the sum is an upper bound, as for a rope.
     along
-        A direction of the plane: its component of the one reach counts instead of its length.
+        A unit direction: the component of the single segment along it counts, not its length.
     """
 
     joint: str
@@ -44,18 +44,18 @@ class Row:
 
 
 class Reaches:
-    """The pieces of all rows; they are the first of m rows, and the rest is left at zero.
+    """The segments of all sums of lengths: the first of m rows; the other rows are left at zero.
 
     Parameters
     ----------
     rows
-        Whose pieces they are.
+        The sums of lengths.
     shape
-        How many rows and bodies there are in all, the plane itself among these.
+        The numbers of all rows and all bodies, with the plane itself.
     inverse_moment
-        (n + 1,), of the bodies and the plane [1/(kg m²)].
+        (n + 1,), the inverse moments of inertia of the bodies and the plane [1/(kg m²)].
     turns
-        Whether angles count in any case.
+        Whether the Jacobian has angles even if no segment needs them.
     """
 
     def __init__(
@@ -76,28 +76,28 @@ class Reaches:
         self._has_lengths = not self._component.all()
         self._has_components = bool(self._component.any())
         levers = np.abs(self._point) * inverse_moment[self._body]
-        # without a lever a point that is off the centre still needs the angle, once it is not 0
+        # a point off the centre of a body that cannot turn still needs that body's angle
         off = self._point[self._body < count - 1].any()
         self._turns = turns or bool(levers.any() or off)
         self._into = self._places(3 * count, count)
         self._apart = len(np.unique(self._into)) == len(self._into)
 
     def _places(self, width: int, count: int) -> NDArray[np.intp]:
-        """Return where in the Jacobian the ends belong: x and y of each, then the angles."""
+        """Return the flat indices of the ends in the Jacobian: x and y of each, then angles."""
         start = np.tile(self._row, 2) * width
         plane = np.stack((start + 2 * self._body, start + 2 * self._body + 1), axis=1).ravel()
         return np.concatenate((plane, start + 2 * count + self._body)) if self._turns else plane
 
     @property
     def entries(self) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
-        """The row and coordinate of each partial derivative of `measure`; some are repeated."""
+        """The row and coordinate of each partial derivative of `measure`; some pairs repeat."""
         row, column = np.divmod(self._into, self._shape[1])
         return row, column
 
     def look(self, place: Coordinates) -> Rows:
-        """Return what the rows add up to somewhere, and their Jacobian there.
+        """Return the values of the rows at given positions, and their Jacobian.
 
-        Places may have leading dimensions, as those of many runs.
+        Positions may have leading axes, such as one of many runs.
         """
         many = place.values.shape[:-1]
         jacobian = np.zeros((*many, *self._shape))
@@ -108,7 +108,7 @@ class Reaches:
         return Rows(total, jacobian)
 
     def measure(self, place: Coordinates) -> tuple[Array, Array]:
-        """Return what the rows add up to somewhere, and the entries of their Jacobian there."""
+        """Return the values of the rows at given positions, and the entries of their Jacobian."""
         ends = place.plane.take(self._body, axis=-1)
         if self._turns:
             arm = self._point * place.turned.take(self._body, axis=-1)
@@ -124,22 +124,22 @@ class Reaches:
 
     @property
     def points(self) -> Plane:
-        """Where the pieces hold on to their bodies, first all beginnings, then all ends [m]."""
+        """The anchor points on the bodies, first all beginnings, then all ends [m]."""
         return self._point
 
     def holding(self, points: Plane) -> "Reaches":
-        """Return the same pieces, held elsewhere: those of many runs are (N, 2 k)."""
+        """Return the same segments with other anchor points: (N, 2 k) for many runs."""
         found = copy(self)
         found.hold(points)
         return found
 
     def hold(self, points: Plane) -> None:
-        """Let the pieces hold on at these points of their bodies."""
+        """Set the anchor points on the bodies."""
         self._point = points
         self._offset = points[..., self._half :] - points[..., : self._half]
 
     def _spread(self, partials: Array, jacobian: Array) -> None:
-        """Add what changes with the ends to the Jacobian, laid out in a row."""
+        """Add the partial derivatives by the ends to the flat Jacobian."""
         if self._apart:
             jacobian[..., self._into] = partials
         else:
@@ -147,7 +147,7 @@ class Reaches:
             np.add.at(jacobian, where, partials)
 
     def _added_up(self, length: Array) -> Array:
-        """Return what the pieces of each row add up to."""
+        """Return the sum of the lengths of each row."""
         if self._single:
             return length
         total = np.zeros((*length.shape[:-1], self._shape[0]))
@@ -156,7 +156,7 @@ class Reaches:
         return total
 
     def _measure(self, reach: Plane) -> tuple[Array, Plane]:
-        """Return the lengths or components of the pieces, and the directions they change in."""
+        """Return the lengths or components of the segments, and their gradients."""
         if not self._has_lengths:
             return (reach * self._across).real, self._along
         length = np.abs(reach)

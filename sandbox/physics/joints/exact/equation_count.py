@@ -1,8 +1,8 @@
-"""How many equations exact joints may have, estimated before any table is made.
+"""Limits the number of equations of exact joints, before any table is made.
 
-Each is a row of a table with three entries a body; unless they are rods and wires apart from each
-other, the product of the table with itself is made and solved in each step. A chain of 800 rods
-takes 0.1 s a step, one of 2,000 more than a second and 500 MB.
+Each equation is a row of a table with three entries for each body. Unless all are separate rods and
+wires, every step multiplies the table by itself and solves the product. A chain of 800 rods takes
+0.1 s a step, one of 2,000 more than a second and 500 MB.
 """
 
 from collections.abc import Sequence
@@ -16,10 +16,10 @@ from sandbox.physics.joints.exact.separate_joints import are_apart
 from sandbox.physics.state.errors import JointFailure
 
 MOST_TERMS = 2_000_000
-"""Equations times bodies: a table has 48 MB then."""
+"""The upper bound of equations times bodies: a table of 48 MB."""
 
 MOST_PRODUCTS = 600_000_000
-"""The square of the equations times the bodies: 1.8e9 products a step."""
+"""The upper bound of equations² times bodies: 1.8e9 products a step."""
 
 
 def refuse_too_many(equations: Sequence[Condition], inverse: Array) -> None:
@@ -28,14 +28,14 @@ def refuse_too_many(equations: Sequence[Condition], inverse: Array) -> None:
     Parameters
     ----------
     equations
-        Those of all exact joints that are solved together.
+        The equations of all exact joints that are solved together.
     inverse
-        (n,), of the bodies, 0 of what nothing moves [1/kg].
+        (n,), the inverse masses of the bodies, 0 of those that nothing moves [1/kg].
 
     Raises
     ------
     JointFailure
-        If there are more.
+        If there are too many.
     """
     count, bodies = len(equations), len(inverse)
     solved = count**2 * bodies > MOST_PRODUCTS

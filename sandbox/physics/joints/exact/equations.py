@@ -1,4 +1,4 @@
-"""The equations of exact joints in tables, and their Jacobian."""
+"""Tables of the equations of exact joints, and their Jacobian."""
 
 from collections.abc import Sequence
 from copy import copy
@@ -27,32 +27,33 @@ from sandbox.physics.state.errors import JointFailure
 class Equations:
     """The m equations of all exact joints of a scene of n bodies.
 
-    Sums of lengths, the rows, come first and are looked at together; the others one by one.
+    Sums of lengths, the rows, come first and are evaluated together; the others one by one.
 
     Parameters
     ----------
     rows, others
         The equations.
     inverse_moment
-        (n + 1,), 0 of what does not turn, the plane last [1/(kg m²)].
+        (n + 1,), the inverse moments of inertia, the plane last; 0 of those that do not turn
+        [1/(kg m²)].
 
     Attributes
     ----------
     names
-        The joint that each is of.
+        The joint of each equation.
     pulling, turning
-        Of each joint those that keep no angle, and those that do.
+        The equations of each joint that keep no angle, and those that keep one.
     senses
-        Which way each that keeps an angle turns its second body if it pushes.
+        The sense in which an angle's equation turns its second body if it pushes, else 1.
     alike
-        (m,), the first of the equations of its joint, or of those of them that keep an angle: each
-        its own. What a pin keeps it keeps along two axes.
+        (m,), the first equation of the same joint; for an equation that keeps an angle, itself. A
+        pin has two equations, one along each axis.
     changing
-        Those that change with time, and how.
+        The equations that change with time, and their changes.
     pulls_only
-        (m,), which can only pull.
+        (m,), the equations that can only pull.
     reaches
-        The pieces whose lengths add up.
+        The segments whose lengths are added.
     """
 
     def __init__(
@@ -75,22 +76,22 @@ class Equations:
 
     @property
     def all(self) -> tuple[Condition, ...]:
-        """All of them, in order."""
+        """All equations, in order."""
         return (*self.rows, *self.others)
 
     @property
     def changes(self) -> Booleans:
-        """Which are of a length that changes with time: (m,)."""
+        """The equations whose lengths change with time: (m,)."""
         changes = np.zeros(len(self.names), dtype=bool)
         changes[[row for row, _ in self.changing]] = True
         return changes
 
     def bodies(self, place: Coordinates) -> list[NDArray[np.intp]]:
-        """Return those that each equation is about; the plane is the last of all, or −1."""
+        """Return the bodies of each equation; the plane is the last of all, or −1."""
         return [_bodies_of(equation, place) for equation in self.all]
 
     def lengths(self, kept: Array, t: float) -> Array:
-        """Return what each keeps at a time [s], given what it keeps without it: (m,) [m, rad]."""
+        """Return the values to keep at a time [s], from those without change: (m,) [m, rad]."""
         if not self.changing:
             return kept
         length = kept.copy()
@@ -107,11 +108,11 @@ class Equations:
         return length
 
     def look(self, place: Coordinates) -> Rows:
-        """Return what they add up to somewhere, and their Jacobian there."""
+        """Return the values at given positions, and their Jacobian."""
         return self._with_others(self.reaches.look(place), place, self._numbered)
 
     def glance(self, place: Coordinates) -> Rows:
-        """Return the same, and leave no trace: the next look is as if this had not been."""
+        """Return the same as `look`, but without an effect on the next look."""
         others = [(row, copy(equation)) for row, equation in self._numbered]
         return self._with_others(self.reaches.look(place), place, others)
 
@@ -132,7 +133,7 @@ class Equations:
 def _by_joint(
     equations: Sequence[Condition], turns: Sequence[bool], way: bool
 ) -> dict[str, list[int]]:
-    """Return for each joint which of its equations turn, or which do not."""
+    """Return the equations of each joint that keep an angle, or those that do not."""
     found: dict[str, list[int]] = {equation.joint: [] for equation in equations}
     for row, (equation, turn) in enumerate(zip(equations, turns, strict=True)):
         if turn == way:
@@ -141,7 +142,7 @@ def _by_joint(
 
 
 def _bodies_of(equation: Condition, place: Coordinates) -> NDArray[np.intp]:
-    """Return which bodies an equation is about."""
+    """Return the bodies of an equation."""
     if isinstance(equation, Row):
         ends = [end.body for reach in equation.reaches for end in reach]
         return np.array([-1 if body is None else body for body in ends], dtype=np.intp)

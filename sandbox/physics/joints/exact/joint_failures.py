@@ -1,4 +1,4 @@
-"""Why exact joints fail: they are redundant, contradict each other, or a step is too long."""
+"""Why exact joints fail: they are redundant or contradictory, or a step is too long."""
 
 from collections.abc import Sequence
 
@@ -13,17 +13,17 @@ from sandbox.physics.joints.exact.solvability import independence, steps_needed
 from sandbox.physics.state.errors import JointFailure
 
 SINGULAR = 1e-10
-"""The smallest singular value, over the largest, of joints that do not repeat each other."""
+"""The ratio of smallest to largest singular value below which joints are redundant."""
 
 LOCKED = 0.1
-"""The same, over what it was at the start, of joints that have come to work against each other."""
+"""The fraction of its value at the start below which joints work against each other."""
 
 REACHED = 1e-9
-"""m, rad, by which a rope may be too short to count as taut at the start."""
+"""m, rad, the largest slack of a rope that counts as taut at the start."""
 
 
 def overlapping(names: Sequence[str], row: int) -> JointFailure:
-    """Say that the joint of an equation holds what others hold; (m,), the joints of all."""
+    """Return the failure of a joint that is redundant, given the joint of each equation (m,)."""
     name = names[row]
     reason = Message(
         "'{name}' holds what is held already, or cannot hold it; leave it out", name=name
@@ -34,28 +34,28 @@ def overlapping(names: Sequence[str], row: int) -> JointFailure:
 
 
 def check_independent(joints: JointSystem, here: Rows, response: Array, length: Array) -> float:
-    """Refuse joints that repeat each other, as far as they are taut.
+    """Refuse taut joints that are redundant.
 
     Parameters
     ----------
     joints
         The joints: m equations.
     here
-        What they add up to where the bodies are.
+        Their values and Jacobian at the present positions.
     response
-        (m, 3 N), M⁻¹ Jᵀ.
+        (m, 3 N), J M⁻¹.
     length
-        (m,), what they keep [m, rad].
+        (m,), the values to keep [m, rad].
 
     Returns
     -------
     float
-        The smallest singular value over the largest; 1 where nothing is taut.
+        The ratio of smallest to largest singular value; 1 if nothing is taut.
 
     Raises
     ------
     JointFailure
-        If some do.
+        If some are redundant.
     """
     taut = np.flatnonzero(here.total - length > -REACHED)
     if not len(taut):
@@ -72,22 +72,22 @@ def check_independent(joints: JointSystem, here: Rows, response: Array, length: 
 def lost(
     joints: JointSystem, row: int, taut: Integers, independent: float, tension: Array, drift: float
 ) -> JointFailure:
-    """Say why nothing holds an equation: joints work against each other, or the step is long.
+    """Return why an equation fails: joints work against each other, or the step is too long.
 
     Parameters
     ----------
     joints
         The joints: m equations.
     row
-        The equation that is violated most.
+        The equation with the largest residual.
     taut
-        (k,), the equations that can pull now.
+        (k,), the taut equations.
     independent
-        The smallest singular value over the largest, at the start.
+        The ratio of smallest to largest singular value at the start.
     tension
         (m,), the forces along the equations in the last kick [N].
     drift
-        How long a drift lasts [s].
+        The duration of a drift [s].
     """
     place, motion = joints.coordinates()
     jacobian = joints.look(place).jacobian
@@ -108,7 +108,7 @@ def lost(
 
 
 def _finer(joints: JointSystem, place: Coordinates, tension: Array, drift: float) -> float:
-    """Return how many times as many steps joints under a tension need, at least 2."""
+    """Return the factor, at least 2, by which joints under tension need more steps."""
 
     def force(by: Array) -> Array:
         there = joints.equations.glance(Coordinates(place.values + by))

@@ -24,34 +24,34 @@ from sandbox.physics.joints.exact.equations import Equations
 class JointSystem:
     """All exact joints of a scene; n bodies, m equations C(q) = 0 over q = (x, y, θ).
 
-    Sums of lengths, the rows, are looked at together; the other equations one by one.
+    Sums of lengths, the rows, are evaluated together; the other equations one by one.
 
     Parameters
     ----------
     rows, others
-        The equations, whose points of the plane are counted from the origin.
+        The equations, with points of the plane relative to the origin.
     batch
         Reads and writes the bodies.
     inverse_mass, inverse_moment
-        (n,), 0 of what nothing moves or turns [1/kg, 1/(kg m²)].
+        (n,), 0 of bodies that do not move or turn [1/kg, 1/(kg m²)].
     origin
-        From where places are counted [m].
+        The origin of all positions in the equations [m].
 
     Attributes
     ----------
     inverse
-        (3 N,), one over the mass or moment of each coordinate, the plane's last.
+        (3 N,), the inverse mass or moment of inertia of each coordinate, the plane last.
     equations
         The tables of all equations.
     length
-        (m,), what each keeps, but for what changes with time [m, rad].
+        (m,), the values to keep, without changes in time [m, rad].
     bodies
-        Those that each equation is about; the plane is the last of all, or −1.
+        The bodies of each equation; the plane is the last of all, or −1.
     origin
-        From where places are counted [m].
+        The origin of all positions in the equations [m].
     alike
-        (m,), the first of the equations of its joint, or of those of them that keep an angle: each
-        its own. What a pin keeps it keeps along two axes.
+        (m,), the first equation of the same joint; for an equation that keeps an angle, itself. A
+        pin has two equations, one along each axis.
     """
 
     def __init__(
@@ -64,13 +64,13 @@ class JointSystem:
         origin: complex = 0j,
     ) -> None:
         self.batch, self.origin = batch, origin
-        # one body more: the plane itself, which nothing moves
+        # one more body: the plane itself, which nothing moves
         self._inverse_moment = np.append(inverse_moment, 0.0)
         self.inverse = np.concatenate(
             (np.repeat(inverse_mass, 2), (0.0, 0.0), self._inverse_moment)
         )
         self._inertia = inertia_of(self.inverse)
-        self._mass = float(self._inertia.sum())  # and moments: for what is rounding
+        self._mass = float(self._inertia.sum())  # with moments: the scale of rounding errors
         self.order = order(len(inverse_mass))
         start = 3 * len(self._inverse_moment)
         self._of_state = np.concatenate((self.order, self.order + start), axis=1).ravel()
@@ -83,13 +83,13 @@ class JointSystem:
         self._joints, self.alike = equations.names, equations.alike
         self._pulls_only = equations.pulls_only
         self._unilateral = bool(self._pulls_only.any())
-        self.__dict__.pop("band", None)  # it was that of the equations before
-        self._last: tuple[bytes, Rows] | None = None  # the last look for wrenches, and where
+        self.__dict__.pop("band", None)  # the band of the previous equations
+        self._last: tuple[bytes, Rows] | None = None  # positions and rows of the last wrenches
         self.bodies = equations.bodies(self.place())
 
     @cached_property
     def band(self) -> Banded | None:
-        """The equations as a band, where there are many and each meets but a few."""
+        """The equations as a band, if there are many and each is coupled to only a few."""
         count = len(self._joints)
         if count < FEWEST or self.equations.others or self._unilateral:
             return None
@@ -98,36 +98,36 @@ class JointSystem:
 
     @property
     def reaches(self) -> Reaches:
-        """The pieces whose lengths add up."""
+        """The segments whose lengths are added."""
         return self.equations.reaches
 
     @property
     def names(self) -> Sequence[str]:
-        """The joint that each equation is of: (m,)."""
+        """The joint of each equation: (m,)."""
         return self._joints
 
     @property
     def pulls_only(self) -> Booleans:
-        """Which rows can only pull: (m,)."""
+        """The rows that can only pull: (m,)."""
         return self._pulls_only
 
     @property
     def changes(self) -> Booleans:
-        """Which rows are of a length that changes with time: (m,)."""
+        """The rows whose lengths change with time: (m,)."""
         return self.equations.changes
 
     def place(self) -> Coordinates:
-        """Return where everything is."""
+        """Return the present positions."""
         return self.coordinates()[0]
 
     def at(self, place: Array) -> Coordinates:
-        """Return a place, (n, 3), as the equations have it: counted from the origin."""
+        """Return positions, (n, 3), as coordinates relative to the origin."""
         found = coordinates_of(place)
         found.plane[:-1] -= self.origin
         return found
 
     def coordinates(self) -> tuple[Coordinates, Coordinates]:
-        """Return where everything is and how it moves, the plane itself last."""
+        """Return the present positions and velocities, the plane itself last."""
         values = np.zeros((2, len(self.inverse)))
         values.reshape(-1)[self._of_state] = self.batch.state().reshape(-1)
         if self.origin:
@@ -135,32 +135,32 @@ class JointSystem:
         return Coordinates(values[0]), Coordinates(values[1])
 
     def look(self, place: Coordinates) -> Rows:
-        """Return what the rows add up to somewhere, and their Jacobian there."""
+        """Return the values of the rows at given positions, and their Jacobian."""
         return self.equations.look(place)
 
     def lengths(self, t: float) -> Array:
-        """Return what each equation keeps at a time [s]: (m,) [m, rad]."""
+        """Return the values to keep at a time [s]: (m,) [m, rad]."""
         return self.equations.lengths(self.length, t)
 
     def jacobian(self, place: Array | None = None) -> Array:
-        """Return how the rows change with the places and angles of the bodies: (m, n, 3).
+        """Return the derivatives of the rows by the bodies' positions and angles: (m, n, 3).
 
-        Where they are, or if they were at a place: (n, 3). Whoever asks leaves the run as it is.
+        They are taken at the given positions (n, 3), or the present ones. The run does not change.
         """
         here = self.equations.glance(self.place() if place is None else self.at(place))
         return here.jacobian[:, self.order]
 
     def stiff(self, place: Array | None = None) -> Array:
-        """Return the Jacobian of what can push as well as pull, as below: (m, n, 3)."""
+        """Return the rows of `jacobian` that can push as well as pull: (m, n, 3)."""
         return self.jacobian(place)[~self._pulls_only]
 
     def wrenches(self, tension: Array, place: Coordinates) -> Array:
-        """Return what forces along the rows (m,) are to the bodies somewhere: (n, 3) [N, N m]."""
+        """Return the forces and torques on bodies of forces along rows (m,): (n, 3) [N, N m]."""
         return -(tension @ self._looked(place).jacobian)[self.order]
 
     def _looked(self, place: Coordinates) -> Rows:
-        """Return what `look` does; where it was asked for last, no look is needed."""
-        if self.equations.others:  # they take note of each look
+        """Return the result of `look`, from memory if the positions are the last ones."""
+        if self.equations.others:  # each look changes their state
             return self.look(place)
         where = place.values.tobytes()
         if self._last is None or self._last[0] != where:
@@ -172,23 +172,23 @@ class JointSystem:
         return float(kinetic_energy(self._inertia, motion))
 
     def parting(self) -> tuple[str, float]:
-        """Return the joint that is furthest from what it keeps, and by how much [m, rad]."""
+        """Return the joint with the largest residual, and that residual [m, rad]."""
         place, _ = self.coordinates()
         off = self.equations.glance(place).total - self.length
         off = np.where(self._pulls_only, np.maximum(off, 0.0), np.abs(off))
-        off[self.changes] = 0.0  # what they keep now is not known any more
+        off[self.changes] = 0.0  # the values to keep now are not known here
         if not len(off):
             return "", 0.0
         worst = int(off.argmax())
         return self._joints[worst], float(off[worst])
 
     def is_driven(self, motion: Array) -> bool:
-        """Whether lengths change, or a kinematic body moves by velocities: (3 N,)."""
+        """Return whether lengths change, or velocities (3 N,) move a kinematic body."""
         return bool(self.equations.changing) or bool(motion[self.inverse == 0].any())
 
 
 def coordinates_of(rows: Array) -> Coordinates:
-    """Return places or velocities (n, 3) as equations have them, the plane itself last."""
+    """Return positions or velocities (n, 3) as coordinates, the plane itself last."""
     values = np.zeros(3 * len(rows) + 3)
     values[order(len(rows))] = rows
     return Coordinates(values)

@@ -1,4 +1,4 @@
-"""RATTLE: velocities and accelerations that satisfy exact joints at the step itself."""
+"""RATTLE: velocities and accelerations that satisfy exact joints at the instant of a step."""
 
 from sandbox.model.expressions import Array
 from sandbox.physics.joints.exact.banded import Banded
@@ -7,18 +7,18 @@ from sandbox.physics.joints.exact.joint_system import JointSystem, coordinates_o
 from sandbox.physics.joints.exact.solvability import solved
 
 MOMENT = 1e-3
-"""The share of a drift over which directions are followed, before and after a step: its square is
-nothing, and what it is divided by not yet rounding."""
+"""The fraction of a drift over which the Jacobian is differenced, before and after a step: its
+square is negligible, and rounding does not matter yet."""
 
 
 def motion(
     joints: JointSystem, mean: Array, smooth: Array, drift: float
 ) -> tuple[Array, Array, Array]:
-    """Return velocities, accelerations and forces where the bodies are.
+    """Return velocities, accelerations and forces at the present positions.
 
-    The mean of the velocities before and after a kick has a part of second order across the
-    joints; without it J v = 0, as in RATTLE (Andersen 1983). A force of SHAKE is a mean over a
-    kick, and of second order as well; that which acts at the step itself keeps J v = 0 on:
+    The mean of the velocities before and after a kick violates the joints by an error of second
+    order; without that part J v = 0, as in RATTLE (Andersen 1983). A force of SHAKE is a mean over
+    a kick, also with an error of second order; the force at the instant itself keeps J v = 0:
 
         J (a − M⁻¹ Jᵀ λ) + (dJ/dt) v = 0.
 
@@ -29,11 +29,11 @@ def motion(
     joints
         The joints of n bodies: m equations.
     mean
-        (n, 3), of the velocities [m/s, rad/s].
+        (n, 3), the mean velocities [m/s, rad/s].
     smooth
-        (n, 3), the accelerations by all else [m/s², rad/s²].
+        (n, 3), the accelerations without the joints [m/s², rad/s²].
     drift
-        How long a drift lasts [s].
+        The duration of a drift [s].
 
     Returns
     -------

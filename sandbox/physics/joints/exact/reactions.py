@@ -1,9 +1,9 @@
 """The reactions of exact joints between two kicks, where impacts change them.
 
-A rod turns with the ball that hangs on it, so the force of a joint is taken along its present
+A rod turns with the ball that hangs on it, so the force of a joint acts along its present
 direction, not along that of the last kick. An impact changes the force at once: if it stops the
-ball, nothing is left of m v² / l. So after an impact the force is found anew, as the one with which
-the joints hold from there.
+ball, m v² / l vanishes. So after an impact the force is solved for again, to hold the joints from
+there on.
 """
 
 from functools import cached_property
@@ -16,16 +16,16 @@ from sandbox.physics.joints.exact.shake import ExactJoints
 
 
 class Grip:
-    """What exact joints do to n bodies from one kick to the next.
+    """The accelerations of n bodies by exact joints from one kick to the next.
 
     Parameters
     ----------
     joints
-        Those of the scene.
+        The exact joints of the scene.
     inverse_mass
-        (n, 3), what a force or torque is multiplied by to give an acceleration [1/kg, 1/(kg m²)].
+        (n, 3), the inverse masses and moments of inertia [1/kg, 1/(kg m²)].
     place
-        (n, 3), where the bodies are at the kick [m, rad].
+        (n, 3), the positions at the kick [m, rad].
     """
 
     def __init__(self, joints: ExactJoints, inverse_mass: Array, place: Array) -> None:
@@ -39,26 +39,26 @@ class Grip:
         return self._acceleration(self._place)
 
     def change(self, place: Array) -> Array:
-        """Return how accelerations change from the kick, or the last impact, to a place: (n, 3)."""
-        begun = self._begun  # first: that is where joints were looked at last
+        """Return the change of accelerations since the kick or last impact, at a place: (n, 3)."""
+        begun = self._begun  # first, as `JointSystem` remembers its last look there
         return self._acceleration(place) - begun
 
     def renew(self, place: Array, velocity: Array, acceleration: Array, struck: Booleans) -> Array:
-        """Return how the accelerations of those that are struck change by it: (n, 3).
+        """Solve for the forces after an impact, and return the changes of accelerations: (n, 3).
 
         Parameters
         ----------
         place, velocity
-            (n, 3), right after the impact [m, rad, m/s, rad/s].
+            (n, 3), the positions and velocities right after the impact [m, rad, m/s, rad/s].
         acceleration
-            (n, 3), the accelerations before it, joints included [m/s², rad/s²].
+            (n, 3), the accelerations before it, with those by joints [m/s², rad/s²].
         struck
-            (n,), which bodies it has reached.
+            (n,), the bodies that the impact has reached; only these change.
 
         Raises
         ------
         JointFailure
-            If joints cannot be kept.
+            If no forces keep the joints.
         """
         tension = self._joints.hold(place, velocity, acceleration - self._begun)
         reached = self._joints.jacobian(place)[:, struck].any(axis=(1, 2))
@@ -68,5 +68,5 @@ class Grip:
         return change
 
     def _acceleration(self, place: Array) -> Array:
-        """Return the accelerations by the joints somewhere: (n, 3)."""
+        """Return the accelerations by the joints at given positions: (n, 3)."""
         return self._joints.wrenches(self._tension, self._joints.at(place)) * self._inverse_mass

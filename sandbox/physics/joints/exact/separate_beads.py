@@ -1,4 +1,4 @@
-"""Beads alone on their wires, solved one by one in floats: a quarter of the time in arrays.
+"""Beads alone on their wires, solved one by one in floats: in a quarter of the time of arrays.
 
 The equation is that of `ExactJoints`, for a bead at z with the normal n of its wire at the step,
 
@@ -18,13 +18,13 @@ class Bead:
     Parameters
     ----------
     equation
-        Of the wire; see `separate.are_apart`.
+        The equation of the wire; see `separate_joints.are_apart`.
     batch
         Reads and writes the bodies.
     inverse
-        One over the mass of the bead [1/kg].
+        The inverse mass of the bead [1/kg].
     origin
-        From where the points of the wire are counted [m].
+        The origin of the points of the wire [m].
     """
 
     def __init__(
@@ -39,15 +39,15 @@ class Bead:
         Parameters
         ----------
         length
-            How far from the wire it is kept [m].
+            The distance from the wire to keep [m].
         guess
-            About how large the impulse is [N s].
+            The initial guess of the impulse [N s].
 
         Raises
         ------
         ZeroDivisionError
-            If nothing keeps it: Newton's method goes astray, or comes to where the bead would have
-            to be given energy.
+            If there is no impulse: Newton's method does not converge, or its solution would add
+            energy.
         JointFailure
             If the wire ends, or bends too sharply for a step.
         """

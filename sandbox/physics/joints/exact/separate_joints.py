@@ -21,7 +21,7 @@ class Alone(Protocol):
         Raises
         ------
         ZeroDivisionError
-            If nothing keeps it.
+            If no impulse does.
         """
         ...
 
@@ -29,16 +29,16 @@ class Alone(Protocol):
 def alone(
     equations: Sequence[Condition], batch: Batch, inverse: Array, origin: complex
 ) -> list[Alone]:
-    """Return the joints of equations, each to be solved by itself; none if some meet.
+    """Return a joint for each equation, to be solved by itself; none if some are coupled.
 
     Parameters
     ----------
     batch
         Reads and writes the bodies.
     inverse
-        (n + 1,), 0 of what nothing moves, the plane itself last [1/kg].
+        (n + 1,), the inverse masses, 0 of bodies that do not move, the plane last [1/kg].
     origin
-        From where points of the plane are counted [m].
+        The origin of points of the plane [m].
     """
     found: list[Alone] = []
     if not are_apart(equations, inverse):
@@ -52,12 +52,12 @@ def alone(
 
 
 def are_apart(equations: Sequence[Condition], inverse: Array) -> bool:
-    """Whether each is a rod or a wire of centres and points, and no moving body is on two of them.
+    """Return whether all are rods or wires through centres, and none share a moving body.
 
     Parameters
     ----------
     inverse
-        (n + 1,), 0 of what nothing moves, the plane itself last [1/kg].
+        (n + 1,), the inverse masses, 0 of bodies that do not move, the plane last [1/kg].
     """
     held: set[int] = set()
     for equation in equations:
@@ -69,7 +69,7 @@ def are_apart(equations: Sequence[Condition], inverse: Array) -> bool:
 
 
 def _moving(equation: Condition, inverse: Array) -> set[int] | None:
-    """Return the moving bodies of a rod or a wire; None of what cannot be solved by itself."""
+    """Return the moving bodies of a rod or wire; None if it cannot be solved by itself."""
     if isinstance(equation, WireEquation):
         return {equation.body} if inverse[equation.body] and not equation.point else None
     if not isinstance(equation, Row) or len(equation.reaches) != 1:

@@ -1,6 +1,6 @@
-"""Rods of which none meets another, solved one by one in floats: a tenth of the time in arrays.
+"""Rods that share no bodies, solved one by one in floats: in a tenth of the time of arrays.
 
-The equation is that of `ExactJoints`, for the way r from one end to the other,
+The equation is that of `ExactJoints`, for the vector r from one end to the other,
 
     |r + h (v − λ (1/m_a + 1/m_b) r / |r|)| = L.
 """
@@ -19,13 +19,13 @@ class Rod:
     Parameters
     ----------
     row
-        Its equation; see `separate.are_apart`.
+        Its equation; see `separate_joints.are_apart`.
     batch
         Reads and writes the bodies.
     inverse
-        (n + 1,), 0 of what nothing moves, the plane itself last [1/kg].
+        (n + 1,), the inverse masses, 0 of bodies that do not move, the plane last [1/kg].
     origin
-        From where the points of the plane are counted [m].
+        The origin of points of the plane [m].
     """
 
     def __init__(self, row: Row, batch: Batch, inverse: Array, origin: complex) -> None:
@@ -42,15 +42,15 @@ class Rod:
         Parameters
         ----------
         guess
-            About how large it is [N s].
+            The initial guess of the impulse [N s].
 
         Raises
         ------
         ZeroDivisionError
-            If nothing keeps it: the ends meet, or Newton's method goes astray.
+            If there is no impulse: the ends meet, or Newton's method does not converge.
         """
         ax, ay, au, av, bx, by, bu, bv = self._pair.read()
-        # far from the origin places are coarse, but not their differences
+        # differences first: far from the origin, sums of positions round more
         x = bx - ax - self._origin[0] - self._fixed[0]
         y = by - ay - self._origin[1] - self._fixed[1]
         far = hypot(x, y)

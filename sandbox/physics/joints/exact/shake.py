@@ -1,13 +1,13 @@
 """SHAKE: exact joints, solved together at the level of positions.
 
-Every joint contributes equations C(q) = 0 over the bodies' coordinates q = (x, y, θ). The impulses
-λ along the rows of their Jacobian at the step are chosen so that they hold *after the next drift*,
+Each joint has equations C(q) = 0 in the bodies' coordinates q = (x, y, θ). The impulses λ along the
+rows of their Jacobian at the step are such that the equations hold *after the next drift*,
 
     C(q + h (v − M⁻¹ J(q)ᵀ λ)) = 0,
 
-which is the constrained form of leapfrog (SHAKE; Ryckaert, Ciccotti and Berendsen 1977): second
-order, time reversible, and the joints hold to rounding at every step. Newton's method solves the
-equations together, so that a chain is as stiff with a heavy load at its end as without.
+which is the constrained form of leapfrog (SHAKE; Ryckaert, Ciccotti and Berendsen 1977): of second
+order, time reversible, with joints that hold to rounding at every step. Newton's method solves the
+equations together, so a chain with a heavy load at its end is as stiff as one without.
 """
 
 from collections.abc import Sequence
@@ -37,78 +37,78 @@ from sandbox.physics.state.cancellation import cancellation_point
 from sandbox.physics.state.errors import JointFailure
 
 TAUT = 1e-12
-"""m, by which a rope that does not pull may be too long: the rounding of its length."""
+"""m, the largest excess length of a slack rope: the rounding error of its length."""
 
 
 Number = TypeVar("Number", float, Array)
 
 
 class ExactJoints(ConstraintForces):
-    """All exact joints of a scene, as they are solved in a step; n bodies, m equations."""
+    """The solver of all exact joints of a scene; n bodies, m equations."""
 
     def _lay_out(self, rows: Sequence[Row], others: Sequence[Equation]) -> None:
-        """Make the tables of all equations, and of how they are solved."""
+        """Make the tables of all equations, and choose how they are solved."""
         super()._lay_out(rows, others)
         inverse = self.inverse[: 2 * len(self._inverse_moment) : 2]
         self._alone = alone(self.equations.all, self.batch, inverse, self.origin)
-        self._independence = 1.0  # the smallest singular value over the largest, at the start
+        self._independence = 1.0  # ratio of smallest to largest singular value, at the start
 
     @property
     def plain(self) -> bool:
-        """Whether all are sums of lengths that stay as they are, and are solved together."""
+        """Whether all are constant, bilateral sums of lengths that are solved together."""
         return not (
             self.equations.others or self.equations.changing or self._unilateral or self._alone
         )
 
     def check(self) -> None:
-        """Refuse equations that repeat each other, where that has not been looked at yet.
+        """Refuse redundant equations, if that was not checked yet.
 
         Raises
         ------
         JointFailure
-            If some do.
+            If some are redundant.
         """
         if self._fresh and self._joints:
             here = self.equations.glance(self.place())
             self._check_independent(here, here.jacobian * self.inverse, self.length)
 
     def motion(self, mean: Array, smooth: Array) -> tuple[Array, Array]:
-        """Return velocities and accelerations where the bodies are, and take up the forces there.
+        """Return velocities and accelerations at the present positions, and store the forces there.
 
         Not for joints that change with time. See `rattle`.
 
         Parameters
         ----------
         mean
-            (n, 3), of the velocities [m/s, rad/s].
+            (n, 3), the mean velocities [m/s, rad/s].
         smooth
-            (n, 3), the accelerations by all else [m/s², rad/s²].
+            (n, 3), the accelerations without the joints [m/s², rad/s²].
         """
         velocity, acceleration, self.tension = motion(self, mean, smooth, self.drift)
         return velocity, acceleration
 
     def hold(self, place: Array, velocity: Array, acceleration: Array) -> Array:
-        """Return the forces with which the joints would hold through a drift from elsewhere: (m,).
+        """Return the forces that would keep the joints through a drift from another state: (m,).
 
-        Ropes stay slack or taut, and what changes with time pulls on as it did.
+        Ropes stay slack or taut, and joints that change with time keep their forces.
 
         Parameters
         ----------
         place, velocity
-            (n, 3), where the drift would start [m, rad, m/s, rad/s].
+            (n, 3), the state at the start of that drift [m, rad, m/s, rad/s].
         acceleration
-            (n, 3), the accelerations by all else [m/s², rad/s²].
+            (n, 3), the accelerations without the joints [m/s², rad/s²].
 
         Raises
         ------
         JointFailure
-            If there are none.
+            If there are no such forces.
         """
         if not self._joints:
             return self.tension
         half = self.drift / 2
         begin = self.at(place)
-        with np.errstate(all="ignore"):  # what is not finite never converges, and is told by name
+        with np.errstate(all="ignore"):  # values that are not finite fail to converge, by name
             impulse, _, _ = self._newton(
                 begin,
                 coordinates_of(velocity + acceleration * half),
@@ -130,8 +130,8 @@ class ExactJoints(ConstraintForces):
         Raises
         ------
         JointFailure
-            If there are none: the joints contradict or repeat each other, or the step is too long
-            for what they carry.
+            If there are none: the joints are contradictory or redundant, or the step is too long
+            for their load.
         """
         if not self._joints:
             return
@@ -144,7 +144,7 @@ class ExactJoints(ConstraintForces):
         self.added = np.zeros_like(self._taut)
 
     def _solve_apart(self, until: float) -> Array:
-        """Solve one equation after the other, in floats; return the forces along them: (m,) [N]."""
+        """Solve the equations one by one, in floats; return the forces along them: (m,) [N]."""
         past = [tension.tolist() for tension in self._past[self.parts - 1 :: self.parts]]
         warm_start, length, found = self._warm_start.tolist(), self.lengths(until).tolist(), []
         for i, one in enumerate(self._alone):
@@ -172,7 +172,7 @@ class ExactJoints(ConstraintForces):
         work = -(self._warm_start + impulse) * (here.jacobian @ (free + moved))
         self.refuse_gain(free, moved, work)
         self.batch.set_velocity(moved[self.order])
-        # a slack rope pulls with nothing at all: books tell by its sign when it is caught
+        # the force of a slack rope is exactly 0: from its sign books tell when it is caught
         return np.where(self._taut, (self._warm_start + impulse) / self.kick, 0.0)
 
     def _solve_band(self, band: Banded, until: float) -> Array:
@@ -194,24 +194,24 @@ class ExactJoints(ConstraintForces):
         return (self._warm_start + impulse) / self.kick
 
     def _guess(self) -> Array:
-        """Return the impulses that are still to be expected in this kick: (m,) [N s]."""
+        """Return the expected rest of the impulses in this kick: (m,) [N s]."""
         past = self._past[self.parts - 1 :: self.parts]
         return (parabola(past) if past else self._cold) * self.kick - self._warm_start
 
     def refuse_gain(self, free: Array, moved: Array, work: Array) -> None:
-        """Refuse a kick in which joints give energy, unless lengths change or a body is kinematic.
+        """Refuse a kick in which joints add energy, unless lengths change or kinematic bodies move.
 
         Parameters
         ----------
         free, moved
-            (3 N,), the velocities without their impulses, and with them [m/s, rad/s].
+            (3 N,), the velocities without the joints' impulses, and with them [m/s, rad/s].
         work
-            (m,), of each row, or as much as it [J].
+            (m,), the work of each row, up to a common factor [J].
 
         Raises
         ------
         JointFailure
-            If they do; it names the one that gave most.
+            If they add energy; it names the joint with the most work.
         """
         rounding = self._mass * (QUADRATIC / self.drift) ** 2 / 2
         gains = self.kinetic(moved) > GROWS * self.kinetic(free) + rounding
@@ -221,7 +221,7 @@ class ExactJoints(ConstraintForces):
     def _settle(
         self, place: Coordinates, motion: Coordinates, response: Array, length: Array
     ) -> tuple[Array, Array]:
-        """Solve, and let go of ropes that would have to push, until none is left."""
+        """Solve with an active set: release ropes that would push, tighten those too long."""
         guess = self._guess()
         for _ in range(MAX_ITERATIONS):
             slack = ~self._taut if self._unilateral else None
@@ -245,10 +245,10 @@ class ExactJoints(ConstraintForces):
         impulse: Array,
         slack: Booleans | None,
     ) -> tuple[Array, Array, Array]:
-        """Return the impulses, the velocities after them, and by how much all rows are violated.
+        """Return the impulses, the velocities after them, and the residuals of all rows.
 
-        They are found from a guess; those of the slack rows stay. (`dot` of few numbers takes half
-        of what `@` takes.)
+        `impulse` is the initial guess; slack rows keep it. (`dot` of few numbers takes half the
+        time of `@`.)
         """
         h = self.drift
         for _ in range(MAX_ITERATIONS):
@@ -271,20 +271,23 @@ class ExactJoints(ConstraintForces):
         raise self.lost(int(np.argmax(np.abs(wrong))))
 
     def _check_independent(self, here: Rows, response: Array, length: Array) -> None:
-        """Refuse rows that repeat each other at the start, as far as they are taut."""
+        """Refuse taut rows that are redundant at the start."""
         self._fresh = False
         self._independence = check_independent(self, here, response, length)
 
     def lost(self, row: int) -> JointFailure:
-        """Say why there is no solution: the joints work against each other, or the step is long."""
-        tension = np.zeros(len(self.length))  # of what has just stuck, none is known yet
+        """Return why there is no solution: joints work against each other, or the step is long."""
+        tension = np.zeros(len(self.length))  # that of new equations is not known yet
         tension[: len(self.tension)] = self.tension
         taut = np.flatnonzero(self._taut)
         return lost(self, row, taut, self._independence, tension, self.drift)
 
 
 def parabola(past: list[Number]) -> Number:
-    """Return what comes next: on the parabola through the last three, newest first, or fewer."""
+    """Extrapolate by one step the parabola through the last three values, newest first.
+
+    With two values it is a line, with one a constant.
+    """
     match past:
         case [last, before, first]:
             return 3 * (last - before) + first

@@ -1,4 +1,4 @@
-"""Whether the equations of joints can be solved together, and what helps if not."""
+"""Solvability of the equations of joints, and the number of steps that they need."""
 
 from collections.abc import Callable
 
@@ -7,23 +7,23 @@ import numpy as np
 from sandbox.model.expressions import Array
 
 SMOOTH = 0.5
-"""ω dt of the fastest swing under tension at the rate that is advised."""
+"""ω dt of the fastest oscillation under tension, at the step rate that is advised."""
 
 NUDGE = 1e-6
-"""m, rad, by which coordinates are changed to see how the forces of joints change."""
+"""m, rad, the step of the finite differences of the joints' forces."""
 
 
 def solved(delassus: Array, violation: Array) -> Array:
-    """Solve a linear system; one equation in a tenth of the time."""
+    """Solve a linear system; a single equation takes a tenth of the time."""
     if len(violation) == 1:
         return violation / delassus[0]
     return np.linalg.solve(delassus, violation).astype(float, copy=False)
 
 
 def independence(delassus: Array) -> tuple[float, Array]:
-    """Return the smallest singular value over the largest, and each row's share in it.
+    """Return the ratio of smallest to largest singular value, and each row's share in the former.
 
-    Every row counts as if it alone moved its bodies by one.
+    The matrix is scaled to a diagonal of ones.
     """
     scale = np.sqrt(delassus.diagonal())
     _, sizes, directions = np.linalg.svd(delassus / np.outer(scale, scale))
@@ -31,19 +31,19 @@ def independence(delassus: Array) -> tuple[float, Array]:
 
 
 def steps_needed(force: Callable[[Array], Array], inverse: Array, drift: float) -> float:
-    """Return how many times as many steps joints under tension need, at least 2.
+    """Return the factor, at least 2, by which joints under tension need more steps.
 
-    Under tension joints are springs across: K = Σ λ ∂²C/∂q², of which the fastest swing is that
-    of the largest eigenvalue of M⁻¹ K; of a pendulum ω² = T / (m l).
+    Joints under tension are transverse springs: K = Σ λ ∂²C/∂q². The largest eigenvalue of M⁻¹ K
+    is ω² of the fastest oscillation; for a pendulum ω² = T / (m l).
 
     Parameters
     ----------
     force
-        Returns λᵀ J where the coordinates are changed by so much: (3 N,) of (3 N,).
+        Returns λᵀ J, (3 N,), after a displacement of the coordinates, (3 N,).
     inverse
-        (3 N,), one over the mass or moment of each coordinate.
+        (3 N,), the inverse mass or moment of inertia of each coordinate.
     drift
-        How long a drift lasts [s].
+        The duration of a drift [s].
     """
     root = np.sqrt(inverse)
     stiffness = np.zeros((len(root), len(root)))

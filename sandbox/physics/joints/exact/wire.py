@@ -1,7 +1,7 @@
 """A bead on a wire: its signed distance from a smooth curve stays zero.
 
-The distance's gradient is the unit normal at the foot point, which Newton's method follows from
-where it was last.
+The gradient of the distance is the unit normal at the foot point, which Newton's method finds from
+the last foot point.
 """
 
 from collections.abc import Callable
@@ -17,21 +17,22 @@ from sandbox.physics.state.errors import JointFailure
 
 MAX_ITERATIONS = 50
 QUADRATIC = 1e-6
-"""Pieces, below which the curve is as good as its own parabola."""
+"""Pieces, the Newton step below which the curve equals its own parabola up to rounding."""
 
 TURN = np.cos(0.5)
-"""The cosine of the largest angle by which a wire may turn in a step: what turns by more cannot be
-told from a bead that has cut a corner, and would be wrong by some percent."""
+"""The cosine of the largest turn of a wire in a step. A larger turn would give errors of some
+percent, and cannot be distinguished from a bead that has cut a corner."""
 
 FINER = 4.0
-"""How many times as many steps are advised to who turned by more."""
+"""The factor of more steps that is advised after a larger turn."""
 
 REACH = 16
-"""The share of its pieces, one over it, by which a bead may go on in a step where its foot is
-looked for anew: nearer ends of a wire that comes back are none of its way."""
+"""The wire's number of pieces over the most that a bead may pass in a step if its foot is searched
+anew. Parts of a wire that come closer but are further along do not count."""
 
 SLACK = 1.0
-"""Pieces, by which a bead may be over the end of a wire: one that starts there, and rounding."""
+"""Pieces, the most by which a bead may be past the end of a wire, for one that starts there and
+for rounding."""
 
 
 class WireEquation:
@@ -42,16 +43,16 @@ class WireEquation:
     joint
         The name of the wire.
     bead
-        What slides along it.
+        The anchor that slides along the wire.
     points
-        Of the curve [m], at equal steps of its parameter.
+        Points of the curve [m], at equal steps of its parameter.
 
     Attributes
     ----------
     joint
         The name of the wire.
     body, point
-        Which body the bead is, and where on it the wire passes [m].
+        The body of the bead, and the point of that body on the wire [m].
     """
 
     length = 0.0
@@ -65,11 +66,11 @@ class WireEquation:
         self._last: tuple[float, complex] | None = None  # the foot, in pieces; the tangent there
 
     def forget(self) -> None:
-        """Look for the bead anew, wherever it is now."""
+        """Forget the last foot point, so that the next one is searched on the whole wire."""
         self._last = None
 
     def look(self, place: Coordinates) -> tuple[float, tuple[Share]]:
-        """Return the distance [m], positive on the left of the wire, and its jacobian."""
+        """Return the distance [m], positive on the left of the wire, and its gradient."""
         arm = self.point * np.exp(1j * place.angle[self.body]) if self.point else 0j
         distance, normal = self.near(complex(place.plane[self.body] + arm))
         lever = float((normal.conjugate() * 1j * arm).real)
@@ -96,16 +97,16 @@ class WireEquation:
         return foot, tangent
 
     def _near(self, bead: complex) -> float:
-        """Return the node that is nearest, of those within reach of where it was [pieces]."""
+        """Return the nearest node of those within reach of the last foot point [pieces]."""
         assert self._last is not None
         reach = self._curve.count // REACH
         first = max(int(self._last[0]) - reach, 0)
         return first + float(np.abs(self._nodes[first : first + 2 * reach] - bead).argmin())
 
     def _follow(self, bead: complex, at: float) -> tuple[float, complex, complex] | None:
-        """Return the foot from a guess on: in pieces, the point, and the unit tangent there.
+        """Return the foot point from a guess: the parameter in pieces, the point, the unit tangent.
 
-        None if it is not found, or the wire has turned by too much since the last.
+        None if Newton's method does not converge, or the wire turns too much from the last foot.
         """
         before = self._last and self._last[1]
         for _ in range(MAX_ITERATIONS):
