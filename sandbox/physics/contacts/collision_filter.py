@@ -11,12 +11,15 @@ import pymunk
 
 def keep_apart(
     space: pymunk.Space, bodies: Mapping[str, pymunk.Body], pairs: Iterable[tuple[str, str]]
-) -> None:
-    """Let pairs of bodies not meet, of which one is dynamic at least."""
+) -> list[pymunk.Constraint]:
+    """Let pairs of bodies not meet, of which one is dynamic at least; return what sees to it."""
+    bars: list[pymunk.Constraint] = []
     for a, b in pairs:
         bar = pymunk.SimpleMotor(bodies[a], bodies[b], 0.0)
         bar.max_force, bar.collide_bodies = 0.0, False
-        space.add(bar)
+        bars.append(bar)
+    space.add(*bars)
+    return bars
 
 
 def meets(one: pymunk.Body, other: pymunk.Body) -> bool:

@@ -69,3 +69,15 @@ def disc_like(shape: pymunk.Shape, center: complex, radius: float) -> pymunk.Cir
     disc.friction, disc.elasticity = shape.friction, shape.elasticity
     disc.collision_type, disc.filter = shape.collision_type, ORDINARY
     return disc
+
+
+def core_of(shape: pymunk.Shape) -> list[complex]:
+    """Return what is thickened by a shape's radius, along the axes of its body [m]."""
+    match shape:
+        case pymunk.Circle():
+            return [complex(*shape.offset)]
+        case pymunk.Segment():
+            return [complex(*shape.a), complex(*shape.b)]
+        case pymunk.Poly():
+            return [complex(*corner) for corner in shape.get_vertices()]
+    raise TypeError(f"no core of a {type(shape).__name__}")

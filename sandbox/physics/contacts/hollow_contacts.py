@@ -13,6 +13,7 @@ from collections.abc import Iterator, Mapping
 import pymunk
 
 from sandbox.model.expressions import Array
+from sandbox.physics.contacts.enclosures import Enclosures
 from sandbox.physics.engine.batch import Contacts
 from sandbox.physics.engine.shape_pairs import Meeting, address
 from sandbox.physics.geometry.arcs import Piece, Placed, Touch, Verdict, way_along
@@ -40,19 +41,24 @@ class Hollows:
     drift
         How long the drift after a kick lasts [s]; None if nothing shall follow arcs more exactly
         than pymunk lets it.
+    enclosures
+        Keeps apart what hoops lie between.
 
     Attributes
     ----------
     pairs
         The names of the same.
+    enclosures
+        As above.
     """
 
     def __init__(
         self,
         pairs: Mapping[tuple[str, str], frozenset[int]],
         drift: float | None,
+        enclosures: Enclosures,
     ) -> None:
-        self.pairs, self._drift = frozenset(pairs), drift
+        self.pairs, self._drift, self.enclosures = frozenset(pairs), drift, enclosures
         self._rows = frozenset(pairs.values())
         self._pieces: dict[int, Piece] = {}
         self._shapes: list[pymunk.Shape] = []  # or pymunk would let go of them

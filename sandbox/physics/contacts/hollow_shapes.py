@@ -19,9 +19,11 @@ from sandbox.physics.contacts.corner_feelers import (
     HOLLOW,
     ORDINARY,
     Made,
+    core_of,
     half_of,
     make_feeler,
 )
+from sandbox.physics.contacts.enclosures import Enclosures
 from sandbox.physics.contacts.hollow_contacts import Hollows
 from sandbox.physics.contacts.line_ends import make_ends
 from sandbox.physics.engine.bodies import center_of, local_points
@@ -86,7 +88,7 @@ def _make(
         for name in dict.fromkeys(hollow for hollow, _ in pairs)
     }
     rows = {(min(pair), max(pair)): frozenset(made[name].row for name in pair) for pair in pairs}
-    hollows = Hollows(rows, drift)
+    hollows = Hollows(rows, drift, Enclosures(space, made, lines))
     for shape in space.shapes:
         shape.filter = ORDINARY
     for shape, piece in _pieces(made, lines, values, pairs, skin):
@@ -135,20 +137,9 @@ def _has_room(radius: float, body: Made) -> bool:
 
 def _box(shape: pymunk.Shape) -> tuple[list[float], list[float]]:
     """Return the corners of a box around a shape, along the axes of its body [m]."""
-    points, radius = _core(shape), shape.radius
+    points, radius = core_of(shape), shape.radius
     x, y = [p.real for p in points], [p.imag for p in points]
     return [min(x) - radius, min(y) - radius], [max(x) + radius, max(y) + radius]
-
-
-def _core(shape: pymunk.Shape) -> list[complex]:
-    match shape:
-        case pymunk.Circle():
-            return [complex(*shape.offset)]
-        case pymunk.Segment():
-            return [complex(*shape.a), complex(*shape.b)]
-        case pymunk.Poly():
-            return [complex(*corner) for corner in shape.get_vertices()]
-    raise TypeError(f"no core of a {type(shape).__name__}")
 
 
 def _refuse_within(name: str, hollow: Made, radius: float, other: str, body: Made) -> None:
@@ -238,7 +229,7 @@ def _cores(body: Made) -> list[list[complex]]:
         case Polygon():
             parts = convex_parts([(point.real, point.imag) for point in body.points])
             return [[complex(*corner) for corner in part] for part in parts]
-    return [_core(shape) for shape in body.shapes]
+    return [core_of(shape) for shape in body.shapes]
 
 
 def _feelers(

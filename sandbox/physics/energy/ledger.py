@@ -339,5 +339,4 @@ class Ledger:
 
     def _kicked(self) -> Contacts:
         """Return the contacts of the kick, without the impacts that cut the drift before it."""
-        collided = self._step.impacts
-        return self._step.contacts.after(len(collided.impacts) if collided else 0)
+        return self._step.contacts.after(self._step.over)

@@ -47,8 +47,10 @@ class StepRecord(NamedTuple):
     hold
         The row of the body that a hand holds, and the arm from its centre to the grip [m]; None if
         it holds none.
+    over
+        How many of the contacts, the first ones, were impacts in its drift.
     impacts
-        What located impacts did in its drift; None if there were none.
+        What located impacts did in it; None if there were none.
     stop
         What the end of slipping did in its drift; None if none ended.
     acted
@@ -71,6 +73,7 @@ class StepRecord(NamedTuple):
     parts: Sequence[Substep]
     trail: Sequence[Array]
     hold: tuple[int, XY] | None
+    over: int = 0
     impacts: "Collided | None" = None
     stop: "Stop | None" = None
     acted: "Acted | None" = None

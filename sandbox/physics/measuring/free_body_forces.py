@@ -194,8 +194,7 @@ class _Kick(NamedTuple):
     @property
     def contacts(self) -> Contacts:
         """Those of the kick itself: what cut the drift before it comes first."""
-        collided = self.step.impacts
-        return self.step.contacts.after(len(collided.impacts) if collided else 0)
+        return self.step.contacts.after(self.step.over)
 
     @property
     def struck(self) -> bool:

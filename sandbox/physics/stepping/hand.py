@@ -51,6 +51,8 @@ def place(setup: Setup, stages: Stages, positions: Mapping[str, XY], now: Snapsh
     for name, position in positions.items():
         scene.bodies[name].position = position
         scene.space.reindex_shapes_for_body(scene.bodies[name])
+    if scene.hollows:
+        scene.hollows.enclosures.look()
     for refit in stages.refit:
         refit(t)
     scene.batch.set_velocity(np.column_stack((now.velocity, now.angular_velocity)))

@@ -5,7 +5,7 @@ import pytest
 from sandbox.model.level import Level
 from sandbox.physics.energy.book_closure import Closing
 from sandbox.physics.run import simulate
-from tests.physics.scenes import GRAVITY, atwood, box, disc, floor, level, orbit
+from tests.physics.scenes import GRAVITY, atwood, box, disc, fixed, floor, level, orbit
 
 
 def closing(scene: Level, duration: float = 1.0) -> Closing:
@@ -52,9 +52,11 @@ def test_eulers_scheme_does_not_close() -> None:
 
 
 def test_what_overlaps_gave_is_told() -> None:
+    """Arcs are met where steps end, and so in each other."""
+    arc = {"type": "arc", "radius": 50, "start": "260*deg", "end": "280*deg"}
     scene = level(
-        {"ball": disc((0, 1), radius=0.1, restitution=0.1), "floor": floor(restitution=1)},
-        {**GRAVITY, "contact": {"solver": "direct"}, "restitution": {}},
+        {"ball": disc((0, 1), radius=0.1), "bowl": fixed(arc, (0, 50))},
+        {**GRAVITY, "contact": {"solver": "direct"}},
     )
     found = closing(scene)
 

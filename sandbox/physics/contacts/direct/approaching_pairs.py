@@ -50,7 +50,8 @@ class ApproachingPairs:
         moves: Booleans,
     ) -> None:
         self._bodies, self._gates, self._shapes = query.bodies, query.gates, shapes
-        known = np.isfinite(shapes.reach) & surfaces.figures.straight
+        known = np.isfinite(shapes.reach) & surfaces.figures.convex
+        self._hollow = surfaces.figures.inner > 0
         may = np.triu(surfaces.lands & known[:, None] & known, 1)
         may &= moves[:, None] | moves
         self._first, self._second = np.nonzero(may)
@@ -122,7 +123,7 @@ class ApproachingPairs:
                 self._room[row], room[row] = 0.0, np.inf  # computed once they part
                 continue
             gap = self._shapes.gap(pair, here)
-            if (first or gap <= ahead[row]) and self._never_meet(pair):
+            if (first or gap <= ahead[row]) and (self._never_meet(pair) or self._within(pair, gap)):
                 gap = np.inf
             self._room[row] = room[row] = gap
             if LEAST < ahead[row] >= gap and not self._is_let(pair, place):
@@ -143,6 +144,10 @@ class ApproachingPairs:
         plane, turn = planes(way), np.abs(way[2 * count :])
         first, second = self._first, self._second
         return np.asarray(np.abs(plane[first] - plane[second]) + turn[first] + turn[second])
+
+    def _within(self, pair: Pair, gap: float) -> bool:
+        """Return whether one of two bodies is within the other, and never met from outside."""
+        return bool(gap < 0 and self._hollow[list(pair)].any())
 
     def _never_meet(self, pair: Pair) -> bool:
         """Return whether two bodies do not collide, or are parts of one solid."""

@@ -2,10 +2,10 @@
 
 Between two kicks leapfrog stands for a motion with the accelerations of the last kick: a parabola.
 Where bodies meet on it, the drift is cut. The kick before it is solved again for a drift that ends
-there. Then comes an impact without rebound, all at once with the joints and contacts that take part
-in it, and then another drift, in which what has met touches. Thus nothing is stopped before it has
-come down, or lifted out of what it has come down on. A corner that comes down beside another that
-touches already lands in the same way, if it does so faster than what acts in a step makes it.
+there. Then comes an impact, all at once with the joints and contacts that take part in it, and then
+another drift, in which what has met touches, or is on its way back. Thus nothing is stopped before
+it has come down, or lifted out of what it has come down on. A corner that comes down beside another
+that touches already lands in the same way, if it does so faster than what acts in a step makes it.
 
 What has nothing to do with a landing goes on as it did.
 """
@@ -34,7 +34,7 @@ from sandbox.physics.contacts.direct.speculative_contacts import (
 )
 from sandbox.physics.contacts.direct.warm_start import recalled
 from sandbox.physics.contacts.time_of_impact import TOUCH, Hit, Path
-from sandbox.physics.engine.batch import Booleans
+from sandbox.physics.engine.batch import NO_CONTACTS, Booleans
 from sandbox.physics.geometry.roots import root
 from sandbox.physics.joints.exact.constraints import Coordinates, order
 from sandbox.physics.state.errors import JointFailure, NoForces
@@ -98,6 +98,8 @@ class Landings:
         (n,), which bodies have to do with landings.
     pushed
         (n,), the sizes of their impulses on each body, added up [N s].
+    met
+        Who landed on whom, without impulses.
     """
 
     def __init__(
@@ -115,6 +117,7 @@ class Landings:
         self._order = order(count)
         self.reached: Booleans = np.zeros(count, dtype=bool)
         self.pushed: Array = np.zeros(count)
+        self.met = NO_CONTACTS
 
     def follow(self, whole: Part) -> list[Part]:
         """Return the parts of the drift after a kick: the same one, if nothing lands."""
@@ -211,6 +214,7 @@ class Landings:
         kick = self._build.anew(place, shorter.kick.contacts_at(place).and_(down), lengths)
         forces, active = recalled(shorter.kick, shorter.forces, shorter.active, kick)
         self.reached = self.reached | self._around(kick, down.bodies.tolist())
+        self.met = self.met.and_(down)
         part = shorter._replace(kick=kick, forces=forces, active=active)
         struck = kick.layout.touching.pair >= len(kick.contacts.bodies) - len(down.bodies)
         begun, stages = self._struck(part, struck)

@@ -62,8 +62,8 @@ class Figures:
         Whether all round bodies are full circles about their bodies' centres.
     hollow
         Whether any body can be touched from inside.
-    straight
-        (n,), whether a body consists of discs and straight sides alone.
+    convex
+        (n,), whether a body consists of discs and straight sides alone, seen from outside.
     """
 
     def __init__(self, figures: list[Figure]) -> None:
@@ -74,8 +74,7 @@ class Figures:
         self.ends = np.array([figure.ends for figure in figures], dtype=bool)
         self.hollow = bool((self.inner > 0).any())
         self.plain = not (self.center.any() or self.ends.any())
-        bent = [bool(f.inner > 0 or f.ends or f.course) for f in figures]
-        self.straight: Booleans = ~np.array(bent, dtype=bool)
+        self.convex: Booleans = ~np.array([bool(f.ends or f.course) for f in figures], dtype=bool)
         self.courses = {row: f.course for row, f in enumerate(figures) if f.course}
         most = max((len(figure.normals) for figure in figures), default=0)
         self._normals = np.full((len(figures), max(most, 1)), np.nan, dtype=complex)

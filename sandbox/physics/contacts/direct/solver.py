@@ -22,7 +22,7 @@ from functools import partial
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.contacts.contact_queries import Query
+from sandbox.physics.contacts.contact_queries import Query, pairs_of
 from sandbox.physics.contacts.direct.constraint_rows import Active
 from sandbox.physics.contacts.direct.drift_parts import Landed, Part
 from sandbox.physics.contacts.direct.drift_subdivision import Divided, through
@@ -35,7 +35,7 @@ from sandbox.physics.contacts.direct.speculative_contacts import LOOKS, Speculat
 from sandbox.physics.contacts.direct.warm_start import WarmStart
 from sandbox.physics.contacts.direct.whole_kick import Beginning, take
 from sandbox.physics.contacts.sequential_impacts import Impacts
-from sandbox.physics.engine.batch import Batch, Booleans, Contacts
+from sandbox.physics.engine.batch import NO_CONTACTS, Batch, Booleans, Contacts
 from sandbox.physics.joints.exact.constraints import Coordinates, order
 from sandbox.physics.joints.exact.shake import ExactJoints
 from sandbox.physics.state.errors import JointFailure, NoForces
@@ -74,6 +74,10 @@ class Direct:
         The drift after the kick, if it is taken in parts; else None.
     drifted
         The same of the drift before it.
+    led
+        (n, 3), the mean velocities in that, if it was taken in parts; else None [m/s, rad/s].
+    parted
+        Who met in it, and touched no longer at its end; without impulses.
     """
 
     def __init__(
@@ -106,6 +110,9 @@ class Direct:
         self.kicked: Array | None = None
         self.divided: Divided | None = None
         self.drifted: Divided | None = None
+        self.led: Array | None = None
+        self._leads: Array | None = None  # the same of the drift after the kick
+        self.parted = self._met = NO_CONTACTS  # who landed on whom since the last kick
         self._given = self._calm.impulse  # (n,), by which bodies were stopped since the last kick
         self._solved: tuple[Kick, Array] | None = None  # the last kick with contacts, its impulses
         self._taken: Taken | None = None  # the kick now, if contacts were solved in it
@@ -159,6 +166,9 @@ class Direct:
         self.last, self.stages = self._calm, ()
         self._taken = None
         self.kicked, self.drifted, self.divided = None, self.divided, None
+        self.led, self._leads = self._leads, None
+        met, self._met = self._met, NO_CONTACTS
+        self.parted = _without(met, self._build.contacts)
         self._build.follow(until)
         if len(self._build.contacts.bodies) or np.count_nonzero(self._joints.added):
             self._solve_all()
@@ -202,14 +212,16 @@ class Direct:
         """Begin anew with other joints, where bodies are."""
         self._build.relay()
         self._known.forget()
-        self.divided = None
+        self.divided = self._leads = None
+        self._met = NO_CONTACTS
         self._change = self._calm.jump
 
     def forget(self) -> None:
         """Begin anew: bodies were put elsewhere."""
         self._build.forget()
         self._known.forget()
-        self.divided = None
+        self.divided = self._leads = None
+        self._met = NO_CONTACTS
         self._change = self._calm.jump
 
     def _solve_joints(self, until: float) -> None:
@@ -287,7 +299,8 @@ class Direct:
         self.last = first.impacts or self._calm
         self.divided = found.seen(self._batch.state()[:, :3], self._order)
         self.kicked = self.divided.left
-        self._batch.set_velocity(found.way[self._order] / self._joints.drift)
+        self._leads = found.way[self._order] / self._joints.drift
+        self._batch.set_velocity(self._leads)
         self._known.note(first.kick, first.forces, first.active)
         self._report(first.kick, found.whole, first.active)
 
@@ -308,9 +321,10 @@ class Direct:
         last, start = parts[-1], self._batch.state()[:, :3]
         landed = Landed(whole, parts, laws, landings.reached, start)
         self.divided = divided = landed.divided
-        self._given, self.kicked = landings.pushed, divided.left
+        self._given, self._met, self.kicked = landings.pushed, landings.met, divided.left
         ways = (divided.end - start) / self._dt
-        self._batch.set_velocity(np.where(landed.reached[:, None], ways, self.kicked))
+        self._leads = np.where(landed.reached[:, None], ways, self.kicked)
+        self._batch.set_velocity(self._leads)
         self._known.note(last.kick, last.forces, last.active)
         return landed
 
@@ -355,3 +369,12 @@ class Direct:
         if self._solved is None:
             return np.zeros((2, 0, 3))
         return self._solved[0].wrenches(self._solved[1], body)
+
+
+def _without(met: Contacts, others: Contacts) -> Contacts:
+    """Return those contacts of whose pairs none is among others."""
+    if not len(met.bodies):
+        return met
+    touch = set(pairs_of(others))
+    left = [pair not in touch for pair in pairs_of(met)]
+    return Contacts._make(field[left] for field in met)

@@ -9,7 +9,7 @@ takes away the part of the approach that is too much for the drift; the impact a
 takes the rest. Neither gives energy.
 
 That is for corners that come down gently. Those that strike, and bodies that do not touch yet, are
-located within the drift (see `landing_drifts`). What bounces is left to its impact.
+located within the drift (see `landing_drifts`). Other corners of what bounces wait for theirs.
 """
 
 from collections.abc import Sequence

@@ -53,14 +53,14 @@ def surfaces_of(level: Level, values: Values, bodies: Sequence[pymunk.Body]) -> 
         surfaces(bodies),
         CORRECTION if contact.correction is None else contact.correction(values),
         SLOP if contact.slop is None else contact.slop(values),
-        (restitution == 0) & _left_to_it(level),
+        _left_to_it(level),
     )
 
 
 def _left_to_it(level: Level) -> Booleans:
     """Return which pairs, (n, n), nothing else waits for.
 
-    That is what locates impacts, bounces or sticks, and joints that break: for a whole blow at one
+    That is what locates impacts itself, or sticks, and joints that break: for a whole blow at one
     step, not for its parts.
     """
     effects, names = level.effects, list(level.bodies)

@@ -23,12 +23,13 @@ def make(setup: Setup) -> Stage:
         direct.forget()
 
     def record(step: StepRecord) -> StepRecord:
-        return step._replace(divided=direct.drifted)
+        over = step.over + len(direct.parted.bodies)
+        return step._replace(divided=direct.drifted, over=over)
 
     return Stage(
         in_kick=begin,
         after_kick=bearing(setup, solve),
         refit=refit,
         record=record,
-        contacts=lambda: direct.contacts,
+        contacts=lambda: direct.parted.and_(direct.contacts),
     )

@@ -78,8 +78,10 @@ class Cuts:
 
     def record(self, step: StepRecord) -> StepRecord:
         """Add what impacts, and the ends of slipping, did in the drift of a step."""
+        collided = self._located.last if self._located else None
         return step._replace(
-            impacts=self._located.last if self._located else None,
+            over=len(collided.impacts) if collided else 0,
+            impacts=collided,
             stop=self._stops.last if self._stops else None,
         )
 
