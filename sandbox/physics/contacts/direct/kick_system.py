@@ -1,6 +1,6 @@
 """The system of equations of a kick, before it is solved."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -139,9 +139,11 @@ class Kick:
 
     def between(self, place: Coordinates, before: Array, after: Array) -> "Kick":
         """Return the same elsewhere, before a drift between other lengths of the joints: (m,)."""
-        kick = self.moved(place)
-        kick.before, kick.after = before, after
-        return kick
+        return self.moved(place).lasting(before, after)
+
+    def lasting(self, before: Array, after: Array) -> "Kick":
+        """Return the same before a drift between other lengths of the joints: (m,) each."""
+        return replace(self, before=before, after=after)
 
     def leaning(self, moved: Array, forces: Array) -> "Kick | None":
         """Return the same with friction where sides press that lift their first point.

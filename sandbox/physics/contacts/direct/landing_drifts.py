@@ -225,8 +225,8 @@ class Landings:
         mine, others, drive = self._others(part)
         some = replace(part.kick, layout=part.kick.layout.around(mine))
         half = part.drift / 2
-        came, to_it = impacts.come(some, part.moved + half * drive, struck)
-        begun, pushes = impacts.bounce(some, came, struck)
+        came, to_it = impacts.come(some, part.moved + half * drive, struck, part.active)
+        begun, pushes = impacts.bounce(some, came, struck, part.active)
         stages = (
             Stage.of(part.kick, half, came[self._order], to_it + half * others),
             Stage.of(part.kick, 0.0, begun[self._order], pushes),
@@ -247,9 +247,7 @@ class Landings:
         """Return a part that is so long after a kick that lasts so long [s]."""
         joints, start = part.kick.joints, self._until - part.left
         joints.time(drift, drift)
-        kick = part.kick.between(
-            part.kick.place, joints.lengths(start), joints.lengths(start + drift)
-        )
+        kick = part.kick.lasting(joints.lengths(start), joints.lengths(start + drift))
         mine, _, drive = self._others(part)
         motion = part.begun + lasts * drive
         part = part._replace(kick=kick, drift=drift, lasts=lasts, moved=motion)
