@@ -1,4 +1,8 @@
-"""The warm start of a kick: forces and active rows of the last one."""
+"""The warm start of a kick: forces and active rows of the last ones.
+
+While the same rows hold, forces are expected on a parabola through the last three: where these
+change smoothly, Newton's method is home with its first step.
+"""
 
 from typing import NamedTuple
 
@@ -10,6 +14,7 @@ from sandbox.physics.contacts.direct.kick_system import Kick
 from sandbox.physics.contacts.direct.row_layout import Layout
 from sandbox.physics.contacts.direct.touching import Touching
 from sandbox.physics.engine.batch import Booleans, Integers
+from sandbox.physics.joints.exact.shake import parabola
 
 AT_REST = 1e-9
 """m/s, below which surfaces that meet do not slip."""
@@ -48,14 +53,17 @@ class WarmStart:
 
     def __init__(self) -> None:
         self._known: Known | None = None
+        self._past: list[Array] = []  # the forces since the same rows hold, (r,) [N], newest first
 
     def forget(self) -> None:
         """Know nothing any more."""
-        self._known = None
+        self._known, self._past = None, []
 
     def note(self, kick: Kick, forces: Array, active: Active) -> None:
         """Remember the forces of a kick, (r,) [N], and what held in it."""
-        self._known = Known(kick.layout, forces, active)
+        known, self._known = self._known, Known(kick.layout, forces, active)
+        same = known and known.layout is kick.layout and known.active.key == active.key
+        self._past = [forces, *self._past[:2]] if same else [forces]
 
     def guess(self, kick: Kick, motion: Array, length: float) -> tuple[Array, Active]:
         """Return the impulses of so many seconds, (r,), and what holds, as far as can be told.
@@ -70,7 +78,7 @@ class WarmStart:
             Of the kick [s].
         """
         if known := self._recalled(kick):
-            return known.forces * length, known.active
+            return parabola(self._past) * length, known.active
         force, along, on, slip = self._new(kick, motion)
         tension, taut = kick.joints.expected()
         if self._known and len(self._known.tension) == len(tension):
