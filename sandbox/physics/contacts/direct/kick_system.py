@@ -9,7 +9,7 @@ from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.gap_functions import Features, features
 from sandbox.physics.contacts.direct.row_layout import Layout
 from sandbox.physics.engine.batch import NO_CONTACTS, Booleans, Contacts
-from sandbox.physics.joints.exact.constraints import PLACES, Coordinates, Rows
+from sandbox.physics.joints.exact.constraints import Coordinates, Rows, blur
 from sandbox.physics.joints.exact.shake import ExactJoints
 
 PROUD = 1e-9
@@ -216,7 +216,7 @@ class Kick:
     @cached_property
     def blur(self) -> float:
         """How well velocities are known that are chosen by places [m/s]."""
-        return PLACES * float(np.abs(self.place.values).max()) / abs(self.joints.drift)
+        return blur(self.place.values, self.joints.drift)
 
     def joint_rates(self) -> Array:
         """Return how fast what joints keep grows at the step: (m,) [m/s, rad/s]."""
