@@ -153,7 +153,7 @@ class Landings:
         """
         shorter, known = part, (part.drift, part.drift - met.time)
         for _ in range(REFINED):
-            shorter = self._shortened(part, met.time)
+            shorter = self._shortened(part, met.time, shorter)
             again = self._meet(shorter, part.drift, met.pairs, met.corners)
             if again is None or abs(again.time - met.time) <= TOGETHER * part.drift:
                 break
@@ -194,11 +194,13 @@ class Landings:
                 reached |= bodies
         return reached
 
-    def _shortened(self, part: Part, drift: float) -> Part:
-        """Return the same part with a shorter drift [s]."""
+    def _shortened(self, part: Part, drift: float, near: Part) -> Part:
+        """Return the same part with a shorter drift [s], and one that is near it to begin with."""
         lasts = part.lasts - (part.drift - drift) / 2
         if drift >= SOON * part.drift:
-            return self._solved(part, drift, lasts)
+            return self._solved(
+                part._replace(forces=near.forces, active=near.active), drift, lasts
+            )
         moved = part.begun + lasts * (self._laws + part.pulls)
         return part._replace(drift=drift, lasts=lasts, moved=moved)
 
