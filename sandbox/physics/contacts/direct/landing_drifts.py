@@ -198,9 +198,7 @@ class Landings:
         """Return the same part with a shorter drift [s], and one that is near it to begin with."""
         lasts = part.lasts - (part.drift - drift) / 2
         if drift >= SOON * part.drift:
-            return self._solved(
-                part._replace(forces=near.forces, active=near.active), drift, lasts
-            )
+            return self._solved(part._replace(forces=near.forces, active=near.active), drift, lasts)
         moved = part.begun + lasts * (self._laws + part.pulls)
         return part._replace(drift=drift, lasts=lasts, moved=moved)
 

@@ -1,7 +1,7 @@
 """The warm start of a kick: forces and active rows of the last ones.
 
-While the same rows hold, forces are expected on a parabola through the last three: where these
-change smoothly, Newton's method is home with its first step.
+While the same rows hold, and their forces change smoothly, the next ones are expected on a
+parabola through the last three: Newton's method is then home with its first step.
 """
 
 from typing import NamedTuple
@@ -11,10 +11,15 @@ import numpy as np
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.constraint_rows import Active
 from sandbox.physics.contacts.direct.kick_system import Kick
+from sandbox.physics.contacts.direct.linear_systems import most
 from sandbox.physics.contacts.direct.row_layout import Layout
 from sandbox.physics.contacts.direct.touching import Touching
 from sandbox.physics.engine.batch import Booleans, Integers
 from sandbox.physics.joints.exact.shake import parabola
+
+SMOOTH = 0.5
+"""The share of their last change by which forces may leave a straight line and still be smooth:
+what jumps to and fro would jump further on a parabola, and may lead to forces of another kind."""
 
 AT_REST = 1e-9
 """m/s, below which surfaces that meet do not slip."""
@@ -78,7 +83,7 @@ class WarmStart:
             Of the kick [s].
         """
         if known := self._recalled(kick):
-            return parabola(self._past) * length, known.active
+            return self._expected() * length, known.active
         force, along, on, slip = self._new(kick, motion)
         tension, taut = kick.joints.expected()
         if self._known and len(self._known.tension) == len(tension):
@@ -108,6 +113,15 @@ class WarmStart:
         found = np.zeros(len(kick.layout.touching.pair), dtype=bool)
         found[[gap for gap, _ in self._same(kick)]] = True
         return found
+
+    def _expected(self) -> Array:
+        """Return the forces that come next, (r,) [N], if the same rows hold."""
+        last = self._past[0]
+        if len(self._past) < 3:
+            return last
+        _, before, first = self._past
+        bend = most(last - 2 * before + first)
+        return parabola(self._past) if bend <= SMOOTH * most(last - before) else last
 
     def _recalled(self, kick: Kick) -> Known | None:
         """Return what is known, if the same touched then."""
