@@ -10,7 +10,7 @@ from sandbox.physics.contacts.direct.complementarity import Unsolvable, solve, s
 from sandbox.physics.contacts.direct.constraint_rows import Active
 from sandbox.physics.contacts.direct.kick_system import Kick
 from sandbox.physics.contacts.direct.linear_systems import most
-from sandbox.physics.contacts.direct.row_layout import Layout
+from sandbox.physics.contacts.direct.row_layout import Island, Layout
 from sandbox.physics.engine.batch import Booleans, Integers
 from sandbox.physics.joints.exact.constraints import MAX_ITERATIONS, QUADRATIC, Rows
 from sandbox.physics.joints.exact.shake import TAUT
@@ -36,10 +36,8 @@ def newton(
 
     Parameters
     ----------
-    kick
-        What is known.
-    layout
-        What the rows ask for.
+    kick, layout
+        What is known, and what its rows ask for.
     rows
         The rows after a way, (3 N,) [m, rad].
     motion
@@ -60,22 +58,18 @@ def newton(
     for iteration in range(MAX_ITERATIONS):
         way = drift * (motion + impulse.dot(kick.response))
         there = rows(way) if np.count_nonzero(way) else kick.here
-        wrong, before = there.total - wanted, active
-        missed = np.abs(wrong)
-        rate = wrong / drift
-        far = active.on & (missed > QUADRATIC)
-        off = far if iteration < SOON and np.count_nonzero(far) else None
-        found = solve_rows(
-            kick, left, there.jacobian, rate, active, impulse, lets=TAUT / drift, off=off
-        )
-        impulse, active = found if left is layout else _with_settled(left, (impulse, active), found)
-        moves = far | (active.on != before.on)
-        moves[layout.slips] |= active.slip != before.slip
+        wrong, before = there.total - wanted, (impulse, active)
+        missed, rate, held = np.abs(wrong), wrong / drift, active
+        far = held.on & (missed > QUADRATIC)
+        off, lets = far if iteration < SOON else None, TAUT / drift
+        found = solve_rows(kick, left, there.jacobian, rate, held, impulse, lets=lets, off=off)
+        impulse, active = found if left is layout else _with_settled(left, before, found)
+        moves = far | (active.on != held.on)
+        moves[layout.slips] |= active.slip != held.slip
         if not np.count_nonzero(moves):
             return impulse, motion + impulse.dot(kick.response), active
-        if len(layout.islands) > 1:
-            left = layout.around(moves)
-        if rounds.vain(before, most(missed[before.on])):
+        left = layout.around(moves)
+        if rounds.vain(held, most(missed[held.on])):
             break
     raise lost(kick, int(np.where(active.on, missed, 0.0).argmax()))
 
@@ -125,10 +119,8 @@ def solve_rows(
 
     Parameters
     ----------
-    kick
-        What is known.
-    layout
-        What the rows ask for.
+    kick, layout
+        What is known, and what its rows ask for.
     jacobian
         (r, 3 N), J of the rows.
     rate
@@ -138,34 +130,48 @@ def solve_rows(
     lets
         By how much rows may contradict each other [m/s, rad/s].
     off
-        (r,), with which of them an island may do so more, as it is far from home; None if with
-        none.
+        (r,), with which of them an island is so far off that it may do so more; None: with none.
 
     Raises
     ------
     JointFailure, NoForces
         If there are none.
     """
-    found, blur = np.zeros(len(rate)), kick.blur
+    found = np.zeros(len(rate))
     on, slip = np.zeros(len(rate), dtype=bool), np.zeros(len(active.slip), dtype=np.intp)
     if len(alone := layout.alone):
-        allow = np.where(off[alone], inf, lets) if off is not None else np.full(len(alone), lets)
-        found[alone], on[alone] = _solve_alone(kick, alone, jacobian, rate, impulse, allow), True
-    for rows, slips, problem in layout.together:
-        across = kick.response.take(rows, axis=0).T
-        delassus, free = jacobian.take(rows, axis=0).dot(across), rate.take(rows)
-        if impulse is not None:
-            free -= delassus.dot(impulse.take(rows))
+        each = np.full(len(alone), lets) if off is None else np.where(off[alone], inf, lets)
+        found[alone], on[alone] = _solve_alone(kick, alone, jacobian, rate, impulse, each), True
+    for island in layout.together:
+        rows, slips, _ = island
         guess = Active(active.on.take(rows), active.slip.take(slips))
-        allowed = inf if off is not None and np.count_nonzero(off.take(rows)) else lets
-        try:
-            found[rows], held = solve(problem, delassus, free, guess, blur, allowed)
-        except Unsolvable as error:
-            raise lost(kick, int(rows[error.row])) from None
-        except np.linalg.LinAlgError:
-            raise lost(kick, int(rows[0])) from None
+        allow = inf if off is not None and np.count_nonzero(off.take(rows)) else lets
+        found[rows], held = _solve_island(kick, island, jacobian, rate, guess, impulse, allow)
         on[rows], slip[slips] = held
     return found, Active(on, slip)
+
+
+def _solve_island(
+    kick: Kick,
+    island: Island,
+    jacobian: Array,
+    rate: Array,
+    guess: Active,
+    impulse: Array | None,
+    lets: float,
+) -> tuple[Array, Active]:
+    """Solve what hangs together; see `solve_rows`."""
+    rows, _, problem = island
+    across = kick.response.take(rows, axis=0).T
+    delassus, free = jacobian.take(rows, axis=0).dot(across), rate.take(rows)
+    if impulse is not None:
+        free -= delassus.dot(impulse.take(rows))
+    try:
+        return solve(problem, delassus, free, guess, kick.blur, lets)
+    except Unsolvable as error:
+        raise lost(kick, int(rows[error.row])) from None
+    except np.linalg.LinAlgError:
+        raise lost(kick, int(rows[0])) from None
 
 
 def _solve_alone(
