@@ -20,6 +20,7 @@ from sandbox.physics.contacts.kinematics import over_bodies, pair_jacobian
 from sandbox.physics.contacts.post_impact_velocity import reached
 from sandbox.physics.contacts.simultaneous_impacts import ROUNDING, Pile, responses
 from sandbox.physics.engine.batch import NO_CONTACTS, Batch, Booleans, Contacts, Integers
+from sandbox.physics.joints.exact.constraints import blur
 from sandbox.physics.joints.exact.reactions import Grip
 from sandbox.physics.joints.exact.shake import ExactJoints
 
@@ -157,7 +158,10 @@ class Sequence:
             self._places = _Places.of(contacts, self._turning)
         points = self._places.points(contacts, place)
         parts = np.einsum("kbc,kbc->kb", points.jacobian, velocity[points.bodies])
-        parting, rounding = parts.sum(axis=1), ROUNDING * np.abs(parts).max(axis=1) + FAINTEST
+        parting = parts.sum(axis=1)
+        rounding = ROUNDING * np.abs(parts).max(axis=1) + FAINTEST
+        if self._joints:
+            rounding += blur(place, self._dt)
         if not np.count_nonzero(parting < -rounding):
             return
         allowed = np.maximum(_allowed(points, gives), rounding)

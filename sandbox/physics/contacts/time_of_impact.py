@@ -74,14 +74,21 @@ class Path:
         (n, 3), their accelerations then [m/s², rad/s²].
     struck
         (n,), which had an impact.
+    blur
+        How well velocities are known that joints have chosen; 0 without any [m/s].
     """
 
     def __init__(
-        self, place: Array, velocity: Array, acceleration: Array, grip: Grip | None = None
+        self,
+        place: Array,
+        velocity: Array,
+        acceleration: Array,
+        grip: Grip | None = None,
+        blur: float = 0.0,
     ) -> None:
         self.place, self.velocity = place.copy(), velocity.copy()
         self.acceleration = acceleration.copy()
-        self._grip = grip
+        self._grip, self.blur = grip, blur
         self.since = np.zeros(len(place))
         self.struck = np.zeros(len(place), dtype=bool)
         self._seen: tuple[float, Array] | None = None  # when last, and how joints had turned then
@@ -194,7 +201,8 @@ def meet(
                 return None
             hit = _hit(t, (one, other), (here, there), found)
             speeds = here.velocity, there.velocity
-            allowed = _allowed(found.normal, speeds, gets, rests=t == since or at_end)
+            rests = t == since or at_end
+            allowed = _allowed(found.normal, speeds, gets, rests=rests) + path.blur
             if hit.parting < -allowed:
                 return hit
             if hit.parting <= allowed:

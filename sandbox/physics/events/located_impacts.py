@@ -29,6 +29,7 @@ from sandbox.physics.engine.batch import Booleans, Contacts
 from sandbox.physics.events.impact_order import Tally, Turns
 from sandbox.physics.events.impact_response import Coefficients, Collided, Collision, Impact
 from sandbox.physics.geometry.distance import Outline, outlines
+from sandbox.physics.joints.exact.constraints import blur
 from sandbox.physics.joints.exact.reactions import Grip
 from sandbox.physics.scene.scene import Scene
 from sandbox.physics.state.cancellation import cancellation_point
@@ -163,7 +164,8 @@ class Located:
         if struck is None:
             self._without_impacts(acceleration, smooth, place, (begun, drifts))
         grip = Grip(self._joints, self._inverse_mass, place) if self._joints else None
-        path = Path(place, drifts - acceleration * (self._dt / 2), acceleration, grip)
+        known = blur(place, self._dt) if grip else 0.0
+        path = Path(place, drifts - acceleration * (self._dt / 2), acceleration, grip, known)
         self._pulled = np.zeros(3)
         self._follow(path, near, smooth * self._dt)
         return self._hand_over(path, state, acceleration) if self.impacts else None

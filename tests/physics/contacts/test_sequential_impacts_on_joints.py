@@ -5,7 +5,12 @@ from math import cos, sin, sqrt
 import numpy as np
 import pytest
 
+from sandbox.model.catalog import find
+from sandbox.model.expressions import Array
 from sandbox.model.level import Level
+from sandbox.model.loading import load
+from sandbox.physics.contacts.simultaneous_impacts import Pile
+from sandbox.physics.engine.batch import Integers
 from sandbox.physics.run import build
 from tests.physics.contacts.test_sequential_impacts import SEQUENCE, kinetic
 from tests.physics.scenes import GRAVITY, G, Spec, box, disc, fixed, floor, level, run, worst
@@ -101,3 +106,21 @@ def test_carts_that_collide_in_sequence_stay_on_their_track() -> None:
     assert worst(flight.velocity[-1, :2, 0], np.array([-1.0, 1.0])) <= 1e-12
     weight = flight.normal[:, 1] - 3 * G
     assert weight.sum() / 60 == pytest.approx(3, rel=1e-9), "the impulse, 3 kg · 1 m/s"
+
+
+def test_what_hangs_side_by_side_does_not_collide_by_the_rounding_of_places(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Four balls are left at rest by the fifth: 231 impacts of 1e-14 m/s in 400 steps before."""
+    piles = []
+    settle = Pile.settle
+
+    def count(pile: Pile, bodies: Integers) -> Array:
+        piles.append(bodies)
+        return settle(pile, bodies)
+
+    monkeypatch.setattr(Pile, "settle", count)
+
+    build(load(find("momentum/cradle"))).advance(700)
+
+    assert not piles

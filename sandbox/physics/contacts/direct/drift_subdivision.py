@@ -212,7 +212,7 @@ def _in_parts(
     drift = whole / parts
     missing = (whole - drift) / 2  # of the length of the kicks before and after
     joints.time(whole - missing, drift)
-    first = take(kick.between(kick.place, lengths[0], lengths[1]), placed=placed)
+    first = take(kick.lasting(lengths[0], lengths[1]), placed=placed)
     moved, forces, active = first.moved, first.forces, first.active
     joints.time(drift, drift)
     place, inner = Coordinates(kick.place.values + drift * moved), []

@@ -52,7 +52,9 @@ def struck(kick: Kick, came: Array, acts: Array, change: Array, *, looks: bool) 
     return np.asarray(closing < -allowed)
 
 
-def come(kick: Kick, motion: Array, strikes: Booleans) -> tuple[Array, Array]:
+def come(
+    kick: Kick, motion: Array, strikes: Booleans, held: Active | None = None
+) -> tuple[Array, Array]:
     """Return the velocities at the step before its impacts, and the impulses until there.
 
     Parameters
@@ -61,15 +63,19 @@ def come(kick: Kick, motion: Array, strikes: Booleans) -> tuple[Array, Array]:
         (3 N,), the velocities without impulses [m/s, rad/s].
     strikes
         (k,), which gaps close.
+    held
+        Which rows held in the kick until there, if it is known; else see `impulses`.
     """
     out = np.zeros(len(kick.response), dtype=bool)
     out[kick.layout.joints] = kick.joints.added
     out[kick.layout.gaps] = strikes | kick.ahead
-    impulse = impulses(kick, motion, np.zeros(len(kick.response)), out)
+    impulse = impulses(kick, motion, np.zeros(len(kick.response)), out, held)
     return motion + impulse @ kick.response, impulse
 
 
-def bounce(kick: Kick, came: Array, strikes: Booleans) -> tuple[Array, Array]:
+def bounce(
+    kick: Kick, came: Array, strikes: Booleans, held: Active | None = None
+) -> tuple[Array, Array]:
     """Return the velocities after the impacts of a step, and their impulses.
 
     Newton's law of restitution does not look at friction, and can give energy with it (Kane and
@@ -82,13 +88,15 @@ def bounce(kick: Kick, came: Array, strikes: Booleans) -> tuple[Array, Array]:
         (3 N,), the velocities before them [m/s, rad/s].
     strikes
         (k,), which gaps close.
+    held
+        Which rows held in the kick until there, if it is known; else see `impulses`.
 
     Raises
     ------
     JointFailure, NoForces
         If there are none without a rebound either.
     """
-    rebound = _Rebound(kick, came, strikes)
+    rebound = _Rebound(kick, came, strikes, held)
     impulse = rebound.taken(1.0, EXACT)
     if impulse is None:
         impulse = rebound.impulses(_largest(rebound) if rebound.leaves.any() else 0.0)
@@ -113,8 +121,8 @@ class _Rebound:
         (r,), how fast each row is left after all of it, as a negative rate [m/s, rad/s].
     """
 
-    def __init__(self, kick: Kick, came: Array, strikes: Booleans) -> None:
-        self._kick, self._came = kick, came
+    def __init__(self, kick: Kick, came: Array, strikes: Booleans, held: Active | None) -> None:
+        self._kick, self._came, self._guess = kick, came, held
         layout, self._rates = kick.layout, kick.here.jacobian @ came
         self._runs = self._rates.copy()
         self._runs[layout.slips] += kick.runs
@@ -123,10 +131,15 @@ class _Rebound:
         self.leaves[layout.gaps] = layout.restitution * closing * strikes
         self._ahead = np.zeros(len(kick.response), dtype=bool)
         self._ahead[layout.gaps] = kick.ahead
+        if held is not None:
+            on = held.on.copy()
+            on[layout.gaps] |= strikes
+            self._guess = held._replace(on=on)
 
     def impulses(self, share: float) -> Array:
         """Return the impulses, (r,), of a share of it."""
-        return impulses(self._kick, self._came, share * self.leaves, self._ahead)
+        leaves = share * self.leaves
+        return impulses(self._kick, self._came, leaves, self._ahead, self._guess)
 
     def taken(self, share: float, rounding: float) -> Array | None:
         """Return the impulses of a share of it; None if there are none, or if they give energy.
@@ -155,7 +168,9 @@ def recorded(kick: Kick, left: Array, pushes: Array) -> Impacts:
     return Impacts(reached, jump, left[places], np.zeros(len(jump)))
 
 
-def impulses(kick: Kick, motion: Array, leaves: Array, out: Booleans) -> Array:
+def impulses(
+    kick: Kick, motion: Array, leaves: Array, out: Booleans, held: Active | None = None
+) -> Array:
     """Return the impulses at which velocities obey all rows but those that are out: (r,).
 
     Parameters
@@ -166,6 +181,8 @@ def impulses(kick: Kick, motion: Array, leaves: Array, out: Booleans) -> Array:
         (r,), how fast each row is left with them, as a negative rate [m/s, rad/s].
     out
         (r,), which rows do not count.
+    held
+        A guess which rows hold; None for those that meet, and no friction.
     """
     layout, joints = kick.layout, kick.layout.joints
     rate = kick.here.jacobian @ motion + leaves
@@ -177,6 +194,9 @@ def impulses(kick: Kick, motion: Array, leaves: Array, out: Booleans) -> Array:
     )
     asked = layout.problem
     problem = asked._replace(free=asked.free & ~out, pushes=asked.pushes & ~out & ~slack)
-    on = problem.free | (problem.pushes & (rate < 0))
-    guess = Active(on, np.zeros(len(asked.friction.row), dtype=np.intp))
+    on = problem.free | (problem.pushes & (rate < 0 if held is None else held.on))
+    slip = np.zeros(len(asked.friction.row), dtype=np.intp)
+    if held is not None:
+        on[layout.slips], slip = held.on[layout.slips], held.slip
+    guess = Active(on, slip)
     return solve_rows(kick, layout.asking(problem), kick.here.jacobian, rate, guess)[0]

@@ -1,6 +1,6 @@
 """The system of equations of a kick, before it is solved."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -9,7 +9,7 @@ from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.gap_functions import Features, features
 from sandbox.physics.contacts.direct.row_layout import Layout
 from sandbox.physics.engine.batch import NO_CONTACTS, Booleans, Contacts
-from sandbox.physics.joints.exact.constraints import PLACES, Coordinates, Rows
+from sandbox.physics.joints.exact.constraints import Coordinates, Rows, blur
 from sandbox.physics.joints.exact.shake import ExactJoints
 
 PROUD = 1e-9
@@ -139,9 +139,11 @@ class Kick:
 
     def between(self, place: Coordinates, before: Array, after: Array) -> "Kick":
         """Return the same elsewhere, before a drift between other lengths of the joints: (m,)."""
-        kick = self.moved(place)
-        kick.before, kick.after = before, after
-        return kick
+        return self.moved(place).lasting(before, after)
+
+    def lasting(self, before: Array, after: Array) -> "Kick":
+        """Return the same before a drift between other lengths of the joints: (m,) each."""
+        return replace(self, before=before, after=after)
 
     def leaning(self, moved: Array, forces: Array) -> "Kick | None":
         """Return the same with friction where sides press that lift their first point.
@@ -214,7 +216,7 @@ class Kick:
     @cached_property
     def blur(self) -> float:
         """How well velocities are known that are chosen by places [m/s]."""
-        return PLACES * float(np.abs(self.place.values).max()) / abs(self.joints.drift)
+        return blur(self.place.values, self.joints.drift)
 
     def joint_rates(self) -> Array:
         """Return how fast what joints keep grows at the step: (m,) [m/s, rad/s]."""

@@ -156,7 +156,7 @@ class Landings:
         """
         shorter, known = part, (part.drift, part.drift - met.time)
         for _ in range(REFINED):
-            shorter = self._shortened(part, met.time)
+            shorter = self._shortened(part, met.time, shorter)
             again = self._meet(shorter, part.drift, met.pairs, met.corners)
             if again is None or abs(again.time - met.time) <= TOGETHER * part.drift:
                 break
@@ -197,11 +197,11 @@ class Landings:
                 reached |= bodies
         return reached
 
-    def _shortened(self, part: Part, drift: float) -> Part:
-        """Return the same part with a shorter drift [s]."""
+    def _shortened(self, part: Part, drift: float, near: Part) -> Part:
+        """Return the same part with a shorter drift [s], and one that is near it to begin with."""
         lasts = part.lasts - (part.drift - drift) / 2
         if drift >= SOON * part.drift:
-            return self._solved(part, drift, lasts)
+            return self._solved(part._replace(forces=near.forces, active=near.active), drift, lasts)
         moved = part.begun + lasts * (self._laws + part.pulls)
         return part._replace(drift=drift, lasts=lasts, moved=moved)
 
@@ -229,8 +229,8 @@ class Landings:
         mine, others, drive = self._others(part)
         some = replace(part.kick, layout=part.kick.layout.around(mine))
         half = part.drift / 2
-        came, to_it = impacts.come(some, part.moved + half * drive, struck)
-        begun, pushes = impacts.bounce(some, came, struck)
+        came, to_it = impacts.come(some, part.moved + half * drive, struck, part.active)
+        begun, pushes = impacts.bounce(some, came, struck, part.active)
         stages = (
             Stage.of(part.kick, half, came[self._order], to_it + half * others),
             Stage.of(part.kick, 0.0, begun[self._order], pushes),
@@ -251,9 +251,7 @@ class Landings:
         """Return a part that is so long after a kick that lasts so long [s]."""
         joints, start = part.kick.joints, self._until - part.left
         joints.time(drift, drift)
-        kick = part.kick.between(
-            part.kick.place, joints.lengths(start), joints.lengths(start + drift)
-        )
+        kick = part.kick.lasting(joints.lengths(start), joints.lengths(start + drift))
         mine, _, drive = self._others(part)
         motion = part.begun + lasts * drive
         part = part._replace(kick=kick, drift=drift, lasts=lasts, moved=motion)

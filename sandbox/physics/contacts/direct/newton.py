@@ -10,8 +10,8 @@ from sandbox.physics.contacts.direct.complementarity import Unsolvable, solve, s
 from sandbox.physics.contacts.direct.constraint_rows import Active
 from sandbox.physics.contacts.direct.kick_system import Kick
 from sandbox.physics.contacts.direct.linear_systems import most
-from sandbox.physics.contacts.direct.row_layout import Layout
-from sandbox.physics.engine.batch import Integers
+from sandbox.physics.contacts.direct.row_layout import Island, Layout
+from sandbox.physics.engine.batch import Booleans, Integers
 from sandbox.physics.joints.exact.constraints import MAX_ITERATIONS, QUADRATIC, Rows
 from sandbox.physics.joints.exact.shake import TAUT
 from sandbox.physics.state.errors import JointFailure, NoForces
@@ -32,12 +32,12 @@ def newton(
 ) -> tuple[Array, Array, Active]:
     """Return impulses, (r,), the velocities with them, (3 N,), and which rows hold.
 
+    Each island is solved until it has settled, whatever others still do.
+
     Parameters
     ----------
-    kick
-        What is known.
-    layout
-        What the rows ask for.
+    kick, layout
+        What is known, and what its rows ask for.
     rows
         The rows after a way, (3 N,) [m, rad].
     motion
@@ -54,21 +54,36 @@ def newton(
     JointFailure, NoForces
         If there are none.
     """
-    rounds = _Rounds()
+    rounds, left = _Rounds(), layout
     for iteration in range(MAX_ITERATIONS):
         way = drift * (motion + impulse.dot(kick.response))
         there = rows(way) if np.count_nonzero(way) else kick.here
-        wrong, before = there.total - wanted, active
-        missed = np.abs(wrong)
-        rate = wrong / drift
-        far = np.count_nonzero(active.on & (missed > QUADRATIC)) > 0
-        lets = inf if far and iteration < SOON else TAUT / drift
-        impulse, active = solve_rows(kick, layout, there.jacobian, rate, active, impulse, lets)
-        if not far and active.key == before.key:
+        wrong, before = there.total - wanted, (impulse, active)
+        missed, rate, held = np.abs(wrong), wrong / drift, active
+        far = held.on & (missed > QUADRATIC)
+        off, lets = far if iteration < SOON else None, TAUT / drift
+        found = solve_rows(kick, left, there.jacobian, rate, held, impulse, lets=lets, off=off)
+        impulse, active = found if left is layout else _with_settled(left, before, found)
+        moves = far | (active.on != held.on)
+        moves[layout.slips] |= active.slip != held.slip
+        if not np.count_nonzero(moves):
             return impulse, motion + impulse.dot(kick.response), active
-        if rounds.vain(before, most(missed[before.on])):
+        left = layout.around(moves)
+        if rounds.vain(held, most(missed[held.on])):
             break
     raise lost(kick, int(np.where(active.on, missed, 0.0).argmax()))
+
+
+def _with_settled(
+    left: Layout, known: tuple[Array, Active], found: tuple[Array, Active]
+) -> tuple[Array, Active]:
+    """Return what was found for the islands that are left, and what is known of the others."""
+    (impulse, active), (solved, held) = known, found
+    some = np.zeros(len(impulse), dtype=bool)
+    for island in left.islands:
+        some[island.rows] = True
+    slip = np.where(some[left.slips], held.slip, active.slip)
+    return np.where(some, solved, impulse), Active(np.where(some, held.on, active.on), slip)
 
 
 class _Rounds:
@@ -96,16 +111,16 @@ def solve_rows(
     rate: Array,
     active: Active,
     impulse: Array | None = None,
+    *,
     lets: float = inf,
+    off: Booleans | None = None,
 ) -> tuple[Array, Active]:
     """Solve each island by itself; return the impulses, (r,), and which rows hold.
 
     Parameters
     ----------
-    kick
-        What is known.
-    layout
-        What the rows ask for.
+    kick, layout
+        What is known, and what its rows ask for.
     jacobian
         (r, 3 N), J of the rows.
     rate
@@ -114,34 +129,58 @@ def solve_rows(
         A guess.
     lets
         By how much rows may contradict each other [m/s, rad/s].
+    off
+        (r,), with which of them an island is so far off that it may do so more; None: with none.
 
     Raises
     ------
     JointFailure, NoForces
         If there are none.
     """
-    found, blur = np.zeros(len(rate)), kick.blur
+    found = np.zeros(len(rate))
     on, slip = np.zeros(len(rate), dtype=bool), np.zeros(len(active.slip), dtype=np.intp)
     if len(alone := layout.alone):
-        found[alone], on[alone] = _solve_alone(kick, alone, jacobian, rate, impulse, lets), True
-    for rows, slips, problem in layout.together:
-        across = kick.response.take(rows, axis=0).T
-        delassus, free = jacobian.take(rows, axis=0).dot(across), rate.take(rows)
-        if impulse is not None:
-            free -= delassus.dot(impulse.take(rows))
+        each = np.full(len(alone), lets) if off is None else np.where(off[alone], inf, lets)
+        found[alone], on[alone] = _solve_alone(kick, alone, jacobian, rate, impulse, each), True
+    for island in layout.together:
+        rows, slips, _ = island
         guess = Active(active.on.take(rows), active.slip.take(slips))
-        try:
-            found[rows], held = solve(problem, delassus, free, guess, blur, lets)
-        except Unsolvable as error:
-            raise lost(kick, int(rows[error.row])) from None
-        except np.linalg.LinAlgError:
-            raise lost(kick, int(rows[0])) from None
+        allow = inf if off is not None and np.count_nonzero(off.take(rows)) else lets
+        found[rows], held = _solve_island(kick, island, jacobian, rate, guess, impulse, allow)
         on[rows], slip[slips] = held
     return found, Active(on, slip)
 
 
+def _solve_island(
+    kick: Kick,
+    island: Island,
+    jacobian: Array,
+    rate: Array,
+    guess: Active,
+    impulse: Array | None,
+    lets: float,
+) -> tuple[Array, Active]:
+    """Solve what hangs together; see `solve_rows`."""
+    rows, _, problem = island
+    across = kick.response.take(rows, axis=0).T
+    delassus, free = jacobian.take(rows, axis=0).dot(across), rate.take(rows)
+    if impulse is not None:
+        free -= delassus.dot(impulse.take(rows))
+    try:
+        return solve(problem, delassus, free, guess, kick.blur, lets)
+    except Unsolvable as error:
+        raise lost(kick, int(rows[error.row])) from None
+    except np.linalg.LinAlgError:
+        raise lost(kick, int(rows[0])) from None
+
+
 def _solve_alone(
-    kick: Kick, rows: Integers, jacobian: Array, rate: Array, impulse: Array | None, lets: float
+    kick: Kick,
+    rows: Integers,
+    jacobian: Array,
+    rate: Array,
+    impulse: Array | None,
+    lets: Array,
 ) -> list[float]:
     """Solve joints that have to do with nothing else, each by itself; see `solve_rows`."""
     own = np.vecdot(jacobian.take(rows, axis=0), kick.response.take(rows, axis=0))
@@ -149,9 +188,10 @@ def _solve_alone(
     if impulse is not None:
         free -= own * impulse.take(rows)
     found, blur = [], kick.blur
-    for row, delassus, wrong in zip(rows, own.tolist(), free.tolist(), strict=True):
+    for row, *known in zip(rows, own.tolist(), free.tolist(), lets.tolist(), strict=True):
+        delassus, wrong, allowed = known
         try:
-            found.append(solve_one(delassus, wrong, blur, lets))
+            found.append(solve_one(delassus, wrong, blur, allowed))
         except Unsolvable:
             raise lost(kick, int(row)) from None
     return found

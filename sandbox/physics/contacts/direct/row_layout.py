@@ -121,7 +121,8 @@ class Layout:
 
     def around(self, some: Booleans) -> "Layout":
         """Return the same rows, of which only those hang together with some, (r,), to be solved."""
-        return replace(self, islands=[one for one in self.islands if some[one.rows].any()])
+        found = [one for one in self.islands if np.count_nonzero(some.take(one.rows))]
+        return self if len(found) == len(self.islands) else replace(self, islands=found)
 
     @cached_property
     def smooth(self) -> "Layout":

@@ -76,10 +76,14 @@ class SpeculativeContacts:
         shapes = self._shapes
         self._looks = shapes.sided[:, None] & shapes.sided & (surfaces.restitution == 0)
         self._any = bool(self._looks.any())
+        self._asked: tuple[Kick, float, Array] | None = None  # who asked last, and about what
+        self._found: list[Corner] = []  # what came of it
         self.approaching = ApproachingPairs(query, shapes, surfaces, moves)
 
     def corners(self, kick: Kick, motion: Array) -> list[Corner]:
         """Return the corners that come down within the drift after a kick and are new to it.
+
+        Whoever closes a drift and whoever looks for landings in it ask for the same ones.
 
         Parameters
         ----------
@@ -89,6 +93,15 @@ class SpeculativeContacts:
         if not self._any:
             return []
         drift = kick.joints.drift
+        if self._asked:
+            last, lasted, moved = self._asked
+            if last is kick and lasted == drift and np.array_equal(moved, motion):
+                return self._found
+        self._asked, self._found = (kick, drift, motion), self._search(kick, motion, drift)
+        return self._found
+
+    def _search(self, kick: Kick, motion: Array, drift: float) -> list[Corner]:
+        """Return the corners that come down within so long a drift [s]; see `corners`."""
         turning = self._turning(kick.contacts, angles(motion) * drift)
         if not turning:
             return []

@@ -1,4 +1,8 @@
-"""The warm start of a kick: forces and active rows of the last one."""
+"""The warm start of a kick: forces and active rows of the last ones.
+
+While the same rows hold, and their forces change smoothly, the next ones are expected on a
+parabola through the last three: Newton's method is then home with its first step.
+"""
 
 from typing import NamedTuple
 
@@ -7,9 +11,15 @@ import numpy as np
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.constraint_rows import Active
 from sandbox.physics.contacts.direct.kick_system import Kick
+from sandbox.physics.contacts.direct.linear_systems import most
 from sandbox.physics.contacts.direct.row_layout import Layout
 from sandbox.physics.contacts.direct.touching import Touching
 from sandbox.physics.engine.batch import Booleans, Integers
+from sandbox.physics.joints.exact.shake import parabola
+
+SMOOTH = 0.5
+"""The share of their last change by which forces may leave a straight line and still be smooth:
+what jumps to and fro would jump further on a parabola, and may lead to forces of another kind."""
 
 AT_REST = 1e-9
 """m/s, below which surfaces that meet do not slip."""
@@ -48,14 +58,17 @@ class WarmStart:
 
     def __init__(self) -> None:
         self._known: Known | None = None
+        self._past: list[Array] = []  # the forces since the same rows hold, (r,) [N], newest first
 
     def forget(self) -> None:
         """Know nothing any more."""
-        self._known = None
+        self._known, self._past = None, []
 
     def note(self, kick: Kick, forces: Array, active: Active) -> None:
         """Remember the forces of a kick, (r,) [N], and what held in it."""
-        self._known = Known(kick.layout, forces, active)
+        known, self._known = self._known, Known(kick.layout, forces, active)
+        same = known and known.layout is kick.layout and known.active.key == active.key
+        self._past = [forces, *self._past[:2]] if same else [forces]
 
     def guess(self, kick: Kick, motion: Array, length: float) -> tuple[Array, Active]:
         """Return the impulses of so many seconds, (r,), and what holds, as far as can be told.
@@ -70,7 +83,7 @@ class WarmStart:
             Of the kick [s].
         """
         if known := self._recalled(kick):
-            return known.forces * length, known.active
+            return self._expected() * length, known.active
         force, along, on, slip = self._new(kick, motion)
         tension, taut = kick.joints.expected()
         if self._known and len(self._known.tension) == len(tension):
@@ -100,6 +113,15 @@ class WarmStart:
         found = np.zeros(len(kick.layout.touching.pair), dtype=bool)
         found[[gap for gap, _ in self._same(kick)]] = True
         return found
+
+    def _expected(self) -> Array:
+        """Return the forces that come next, (r,) [N], if the same rows hold."""
+        last = self._past[0]
+        if len(self._past) < 3:
+            return last
+        _, before, first = self._past
+        bend = most(last - 2 * before + first)
+        return parabola(self._past) if bend <= SMOOTH * most(last - before) else last
 
     def _recalled(self, kick: Kick) -> Known | None:
         """Return what is known, if the same touched then."""

@@ -94,6 +94,11 @@ def kinetic_energy(inertia: Array, motion: Array) -> Array:
     return np.asarray(np.vecdot(motion * motion, inertia) / 2)
 
 
+def blur(place: Array, drift: float) -> float:
+    """Return how well velocities are known that are chosen by places after a drift [m/s]."""
+    return PLACES * float(np.abs(place).max()) / abs(drift)
+
+
 @cache
 def order(count: int) -> NDArray[np.intp]:
     """Return the indices of the coordinates of each body, without the plane: (n, 3)."""

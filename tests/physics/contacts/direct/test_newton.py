@@ -1,4 +1,4 @@
-"""What leads nowhere is given up soon: a rope on a drum, with one part that fits in nowhere."""
+"""What leads nowhere is given up soon, and what is known already is not found anew."""
 
 import json
 
@@ -6,8 +6,8 @@ import pytest
 
 from sandbox.model.catalog import find
 from sandbox.model.level import Level
-from sandbox.model.loading import parse
-from sandbox.physics.contacts.direct import newton, overlap_correction
+from sandbox.model.loading import load, parse
+from sandbox.physics.contacts.direct import complementarity, newton, overlap_correction
 from sandbox.physics.run import build
 
 
@@ -53,3 +53,40 @@ def test_an_overlap_that_cannot_be_taken_back_is_tried_once_while_bodies_are_hel
     build(capstan("knot21", ("position", 1), 0.0))
 
     assert len(tries) == 1
+
+
+def test_forces_that_change_smoothly_are_foretold_for_one_solution_a_step(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """120 solutions, begun with the forces of the last step."""
+    crane = build(load(find("machines/crane")))
+    solutions = counted(monkeypatch, newton, "solve_rows")
+
+    crane.advance(60)
+
+    assert len(solutions) < 70
+
+
+def test_what_has_settled_is_not_solved_again_because_something_else_moves(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """One rope rests on its drum, the other slips: 90 solutions for the two of them before."""
+    capstans = build(load(find("hard/two-capstans")))
+    solutions = counted(monkeypatch, newton, "solve")
+
+    capstans.advance(15)
+
+    assert len(solutions) < 55  # 47
+
+
+def test_the_impact_of_a_landing_begins_with_what_held_before_it(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """A wall that comes down: 4.4 systems a problem, guessed from the rates alone."""
+    wall = build(load(find("machines/wrecking-ball")))
+    problems = counted(monkeypatch, newton, "solve")
+    systems = counted(monkeypatch, complementarity, "solved")
+
+    wall.advance(170)
+
+    assert len(systems) < 4 * len(problems)
