@@ -39,9 +39,7 @@ DRAWN = 512
 
 
 def make_body(name: str, level: Level, values: Values) -> pymunk.Body:
-    """Make a body in its initial state, without a shape.
-
-    Its moment of inertia is infinite if the level has no rotation.
+    """Make a body in its initial state, without a shape; without rotation its moment is infinite.
 
     Raises
     ------

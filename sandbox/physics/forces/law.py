@@ -70,8 +70,7 @@ class Given(NamedTuple):
     level, values
         The level that declares the laws, and the values of its parameters.
     names, mass
-        (n,), the names of its bodies, and their masses at the start, 0 for those that nothing moves
-        [kg].
+        (n,), the names of its bodies, and their masses at the start, 0 if nothing moves them [kg].
     share
         The masses over those at the start, as a function of time.
     step

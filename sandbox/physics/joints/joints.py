@@ -47,8 +47,7 @@ class Joints:
     solids
         The bodies that are welded or stuck together; None if there can be none.
     touches, weld
-        Finds the pairs to stick together that have met, or None; a function that welds two bodies
-        by name.
+        A function that finds the pairs to stick that have met, or None; one that welds two bodies.
     elastic, latches
         The sides of elastic stops, and the joints that events tie; None if there are none.
     cut
