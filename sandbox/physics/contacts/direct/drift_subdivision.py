@@ -1,10 +1,10 @@
-"""A drift in parts, for when no impulses can hold contacts and joints through all of it.
+"""Subdivision of a drift whose contacts and joints have no solution as a whole.
 
 A heavy wheel on a chain of light planks whips them straight. No impulses then keep their lengths
-until the end of the drift: the equations of the step have no solution, by whatever method. For a
-shorter drift they have one. So this one drift is divided into equal parts, as few as suffice, with
-a kick between any two. In these kicks forces act as they did in the last one; contacts and joints
-stay as they are. pymunk receives the velocities of a straight drift to the end of the last part.
+until the end of the drift: the equations of the step have no solution. For a shorter drift they
+have one. So this drift is divided into equal parts, as few as suffice, with a kick between any two.
+In these kicks the forces are those of the last one, and the contacts and joints stay the same.
+pymunk receives the mean velocities of the whole drift.
 """
 
 from collections.abc import Callable
@@ -22,8 +22,8 @@ from sandbox.physics.joints.exact.constraints import Coordinates
 from sandbox.physics.state.errors import JointFailure, NoForces
 
 PARTS = (2, 4, 8, 16, 32)
-"""In how many parts a drift is taken: in the first of these that serves. Only in the last of them
-may velocities be constrained where positions cannot be."""
+"""The numbers of parts that are tried in turn. Only with the last one may velocities be constrained
+where positions cannot be."""
 
 
 class Between(NamedTuple):
@@ -32,11 +32,11 @@ class Between(NamedTuple):
     Attributes
     ----------
     place
-        (n, 3), where it is [m, rad].
+        (n, 3), the positions there [m, rad].
     jacobian
-        (m, n, 3), how what the joints keep changes with the places there.
+        (m, n, 3), the Jacobian of the joints' equations there.
     stage
-        What happened in it.
+        The kick.
     """
 
     place: Array
@@ -45,27 +45,26 @@ class Between(NamedTuple):
 
 
 class Divided(NamedTuple):
-    """A drift in parts, as others see it; n bodies.
+    """A drift in parts, for the rest of the step; n bodies.
 
     Attributes
     ----------
     left
-        (n, 3), the velocities that the kick before it would have ended with, had it been whole
-        [m/s, rad/s].
+        (n, 3), the velocities after a whole kick before it [m/s, rad/s].
     begun
-        (n, 3), those that a whole kick after it begins with [m/s, rad/s].
+        (n, 3), the velocities before a whole kick after it [m/s, rad/s].
     reached
-        (n,), which bodies go in parts; the others go straight on through all of it.
+        (n,), which bodies move in parts; the others go straight on through all of it.
     before
-        The parts of the kick before it, which ends in the middle of the first part of the drift.
+        The stages of the kick before it, which ends in the middle of the first part of the drift.
     between
-        The kicks in it, and at its end what the whole kick after it gives too much, taken back.
+        The kicks in it, and at its end the excess of the whole kick after it, taken back.
     first
-        In the middle of which share of it books are read.
+        The first share of it, in the middle of which the books are read.
     end
-        (n, 3), where it ends [m, rad].
+        (n, 3), the positions at its end [m, rad].
     lifted
-        How much more energy is read in the middle of it for nothing but another acceleration [J].
+        The excess of the energy in the middle of it that only another acceleration explains [J].
     """
 
     left: Array
@@ -79,14 +78,14 @@ class Divided(NamedTuple):
 
 
 class Inner(NamedTuple):
-    """A kick between two parts of a drift that was solved; r rows, N bodies with the plane.
+    """A solved kick between two parts of a drift; r rows, N bodies with the plane.
 
     Attributes
     ----------
     kick
-        Which.
+        Its system.
     lasts
-        How long it is [s].
+        Its length [s].
     impulse
         (r,), its impulses.
     moved
@@ -99,14 +98,14 @@ class Inner(NamedTuple):
     moved: Array
 
     def seen(self, start: Array, origin: Array, order: Integers) -> Between:
-        """Return it as others see it.
+        """Return it for the rest of the step.
 
         Parameters
         ----------
         start, origin
-            Where the drift started: (n, 3), and the same as rows have it, (3 N,) [m, rad].
+            The positions at the start of the drift, (n, 3), and as coordinates, (3 N,) [m, rad].
         order
-            (n, 3), where the coordinates of each body are.
+            (n, 3), the indices of the coordinates of each body.
         """
         kick = self.kick
         place = start + (kick.place.values - origin)[order]
@@ -116,7 +115,7 @@ class Inner(NamedTuple):
 
 
 class Through(NamedTuple):
-    """A way through a drift; r rows, N bodies with the plane.
+    """A solved drift in parts; r rows, N bodies with the plane.
 
     Attributes
     ----------
@@ -129,7 +128,7 @@ class Through(NamedTuple):
     missing
         See `Divided`.
     way
-        (3 N,), how far everything gets [m, rad].
+        (3 N,), the displacement [m, rad].
     """
 
     first: Taken
@@ -140,11 +139,11 @@ class Through(NamedTuple):
 
     @property
     def whole(self) -> Array:
-        """(r,), the impulses that the kick before it would have given in its whole length."""
+        """(r,), the impulses of a whole kick before it."""
         return self.first.total + self.missing * self.first.forces
 
     def seen(self, start: Array, order: Integers) -> Divided:
-        """Return it as others see it, from where bodies are, (n, 3) [m, rad]; see `Inner.seen`."""
+        """Return it for the rest of the step, from positions (n, 3) [m, rad]; see `Inner.seen`."""
         first, lost = self.first, self.missing
         kick, moved = first.kick, first.moved
         forces = first.forces.dot(kick.response)
@@ -166,23 +165,23 @@ class Through(NamedTuple):
 
 
 def through(kick: Kick, acceleration: Array, until: float, take: Callable[..., Taken]) -> Through:
-    """Return a way through the drift after a kick of a step.
+    """Return the drift after a kick of a step, in parts.
 
     Parameters
     ----------
     kick
-        For which there are no impulses.
+        The kick, whose system has no solution for the whole drift.
     acceleration
         (3 N,), by gravity and force laws [m/s², rad/s²].
     until
         The time at the end of the drift [s].
     take
-        Returns what becomes of a kick, which is as long as its joints say; `placed`: see `hold`.
+        Takes a kick, whose length its joints know; for `placed` see `hold`.
 
     Raises
     ------
     JointFailure, NoForces
-        If there is none in any number of parts.
+        If there is no solution in any number of parts.
     """
     joints, whole = kick.joints, kick.joints.drift
     lost: JointFailure | NoForces | None = None
@@ -207,7 +206,7 @@ def _in_parts(
     *,
     placed: bool,
 ) -> Through:
-    """Return the way, with what the joints keep at the ends of its parts: (m,) each [m, rad]."""
+    """Return the drift, given the joints' lengths at the ends of its parts: (m,) each [m, rad]."""
     joints, whole, parts = kick.joints, kick.joints.drift, len(lengths) - 1
     drift = whole / parts
     missing = (whole - drift) / 2  # of the length of the kicks before and after

@@ -1,4 +1,4 @@
-"""The impacts of a step, all at once, with the joints that take part."""
+"""The impacts of a step, solved together with the joints that take part."""
 
 import numpy as np
 
@@ -13,27 +13,27 @@ from sandbox.physics.joints.exact.shake import TAUT
 from sandbox.physics.state.errors import JointFailure, NoForces
 
 ROUNDING = 1e-9
-"""An approach slower than this share of the speeds that it is the difference of is none, nor is one
-of this share of what acts in a step."""
+"""The share of the speeds of two bodies, and of the velocity change in a step, below which their
+approach is rounding."""
 
 EXACT = 1e-12
-"""The share of the work of impacts that may be rounding."""
+"""The share of the work of impacts that counts as rounding."""
 
 HALVINGS = 50
-"""How often the share of a rebound that gives no energy is halved in on."""
+"""The bisections in the search for the largest rebound that adds no energy."""
 
 
 def struck(kick: Kick, came: Array, acts: Array, change: Array, *, looks: bool) -> Booleans:
-    """Return which gaps close faster than what acts in a step makes them: (k,).
+    """Return which gaps close faster than forces within a step explain: (k,).
 
     Parameters
     ----------
     came
         (3 N,), the velocities at the step [m/s, rad/s].
     acts, change
-        (3 N,), what acts in a step, and what changed in the last one [m/s, rad/s].
+        (3 N,), the velocity changes by forces in a step, and in the last step [m/s, rad/s].
     looks
-        Whether anybody wants to know: else there are none.
+        Whether impacts are found here; otherwise there are none.
     """
     jacobian = kick.here.jacobian[kick.layout.gaps]
     if not looks:
@@ -43,10 +43,10 @@ def struck(kick: Kick, came: Array, acts: Array, change: Array, *, looks: bool) 
         closing = np.where(kick.ahead, 0.0, closing)
     gives = np.maximum(*np.abs(others))
     far: Booleans = closing < -gives
-    if not np.count_nonzero(far):  # what is at rest needs no closer look
+    if not np.count_nonzero(far):  # bodies at rest need no closer look
         return far
     swift = np.abs(came) + np.abs(acts)
-    around = np.repeat(np.abs(planes(swift)), 2)  # whichever way: rounding knows none
+    around = np.repeat(np.abs(planes(swift)), 2)  # rounding has no direction
     speeds = np.abs(jacobian) @ np.concatenate((around, angles(swift)))
     allowed = gives + ROUNDING * speeds + kick.blur
     return np.asarray(closing < -allowed)
@@ -55,7 +55,7 @@ def struck(kick: Kick, came: Array, acts: Array, change: Array, *, looks: bool) 
 def come(
     kick: Kick, motion: Array, strikes: Booleans, held: Active | None = None
 ) -> tuple[Array, Array]:
-    """Return the velocities at the step before its impacts, and the impulses until there.
+    """Return the velocities at the step before its impacts, and the impulses up to then.
 
     Parameters
     ----------
@@ -78,9 +78,9 @@ def bounce(
 ) -> tuple[Array, Array]:
     """Return the velocities after the impacts of a step, and their impulses.
 
-    Newton's law of restitution does not look at friction, and can give energy with it (Kane and
-    Levinson 1985). Nor does it look at what jams: no impulses may part what is wedged. Then as much
-    of the rebound is taken as gives none, and as there are impulses for.
+    Newton's law of restitution ignores friction, and can add energy with it (Kane and Levinson
+    1985). Nor do wedged bodies always have impulses that separate them. In these cases the largest
+    share of the rebound is taken that adds no energy and has impulses.
 
     Parameters
     ----------
@@ -94,7 +94,7 @@ def bounce(
     Raises
     ------
     JointFailure, NoForces
-        If there are none without a rebound either.
+        If there are no impulses even without a rebound.
     """
     rebound = _Rebound(kick, came, strikes, held)
     impulse = rebound.taken(1.0, EXACT)
@@ -104,7 +104,7 @@ def bounce(
 
 
 def _largest(rebound: "_Rebound") -> float:
-    """Return the largest share of a rebound that can be taken; all of it cannot."""
+    """Return the largest share, below 1, of a rebound that can be taken."""
     low, high = 0.0, 1.0
     for _ in range(HALVINGS):
         share = (low + high) / 2
@@ -118,7 +118,7 @@ class _Rebound:
     Attributes
     ----------
     leaves
-        (r,), how fast each row is left after all of it, as a negative rate [m/s, rad/s].
+        (r,), minus the rate of each row after the whole rebound [m/s, rad/s].
     """
 
     def __init__(self, kick: Kick, came: Array, strikes: Booleans, held: Active | None) -> None:
@@ -137,14 +137,14 @@ class _Rebound:
             self._guess = held._replace(on=on)
 
     def impulses(self, share: float) -> Array:
-        """Return the impulses, (r,), of a share of it."""
+        """Return the impulses of a share of it: (r,)."""
         leaves = share * self.leaves
         return impulses(self._kick, self._came, leaves, self._ahead, self._guess)
 
     def taken(self, share: float, rounding: float) -> Array | None:
-        """Return the impulses of a share of it; None if there are none, or if they give energy.
+        """Return the impulses of a share of it; None if there are none, or if they add energy.
 
-        So much of their work, as a share, may be rounding.
+        `rounding` is the share of their work that may be rounding.
         """
         try:
             impulse = self.impulses(share)
@@ -157,7 +157,7 @@ class _Rebound:
 
 
 def recorded(kick: Kick, left: Array, pushes: Array) -> Impacts:
-    """Return what impacts did, with impulses (r,), after which velocities were (3 N,)."""
+    """Return the record of impacts, from the velocities after them, (3 N,), and impulses, (r,)."""
     places = order(kick.response.shape[1] // 3 - 1)
     jump = (pushes @ kick.response)[places]
     reached = np.zeros(len(jump), dtype=bool)
@@ -171,16 +171,16 @@ def recorded(kick: Kick, left: Array, pushes: Array) -> Impacts:
 def impulses(
     kick: Kick, motion: Array, leaves: Array, out: Booleans, held: Active | None = None
 ) -> Array:
-    """Return the impulses at which velocities obey all rows but those that are out: (r,).
+    """Return the impulses with which velocities satisfy all rows that take part: (r,).
 
     Parameters
     ----------
     motion
         (3 N,), the velocities without them [m/s, rad/s].
     leaves
-        (r,), how fast each row is left with them, as a negative rate [m/s, rad/s].
+        (r,), minus the rate of each row with them [m/s, rad/s].
     out
-        (r,), which rows do not count.
+        (r,), which rows take no part.
     held
         A guess which rows hold; None for those that meet, and no friction.
     """

@@ -13,11 +13,11 @@ from sandbox.physics.joints.exact.constraints import Coordinates, Rows, blur
 from sandbox.physics.joints.exact.shake import ExactJoints
 
 PROUD = 1e-9
-"""m, how deep what closes within a drift comes: touching exactly is not touching."""
+"""m, the overlap with which a gap closes within a drift: exactly 0 would not count as contact."""
 
 LIFTS = 1e-8
-"""m, by which a point must leave in a drift to be one that has no friction: by less, w, it and the
-other point of its side, l away, slip alike to w² / l."""
+"""m, by which a point must separate in a drift to lose its friction. If it separates by less, w, it
+slips as the other point of its side does, at a distance l, but for w² / l."""
 
 
 @dataclass  # not frozen: made in every step
@@ -27,21 +27,21 @@ class Kick:
     Attributes
     ----------
     joints, contacts
-        What is joined, and what touches.
+        The exact joints and the contacts.
     layout, features
-        The rows, and what touches where.
+        The layout of the rows, and the contact points.
     place
-        Where everything is.
+        The positions of the bodies.
     here
-        The rows where everything is.
+        The rows at these positions.
     response
-        (r, 3 N), the velocities that a unit impulse of each gives: J M⁻¹.
+        (r, 3 N), the velocity changes by a unit impulse of each row: J M⁻¹.
     runs
-        (f,), how fast surfaces slip by themselves, as belts do [m/s].
+        (f,), the slip velocities of running surfaces, such as belts [m/s].
     before, after
-        (m,), what the joints keep before and after the drift [m, rad].
+        (m,), the lengths that joints keep before and after the drift [m, rad].
     closes
-        How many of the contacts, the last ones, do not touch yet but within the drift.
+        How many of the contacts, the last ones, are still open, and close within the drift.
     """
 
     joints: ExactJoints
@@ -67,16 +67,16 @@ class Kick:
         lengths: tuple[Array, Array],
         closes: int = 0,
     ) -> "Kick":
-        """Return that of a place.
+        """Return the system at a place.
 
         Parameters
         ----------
         running
-            (n, 2), how fast the bodies' surfaces run [m/s].
+            (n, 2), the velocities of running surfaces relative to their bodies [m/s].
         lengths
-            What the joints keep before and after the drift, (m,) each [m, rad].
+            The lengths that joints keep before and after the drift, (m,) each [m, rad].
         closes
-            How many of the contacts meet only within the drift: the last ones.
+            How many of the contacts, the last ones, close only within the drift.
         """
         found = features(contacts, layout.touching, place, joints.origin)
         here = rows_at(place, joints, found)
@@ -86,7 +86,7 @@ class Kick:
         )
 
     def moved(self, place: Coordinates) -> "Kick":
-        """Return the same elsewhere, where bodies push along other directions."""
+        """Return the system of the same contacts at other positions, with their normals there."""
         kick, contacts = self._on(self.features.moved(place), place), self.contacts
         pairs = np.arange(len(contacts.bodies))  # the first points of all come first
         columns = 2 * contacts.bodies[:, 1:] + (0, 1)
@@ -95,23 +95,23 @@ class Kick:
         return kick
 
     def strikes(self, moved: Array, laws: Array, pulls: Array) -> bool:
-        """Return whether a gap that is yet to close does so faster than what acts makes it.
+        """Return whether a gap that is still open closes faster than forces alone explain.
 
         Parameters
         ----------
         moved
             (3 N,), the velocities after the kick [m/s, rad/s].
         laws, pulls
-            (3 N,), what force laws give, and what joints and contacts do [m/s², rad/s²].
+            (3 N,), the accelerations by force laws, and by joints and contacts [m/s², rad/s²].
         """
         jacobian = self.here.jacobian[self.layout.gaps][self.ahead]
         closing, *others = np.stack((moved, laws, laws + pulls)) @ jacobian.T
         return bool((closing < -np.maximum(*np.abs(others)) * self.joints.drift).any())
 
     def contacts_at(self, place: Coordinates) -> Contacts:
-        """Return the contacts that are still closed elsewhere, less those that are yet to close.
+        """Return the contacts that are still closed at other positions.
 
-        A corner, or what is round, takes its point along; a side stays what it is.
+        Contact points move with their corner or disc, and along their side.
         """
         if len(self.contacts.bodies) == self.closes:
             return NO_CONTACTS
@@ -138,7 +138,7 @@ class Kick:
         return _shut(moved, len(moved.bodies) - self.closes)
 
     def between(self, place: Coordinates, before: Array, after: Array) -> "Kick":
-        """Return the same elsewhere, before a drift between other lengths of the joints: (m,)."""
+        """Return the system at other positions, for a drift between other lengths of the joints."""
         return self.moved(place).lasting(before, after)
 
     def lasting(self, before: Array, after: Array) -> "Kick":
@@ -146,10 +146,10 @@ class Kick:
         return replace(self, before=before, after=after)
 
     def leaning(self, moved: Array, forces: Array) -> "Kick | None":
-        """Return the same with friction where sides press that lift their first point.
+        """Return the system with the friction of tilting sides at the point that bears the load.
 
-        One of the two points of a side stands for the friction of both: they slip alike as long as
-        it lies flat. None if all sides do.
+        One of the two points of a side carries the friction of both: they slip alike as long as the
+        side lies flat. None if all sides do.
 
         Parameters
         ----------
@@ -170,7 +170,7 @@ class Kick:
         return self._on(found, self.place)
 
     def _on(self, found: Features, place: Coordinates) -> "Kick":
-        """Return the same with other points, or elsewhere."""
+        """Return the system with other contact points, or at other positions."""
         here = rows_at(place, self.joints, found)
         return Kick(
             self.joints,
@@ -187,11 +187,11 @@ class Kick:
         )
 
     def rows(self, way: Array) -> Rows:
-        """Return the rows after a way, (3 N,): joints as what is left of what they keep."""
+        """Return the rows after a displacement, (3 N,); see `rows_at`."""
         return rows_at(Coordinates(self.place.values + way), self.joints, self.features)
 
     def flat_rows(self, way: Array) -> Rows:
-        """Return the same, with contacts as if they changed linearly with the way."""
+        """Return the same, with contacts linearized in the displacement."""
         here, there, touch = self.here, self.rows(way), self.layout.touch
         total, jacobian = there.total.copy(), there.jacobian.copy()
         total[touch] = here.total[touch] + here.jacobian[touch] @ way
@@ -199,7 +199,7 @@ class Kick:
         return Rows(total, jacobian)
 
     def targets(self) -> Array:
-        """Return what the rows shall be after the drift: (r,)."""
+        """Return the target values of the rows after the drift: (r,)."""
         wanted = self.here.total.copy()
         wanted[self.layout.joints] = -self.after
         wanted[self.layout.slips] -= self.joints.drift * self.runs
@@ -210,22 +210,22 @@ class Kick:
 
     @cached_property
     def ahead(self) -> Booleans:
-        """Which gaps are yet to close: (k,)."""
+        """Which gaps are still open, and close within the drift: (k,)."""
         return np.asarray(self.layout.touching.pair >= len(self.contacts.bodies) - self.closes)
 
     @cached_property
     def blur(self) -> float:
-        """How well velocities are known that are chosen by places [m/s]."""
+        """The rounding error of velocities that follow from positions [m/s]."""
         return blur(self.place.values, self.joints.drift)
 
     def joint_rates(self) -> Array:
-        """Return how fast what joints keep grows at the step: (m,) [m/s, rad/s]."""
+        """Return the rates of change of the lengths that joints keep: (m,) [m/s, rad/s]."""
         return np.asarray((self.after - self.before) / self.joints.drift)
 
     def wrenches(self, impulse: Array, body: int) -> Array:
-        """Return what such impulses, (r,), do to a body, pair by pair: (2, k, 3) [N s, N m s].
+        """Return the impulses on a body by each contact: (2, k, 3) [N s, N m s].
 
-        First what pushes, then friction; each along its row, as far as that is of the pair.
+        First the normal ones, then friction; from the impulses of the rows, (r,).
         """
         layout, touching = self.layout, self.layout.touching
         columns = [2 * body, 2 * body + 1, len(self.place.values) // 3 * 2 + body]
@@ -236,7 +236,7 @@ class Kick:
         return found
 
     def pushing(self, impulse: Array) -> Contacts:
-        """Return the contacts with such impulses, (r,)."""
+        """Return the contacts with the impulses of the rows, (r,)."""
         layout, touching = self.layout, self.layout.touching
         number = len(self.contacts.bodies)
         normal = np.bincount(touching.pair, impulse[layout.gaps], number).astype(float, copy=False)
@@ -249,7 +249,7 @@ class Kick:
 
 
 def _shut(contacts: Contacts, count: int) -> Contacts:
-    """Return so many of the first contacts, with those of their points that are closed."""
+    """Return the first `count` contacts, with those of their points that are closed."""
     shut = (contacts.depths > -PROUD) & (np.arange(2) < contacts.touches[:, None])
     second = ~shut[:, 0]
     points, depths = contacts.points.copy(), contacts.depths.copy()
@@ -260,7 +260,7 @@ def _shut(contacts: Contacts, count: int) -> Contacts:
 
 
 def rows_at(place: Coordinates, joints: ExactJoints, found: Features) -> Rows:
-    """Return all rows somewhere: joints as what is left of what they keep."""
+    """Return all rows at given positions; those of joints as length to keep less present length."""
     first = len(joints.pulls_only)
     count = first + len(found.touching.rows)
     total, jacobian = np.empty(count), np.zeros((count, len(place.values)))

@@ -17,7 +17,7 @@ from sandbox.physics.joints.exact.shake import TAUT
 from sandbox.physics.state.errors import JointFailure, NoForces
 
 SOON = 5
-"""Steps of Newton's method within which rows may contradict each other, if it is far from home."""
+"""Iterations in which redundant rows may contradict each other, far from the solution."""
 
 
 def newton(
@@ -30,29 +30,29 @@ def newton(
     impulse: Array,
     active: Active,
 ) -> tuple[Array, Array, Active]:
-    """Return impulses, (r,), the velocities with them, (3 N,), and which rows hold.
+    """Return impulses, (r,), the velocities with them, (3 N,), and the active rows.
 
-    Each island is solved until it has settled, whatever others still do.
+    Each island is iterated until it has converged, independently of the others.
 
     Parameters
     ----------
     kick, layout
-        What is known, and what its rows ask for.
+        The system, and the layout of its rows.
     rows
-        The rows after a way, (3 N,) [m, rad].
+        Returns the rows after a displacement, (3 N,) [m, rad].
     motion
         (3 N,), the velocities without impulses [m/s, rad/s].
     drift
-        How long they last [s].
+        The length of the drift [s].
     wanted
-        (r,), what the rows shall be after it.
+        (r,), the targets of the rows at its end.
     impulse, active
-        A guess.
+        The first guess.
 
     Raises
     ------
     JointFailure, NoForces
-        If there are none.
+        If there is no solution.
     """
     rounds, left = _Rounds(), layout
     for iteration in range(MAX_ITERATIONS):
@@ -87,9 +87,9 @@ def _with_settled(
 
 
 class _Rounds:
-    """Whether Newton's method goes in circles: rows hold that did before, and nothing is gained.
+    """Detects that Newton's method cycles: an active set returns without progress.
 
-    What converges has never been seen to do so once.
+    That has never been seen where it converges.
     """
 
     def __init__(self) -> None:
@@ -97,7 +97,7 @@ class _Rounds:
         self._last = b""
 
     def vain(self, held: Active, missed: float) -> bool:
-        """Take note of which rows held and of what they missed; return whether it is in vain."""
+        """Record an active set and its largest error; return whether it repeats in vain."""
         key, least = held.key, self._least.get(held.key, inf)
         again = key != self._last and missed >= least / 2
         self._least[key], self._last = min(missed, least), key
@@ -115,27 +115,27 @@ def solve_rows(
     lets: float = inf,
     off: Booleans | None = None,
 ) -> tuple[Array, Active]:
-    """Solve each island by itself; return the impulses, (r,), and which rows hold.
+    """Solve each island by itself; return the impulses, (r,), and the active rows.
 
     Parameters
     ----------
     kick, layout
-        What is known, and what its rows ask for.
+        The system, and the layout of its rows.
     jacobian
-        (r, 3 N), J of the rows.
+        (r, 3 N), the Jacobian of the rows.
     rate
-        (r,), their rates with the impulses, if there are any [m/s, rad/s].
+        (r,), their rates with `impulse`, if that is given, else without impulses [m/s, rad/s].
     active
-        A guess.
+        The first guess.
     lets
-        By how much rows may contradict each other [m/s, rad/s].
+        How far redundant rows may contradict each other [m/s, rad/s].
     off
-        (r,), with which of them an island is so far off that it may do so more; None: with none.
+        (r,), rows so far from their targets that their island has no such limit; None for no rows.
 
     Raises
     ------
     JointFailure, NoForces
-        If there are none.
+        If there is no solution.
     """
     found = np.zeros(len(rate))
     on, slip = np.zeros(len(rate), dtype=bool), np.zeros(len(active.slip), dtype=np.intp)
@@ -160,7 +160,7 @@ def _solve_island(
     impulse: Array | None,
     lets: float,
 ) -> tuple[Array, Active]:
-    """Solve what hangs together; see `solve_rows`."""
+    """Solve one island; see `solve_rows`."""
     rows, _, problem = island
     across = kick.response.take(rows, axis=0).T
     delassus, free = jacobian.take(rows, axis=0).dot(across), rate.take(rows)
@@ -182,7 +182,7 @@ def _solve_alone(
     impulse: Array | None,
     lets: Array,
 ) -> list[float]:
-    """Solve joints that have to do with nothing else, each by itself; see `solve_rows`."""
+    """Solve joints that affect no other rows, each by itself; see `solve_rows`."""
     own = np.vecdot(jacobian.take(rows, axis=0), kick.response.take(rows, axis=0))
     free = rate.take(rows)
     if impulse is not None:
@@ -198,7 +198,7 @@ def _solve_alone(
 
 
 def lost(kick: Kick, row: int) -> JointFailure | NoForces:
-    """Say what no impulses were found for."""
+    """Return the error for a row without a solution."""
     touching, gaps = kick.layout.touching, kick.layout.gaps
     if row < gaps.start:
         return kick.joints.lost(row)

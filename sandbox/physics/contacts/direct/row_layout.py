@@ -1,4 +1,4 @@
-"""The layout of a step's rows: which points touch, and what each row asks for."""
+"""The layout of a step's rows: of joints, gaps and slips, grouped into islands."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -17,23 +17,23 @@ from sandbox.physics.engine.batch import Booleans, Contacts, Integers
 from sandbox.physics.joints.exact.shake import ExactJoints
 
 MOST_ROWS = 1500
-"""Rows that hang together and can be solved directly: their dense system takes a fifth of a second.
-The cubes of what hangs together count."""
+"""The most rows of an island that is solved directly: its dense system takes a fifth of a second.
+Several islands count by the sum of the cubes of their rows."""
 
 
 class Surfaces(NamedTuple):
-    """How n bodies touch.
+    """The contact properties of n bodies.
 
     Attributes
     ----------
     figures
         Their outlines.
     friction, static, restitution
-        (n, n), the pairs' coefficients.
+        (n, n), the coefficients of the pairs.
     running
-        (n, 2), how fast their surfaces run, as those of belts do [m/s].
+        (n, 2), the velocities of running surfaces, such as belts [m/s].
     correction
-        The share of an overlap that a step takes back.
+        The share of an overlap that a step removes.
     slop
         The overlap that is left alone [m].
     lands
@@ -51,16 +51,16 @@ class Surfaces(NamedTuple):
 
 
 class Island(NamedTuple):
-    """Rows that have to do with each other, and with no others.
+    """A group of rows that affect each other, and no others.
 
     Attributes
     ----------
     rows
-        Which of all rows.
+        Their indices among all rows.
     slips
-        Which of all friction.
+        The indices of their friction among all friction.
     problem
-        What they ask for, numbered by themselves.
+        Their kinds, with indices within the island.
     """
 
     rows: Integers
@@ -75,7 +75,7 @@ class Layout:
     Attributes
     ----------
     problem
-        What they ask for.
+        Their kinds.
     islands
         The same, island by island.
     touching
@@ -83,9 +83,9 @@ class Layout:
     restitution
         (k,), the coefficients of the gaps.
     joints, gaps, slips, touch
-        Where they are among all rows; gaps and slips together.
+        Their places among all rows; `touch` is gaps and slips together.
     joined, ties
-        The gaps between bodies that a joint holds together, too, and the rows of such joints.
+        The gaps between bodies that also share a joint, and the rows of such joints.
     """
 
     problem: Problem
@@ -100,27 +100,27 @@ class Layout:
 
     @property
     def touch(self) -> slice:
-        """Where gaps and slips are among all rows."""
+        """The places of gaps and slips among all rows."""
         return slice(self.gaps.start, None)
 
     def asking(self, problem: Problem) -> "Layout":
-        """Return the same rows that ask for something else."""
+        """Return the same rows with other kinds."""
         parts = [_part(problem, one.rows, one.slips) for one in self.islands]
         return replace(self, problem=problem, islands=parts)
 
     @cached_property
     def alone(self) -> Integers:
-        """The rows of joints that have to do with no others."""
+        """The rows of joints that affect no other rows."""
         lone = [one.rows[0] for one in self.islands if _is_alone(one)]
         return np.array(lone, dtype=np.intp)
 
     @cached_property
     def together(self) -> list[Island]:
-        """The islands but for those rows."""
+        """All other islands."""
         return [one for one in self.islands if not _is_alone(one)]
 
     def around(self, some: Booleans) -> "Layout":
-        """Return the same rows, of which only those hang together with some, (r,), to be solved."""
+        """Return the same rows with only the islands that contain some of them, (r,)."""
         found = [one for one in self.islands if np.count_nonzero(some.take(one.rows))]
         return self if len(found) == len(self.islands) else replace(self, islands=found)
 
@@ -133,21 +133,21 @@ class Layout:
 
 
 def lay_out(contacts: Contacts, joints: ExactJoints, surfaces: Surfaces, moves: Booleans) -> Layout:
-    """Return the rows of these contacts; the two points of a side share one friction.
+    """Return the rows of joints and contacts; the two points of a side share one row of friction.
 
     Parameters
     ----------
     contacts, joints
-        What touches and what is joined.
+        The contacts and the exact joints.
     surfaces
-        How bodies touch.
+        The contact properties of the bodies.
     moves
-        (n,), which of them anything can move.
+        (n,), which of them are dynamic.
 
     Raises
     ------
     TooMuch
-        If they are more than a step can solve.
+        If there are more rows than a step can solve.
     """
     first, count = len(joints.pulls_only), len(contacts.bodies)
     slips, static = (table[tuple(contacts.bodies.T)] for table in surfaces[1:3])
@@ -180,7 +180,7 @@ def lay_out(contacts: Contacts, joints: ExactJoints, surfaces: Surfaces, moves: 
 
 
 class Layouts:
-    """Lays out the rows of a step, or takes those of the last if the same bodies touch.
+    """Lays out the rows of a step; reuses the last layout while the same bodies touch.
 
     Parameters
     ----------
@@ -193,23 +193,23 @@ class Layouts:
         self._last: tuple[Contacts, int, Layout] | None = None
 
     def forget(self) -> None:
-        """Begin anew: there are other joints."""
+        """Forget the last layout: the joints have changed."""
         self._last = None
 
     def of(self, contacts: Contacts) -> Layout:
-        """Return the rows of these contacts, and remember them."""
+        """Return the layout for some contacts, and remember it."""
         count = len(self._joints.added)
         if self._last is None or self._last[1] != count or not _alike_in(self._last[0], contacts):
             self._last = contacts, count, self.anew(contacts)
         return self._last[2]
 
     def anew(self, contacts: Contacts) -> Layout:
-        """Return the rows of these contacts; those that are remembered stay so."""
+        """Return the layout for some contacts without remembering it."""
         return lay_out(contacts, self._joints, self._surfaces, self._moves)
 
 
 def _alike_in(one: Contacts, other: Contacts) -> bool:
-    """Return whether the same bodies touch, and where they touch twice."""
+    """Return whether the same bodies touch, with as many points."""
     return all(
         a is b or np.array_equal(a, b)
         for a, b in ((one.bodies, other.bodies), (one.touches, other.touches))
@@ -219,7 +219,7 @@ def _alike_in(one: Contacts, other: Contacts) -> bool:
 def _joined(
     touch: Sequence[Sequence[int]], joints: ExactJoints, moves: Booleans
 ) -> tuple[Integers, Integers]:
-    """Return which of these pairs of bodies a joint holds together, and the rows of such joints."""
+    """Return the pairs of touching bodies that share a joint, and the rows of such joints."""
     still = {-1, len(moves), *np.flatnonzero(~moves).tolist()}  # with the plane
     pairs = [frozenset(pair) - still for pair in touch]
     held = [frozenset(bodies.tolist()) - still for bodies in joints.bodies]
@@ -230,16 +230,16 @@ def _joined(
 
 
 def _points_of(rubs: Integers, seconds: Integers, count: int) -> Integers:
-    """Return the gaps of each side that rubs: (2, r), its points, and −1 where it has but one.
+    """Return the gaps of each contact with friction: (2, r), −1 for a missing second point.
 
     Parameters
     ----------
     rubs
-        (r,), the sides that rub.
+        (r,), the contacts with friction.
     seconds
-        The sides that have a second point, in the order in which these follow all first ones.
+        The contacts with a second point, in the order of these points.
     count
-        How many sides there are.
+        The number of contacts.
     """
     partner = np.full(count, -1)
     partner[seconds] = count + np.arange(len(seconds))
@@ -247,12 +247,12 @@ def _points_of(rubs: Integers, seconds: Integers, count: int) -> Integers:
 
 
 def _refuse_large(parts: Sequence[Island], touching: Touching) -> None:
-    """Refuse rows that hang together and are more than a step can solve, before they are solved.
+    """Refuse islands with more rows than a step can solve.
 
     Raises
     ------
     TooMuch
-        If there are.
+        If there are any.
     """
     if sum(len(part.rows) ** 3 for part in parts) <= MOST_ROWS**3:
         return
@@ -268,7 +268,7 @@ def _refuse_large(parts: Sequence[Island], touching: Touching) -> None:
 
 
 def _alike(joints: Integers, whole: int) -> Integers | None:
-    """Return which of all rows are scaled alike: those of each joint; None if all have one."""
+    """Return which rows are scaled alike: those of each joint; None if each joint has one row."""
     if len(set(joints.tolist())) == len(joints):
         return None
     return np.concatenate((joints, np.arange(len(joints), whole)))
@@ -279,7 +279,7 @@ def _is_alone(island: Island) -> bool:
 
 
 def _part(problem: Problem, rows: Integers, slips: Integers) -> Island:
-    """Return what some rows ask for, numbered by themselves."""
+    """Return the island of some rows, with indices of its own."""
     if len(rows) == len(problem.free):
         return Island(rows, slips, problem)
     number = np.full(len(problem.free) + 1, -1)

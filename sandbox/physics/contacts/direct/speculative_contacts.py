@@ -1,12 +1,11 @@
 """Contacts that close within a drift: they are solved in the kick before it.
 
-Two bodies touch and turn against each other, so another corner meets its partner somewhere within
-the drift. Found only at the end of the drift, it would already be deep inside, and to take that
-overlap back would lift whatever stands there. So each kick is followed to the end of its drift.
-Corners that would overlap there, and do not yet, get a row of their own: its gap may close but no
-further. Then the kick is solved again (Stewart and Trinkle 1996; Anitescu and Potra 1997). This
-takes away the part of the approach that is too much for the drift; the impact at the next step
-takes the rest. Neither gives energy.
+Two touching bodies rotate relative to each other, so another corner meets its partner within the
+drift. Found only at the end of the drift, it would overlap deeply, and the correction would lift
+the bodies. So each kick is followed to the end of its drift. Corners that would overlap there, and
+do not yet, get a row of their own: the gap may close but no further. Then the kick is solved again
+(Stewart and Trinkle 1996; Anitescu and Potra 1997). This removes the part of the approach that
+exceeds the gap; the impact at the next step removes the rest. Neither adds energy.
 
 That is for corners that come down gently. Those that strike, and bodies that do not touch yet, are
 located within the drift (see `landing_drifts`). Other corners of what bounces wait for theirs.
@@ -29,21 +28,21 @@ from sandbox.physics.engine.batch import Booleans, Contacts
 from sandbox.physics.joints.exact.constraints import Coordinates, angles
 
 LOOKS = 30
-"""How often a drift is followed to its end at the most: in a stack that rocks each look finds one
-more box."""
+"""The most times that a drift is followed to its end: in a rocking stack each time finds one more
+box."""
 
 
 class Corner(NamedTuple):
-    """A corner of one body that comes down on a side of another, which it touches elsewhere.
+    """A corner of one body that meets a side of another, which it already touches elsewhere.
 
     Attributes
     ----------
     pair, parts
         The bodies, and a part of each.
     own
-        Whose side it is: 0 or 1.
+        The body with the side: 0 or 1.
     side, corner
-        Which.
+        Their indices.
     """
 
     pair: Pair
@@ -54,21 +53,21 @@ class Corner(NamedTuple):
 
 
 class SpeculativeContacts:
-    """Finds which corners come down within a drift; n bodies.
+    """Finds the corners that meet a side within a drift; n bodies.
 
     Parameters
     ----------
     query
-        Knows the bodies, and which of them are let through others.
+        Knows the bodies, and which of them pass through others.
     surfaces
-        How they touch.
+        Their contact properties.
     moves
-        (n,), which of them anything can move.
+        (n,), which of them are dynamic.
 
     Attributes
     ----------
     approaching
-        Knows which of those that do not touch might.
+        The pairs of bodies that do not touch, but might.
     """
 
     def __init__(self, query: Query, surfaces: Surfaces, moves: Booleans) -> None:
@@ -120,7 +119,7 @@ class SpeculativeContacts:
         return [corner for corner, is_new in zip(found, new, strict=True) if is_new]
 
     def height(self, corner: Corner, place: Coordinates) -> float:
-        """Return how far a corner is from its side somewhere [m]."""
+        """Return the distance of a corner from its side at given positions [m]."""
         return self._spot(corner, place).gap
 
     def contacts(
@@ -130,7 +129,7 @@ class SpeculativeContacts:
         origin: complex,
         hits: Sequence[Hit] = (),
     ) -> Contacts:
-        """Return the contacts of corners that come down, and of bodies that have met, somewhere."""
+        """Return the contacts of corners and of bodies that have met, at given positions."""
         found: dict[Pair, list[Touched]] = {}
         for corner in corners:
             touched = self._touched(corner.pair, self._spot(corner, place), origin)
@@ -146,12 +145,12 @@ class SpeculativeContacts:
         return on_side(self._shapes.at(place).both(pair, parts), own, side, number)
 
     def _turning(self, contacts: Contacts, turns: Array) -> list[Pair]:
-        """Return the pairs that turn against each other so far that another corner may meet.
+        """Return the touching pairs that rotate far enough for another corner to meet.
 
         Parameters
         ----------
         turns
-            (N,), how far bodies turn in the drift [rad].
+            (N,), the rotations of the bodies in the drift [rad].
         """
         a, b = contacts.bodies.T
         reach, single = self._shapes.reach, self._shapes.single
@@ -165,7 +164,7 @@ class SpeculativeContacts:
         return sorted({pair for pair, looks in zip(pairs, turns, strict=True) if looks})
 
     def _touched(self, pair: Pair, spot: Spot, origin: complex) -> Touched:
-        """Return what is to be of a spot on a side."""
+        """Return the contact of a corner with a side."""
         own, normal, gap = spot.own, spot.normal, spot.gap
         tip, foot = spot.tip + origin, spot.tip + origin - normal * gap
         points = (tip, foot) if own else (foot, tip)
@@ -173,9 +172,9 @@ class SpeculativeContacts:
 
 
 def _new(found: Contacts, kick: Kick) -> Booleans:
-    """Return what of it the kick does not know yet.
+    """Return which contacts are new to a kick.
 
-    What is round and turns is a little deeper in the end than its point was to be.
+    A rounded corner that rotates ends a little deeper than its row allowed, and is not new.
     """
     known = kick.contacts.after(len(kick.contacts.bodies) - kick.closes)
     far = np.abs(found.points[:, None, 0] - known.points[:, 0]).max(axis=2)

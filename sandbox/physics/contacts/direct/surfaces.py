@@ -1,4 +1,4 @@
-"""The surfaces of a level's bodies, in the form that the direct solver needs."""
+"""The contact properties of a level's bodies, as the direct solver needs them."""
 
 from collections.abc import Sequence
 from itertools import pairwise
@@ -23,19 +23,18 @@ from sandbox.physics.geometry.distance import surfaces
 from sandbox.physics.state.anchor import Plane
 
 SLOP = 1e-7
-"""m, the overlap that is left alone, where the level has nothing else to say: more than by which
-things stand proud, and they stay in touch."""
+"""m, the default overlap that is left alone: it is larger than `PROUD`, so that bodies stay in
+contact."""
 
 CORRECTION = 0.5
-"""The share of an overlap that a step takes back, where the level has nothing else to say. Moving
-bodies leaves their velocities alone, so it may be large; bodies that start far in each other are
-not to jump apart, either."""
+"""The default share of an overlap that a step removes. It may be large, since the velocities stay
+unchanged, but bodies that overlap deeply at the start should not jump apart."""
 
 NONE: Plane = np.zeros(0, dtype=complex)
 
 
 def surfaces_of(level: Level, values: Values, bodies: Sequence[pymunk.Body]) -> Surfaces:
-    """Return how the bodies of a level touch for the given parameters."""
+    """Return the contact properties of a level's bodies for the given parameters."""
     names = list(level.bodies)
     friction = pair_coefficients(level, values, "friction")
     static = friction.copy()
@@ -103,5 +102,5 @@ def _figure(spec: Body, values: Values) -> Figure:
 
 
 def _normals(sides: Plane) -> Plane:
-    """Return the normals to the right of sides: outwards, if they go around counter-clockwise."""
+    """Return the unit normals to the right of sides: outward for a counter-clockwise outline."""
     return np.asarray(-1j * sides / np.abs(sides))

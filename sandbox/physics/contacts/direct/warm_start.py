@@ -22,20 +22,20 @@ SMOOTH = 0.5
 what jumps to and fro would jump further on a parabola, and may lead to forces of another kind."""
 
 AT_REST = 1e-9
-"""m/s, below which surfaces that meet do not slip."""
+"""m/s, the largest slip velocity at which friction of a new contact sticks."""
 
 
 class Known(NamedTuple):
-    """What is known of a kick in the next one.
+    """The outcome of a kick, for the next one.
 
     Attributes
     ----------
     layout
-        Its rows.
+        The layout of its rows.
     forces
-        (r,), of all rows [N].
+        (r,), the forces of its rows [N].
     active
-        Which held.
+        Its active rows.
     """
 
     layout: Layout
@@ -54,33 +54,33 @@ class Known(NamedTuple):
 
 
 class WarmStart:
-    """Remembers a kick for the next."""
+    """Remembers a kick for the next one."""
 
     def __init__(self) -> None:
         self._known: Known | None = None
         self._past: list[Array] = []  # the forces since the same rows hold, (r,) [N], newest first
 
     def forget(self) -> None:
-        """Know nothing any more."""
+        """Forget everything."""
         self._known, self._past = None, []
 
     def note(self, kick: Kick, forces: Array, active: Active) -> None:
-        """Remember the forces of a kick, (r,) [N], and what held in it."""
+        """Remember the forces of a kick, (r,) [N], and its active rows."""
         known, self._known = self._known, Known(kick.layout, forces, active)
         same = known and known.layout is kick.layout and known.active.key == active.key
         self._past = [forces, *self._past[:2]] if same else [forces]
 
     def guess(self, kick: Kick, motion: Array, length: float) -> tuple[Array, Active]:
-        """Return the impulses of so many seconds, (r,), and what holds, as far as can be told.
+        """Return a guess of the impulses of a kick, (r,), and of its active rows.
 
-        What is new holds if it meets, and slips if it does.
+        New contacts are active if they approach, and slip if their surfaces do.
 
         Parameters
         ----------
         motion
             (3 N,), the velocities without impulses [m/s, rad/s].
         length
-            Of the kick [s].
+            The length of the kick [s].
         """
         if known := self._recalled(kick):
             return self._expected() * length, known.active
@@ -97,7 +97,7 @@ class WarmStart:
         return impulse, Active(np.concatenate((taut, on, presses & (slip == 0))), slip)
 
     def pressed(self, kick: Kick) -> Booleans:
-        """Return which gaps pushed in the last kick: (k,)."""
+        """Return which gaps had a normal force in the last kick: (k,)."""
         if known := self._recalled(kick):
             return np.asarray(known.force > 0)
         force = np.zeros(len(kick.layout.touching.pair))
@@ -107,7 +107,7 @@ class WarmStart:
         return np.asarray(force > 0)
 
     def met(self, kick: Kick) -> Booleans:
-        """Return which gaps there were in the last kick: (k,)."""
+        """Return which gaps existed in the last kick: (k,)."""
         if self._recalled(kick):
             return np.ones(len(kick.layout.touching.pair), dtype=bool)
         found = np.zeros(len(kick.layout.touching.pair), dtype=bool)
@@ -124,15 +124,15 @@ class WarmStart:
         return parabola(self._past) if bend <= SMOOTH * most(last - before) else last
 
     def _recalled(self, kick: Kick) -> Known | None:
-        """Return what is known, if the same touched then."""
+        """Return the last kick, if it had the same contacts."""
         known = self._known
         return known if known and known.layout.touching is kick.layout.touching else None
 
     def _new(self, kick: Kick, motion: Array) -> tuple[Array, Array, Booleans, Integers]:
-        """Return what is known of those gaps that were there, and what the others seem to do.
+        """Return a guess for other contacts: from the last kick where known, else from the motion.
 
-        These are the forces at the gaps, (k,), and along them, (f,), which gaps push, (k,), and
-        which way friction acts where it slips, (f,); 0 elsewhere.
+        It consists of the normal forces, (k,), the friction, (f,), the active gaps, (k,), and the
+        signs of sliding friction, (f,), 0 where it sticks.
         """
         touching, layout, known = kick.layout.touching, kick.layout, self._known
         rates = kick.here.jacobian @ motion
@@ -153,7 +153,7 @@ class WarmStart:
         return force, along, on, slip
 
     def _same(self, kick: Kick) -> list[tuple[int, int]]:
-        """Return the gaps that there were in the last kick, and their numbers then."""
+        """Return the gaps that existed in the last kick, with their indices then."""
         if self._known is None:
             return []
         old = {key: gap for gap, key in enumerate(_keys(self._known.layout.touching))}
@@ -161,9 +161,9 @@ class WarmStart:
 
 
 def recalled(old: Kick, forces: Array, active: Active, new: Kick) -> tuple[Array, Active]:
-    """Return the forces of a kick, (r,) [N], and what held in it, for one with more or fewer rows.
+    """Return the forces of a kick, (r,) [N], and its active rows, for one with other rows.
 
-    What is new does not push yet.
+    New contacts have no force.
     """
     known = WarmStart()
     known.note(old, forces, active)
@@ -171,7 +171,7 @@ def recalled(old: Kick, forces: Array, active: Active, new: Kick) -> tuple[Array
 
 
 def _keys(touching: Touching) -> list[tuple[int, int, int]]:
-    """Return by what the gaps are known again in the next step."""
+    """Return the keys by which gaps are recognised in the next step."""
     seen: dict[tuple[int, int], int] = {}
     keys = []
     for a, b in touching.bodies.T.tolist():
