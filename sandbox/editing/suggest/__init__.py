@@ -12,13 +12,13 @@ from contextlib import suppress
 from sandbox.editing.cleanup import without_meaning
 from sandbox.editing.edits.checks import add_checks
 from sandbox.editing.suggest import (
-    atwood,
     collision,
     incline,
     lever,
     oscillator,
     pendulum,
     projectile,
+    pulleys,
     spring_pendulum,
 )
 from sandbox.editing.suggest.scene import Scene, Suggestion
@@ -28,7 +28,7 @@ from sandbox.model.level import Level
 from sandbox.model.loading import parse
 
 _KNOWN: tuple[Callable[[Scene], Iterator[Suggestion]], ...] = (
-    atwood.suggestions,
+    pulleys.suggestions,
     incline.suggestions,
     lever.suggestions,
     pendulum.suggestions,

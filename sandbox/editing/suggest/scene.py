@@ -36,8 +36,9 @@ MOST_CORNERS = 8
 
 
 Setup = Literal[
-    "Atwood machine", "collision", "block that a slope holds", "block on a slope", "lever",
-    "oscillator", "pendulum", "spring pendulum", "thrown body", "falling body",
+    "Atwood machine", "block and tackle", "collision", "block that a slope holds",
+    "block on a slope", "lever", "oscillator", "pendulum", "spring pendulum", "thrown body",
+    "falling body",
 ]  # fmt: skip
 
 

@@ -32,6 +32,31 @@ def atwood(one: float, other: float) -> str:
     return put_all(text, {("bodies", "disc1", "mass"): one, ("bodies", "disc2", "mass"): other})
 
 
+def tackle(*pegs: tuple[float, float], hung: bool = False, at: float = 2) -> str:
+    """Return a wheel in a string over pegs, the first of which is its end, and a box at the other.
+
+    With `hung`, a box hangs on a rope below the wheel.
+    """
+    text = disc(EMPTY, 0, 5)
+    text = add_box(text, parse(text), (at - 0.5, 3), (at + 0.5, 4)).text
+    first, *rest = (Pick(peg) for peg in pegs)
+    chosen = [first, Pick((0, 5), "disc1"), *rest, Pick((at, 3.5), "box1")]
+    text = add_joint(text, parse(text), "pulley", chosen).text
+    if hung:
+        text = add_box(text, parse(text), (-0.5, 2), (0.5, 3)).text
+        text = add_joint(text, parse(text), "rope", [Pick((0, 5), "disc1"), Pick((0, 3), "box2")])[
+            0
+        ]
+    return text
+
+
+def loop() -> str:
+    """Return a disc in a string that is tied to the plane at both ends."""
+    text = disc(EMPTY, 0, 5)
+    chosen = [Pick((-1, 8)), Pick((0, 5), "disc1"), Pick((1, 8))]
+    return add_joint(text, parse(text), "pulley", chosen).text
+
+
 def incline(angle: float, friction: float | None = None, *, turns: bool = False) -> str:
     text = add_surface(EMPTY, parse(EMPTY), [(-6, 6), (6, 6)]).text
     text = turn(text, parse(text), ["surface1"], angle)
@@ -110,6 +135,13 @@ def spring(x: float, y: float, stiffness: float) -> str:
 
 MADE = {
     "Atwood machine": [atwood(2, 3.7), atwood(5, 0.3), atwood(1, 1), atwood(1e3, 1)],
+    "block and tackle": [
+        tackle((0, 8), (0, 8), (2, 8)),
+        tackle((0, 8), (0, 8), (2, 8), hung=True),
+        tackle((-0.5, 8), (0.5, 8), (2, 8)),
+        tackle((-1, 8), (1, 8), (3, 8), hung=True, at=3),
+        loop(),
+    ],
     "block on a slope": [
         incline(0.5),
         incline(-0.7),
@@ -278,6 +310,25 @@ def test_checks_are_about_a_time_before_something_is_met_with_any_value() -> Non
     text = make_parameter(atwood(2, 2), ("bodies", "disc2", "mass"), "m")
     text = with_checks(text)
     assert all(holds(text, {"m": m}) for m in (0.4, 2.0, 10.0))
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        tackle((-0.5, 8), (1, 8), (2, 8)),  # the wheel would swing
+        tackle((-0.5, 8), (0.5, 8), (2.5, 8)),  # the box would
+        put_all(tackle((0, 8), (0, 8), (2, 8)), {("bodies", "disc1", "velocity"): [0, 1]}),
+        put_all(tackle((0, 8), (0, 8), (2, 8)), {("joints", "pulley1", "length"): 13}),
+    ],
+)
+def test_no_tackle_is_seen_where_a_pull_is_not_upright_or_the_string_is_slack(text: str) -> None:
+    assert "block and tackle" not in [one.setup for one in suggestions(parse(text))]
+
+
+def test_a_tackle_holds_with_any_load() -> None:
+    text = make_parameter(tackle((0, 8), (0, 8), (2, 8)), ("bodies", "box1", "mass"), "m")
+    text = with_checks(text)
+    assert all(holds(text, {"m": m}) for m in (2, 10, 30))
 
 
 def test_a_slope_has_no_checks_of_sliding_where_it_holds() -> None:
