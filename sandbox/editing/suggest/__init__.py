@@ -12,6 +12,7 @@ from contextlib import suppress
 from sandbox.editing.cleanup import without_meaning
 from sandbox.editing.edits.checks import add_checks
 from sandbox.editing.suggest import (
+    capstan,
     collision,
     incline,
     lever,
@@ -36,17 +37,21 @@ _KNOWN: tuple[Callable[[Scene], Iterator[Suggestion]], ...] = (
     projectile.suggestions,
     oscillator.suggestions,
     spring_pendulum.suggestions,
+    capstan.suggestions,
 )
 
 
+_OF_MANY: tuple[Callable[[Scene], Iterator[Suggestion]], ...] = (capstan.suggestions,)
+"""Those that have many bodies, and are found by their joints."""
+
 MOST_MOVING = 12
-"""Up to how many moving bodies set-ups are looked for; known set-ups have a few."""
+"""Up to how many moving bodies other set-ups are looked for."""
 
 
 def suggestions(level: Level) -> list[Suggestion]:
     """Return the closed forms of the known set-ups that a level is, and does not check yet.
 
-    In a crowd nothing is looked for: each body would be followed among all the others.
+    In a crowd few are looked for: each body would be followed among all the others.
     """
     checked = {check.quantity for check in level.checks}
     found = _recognised(level)
@@ -55,10 +60,9 @@ def suggestions(level: Level) -> list[Suggestion]:
 
 def _recognised(level: Level, *, thorough: bool = False) -> list[Suggestion]:
     """Return the known set-ups that a level is."""
-    if sum(body.type == "dynamic" for body in level.bodies.values()) > MOST_MOVING:
-        return []
+    crowd = sum(body.type == "dynamic" for body in level.bodies.values()) > MOST_MOVING
     scene = Scene(level, level.defaults, thorough)
-    return [one for known in _KNOWN for one in known(scene)]
+    return [one for known in (_OF_MANY if crowd else _KNOWN) for one in known(scene)]
 
 
 def followed(before: Level, text: str) -> str:

@@ -36,7 +36,7 @@ MOST_CORNERS = 8
 
 
 Setup = Literal[
-    "Atwood machine", "block and tackle", "collision", "block that a slope holds",
+    "Atwood machine", "block and tackle", "capstan", "collision", "block that a slope holds",
     "block on a slope", "lever", "oscillator", "pendulum", "spring pendulum", "thrown body",
     "falling body",
 ]  # fmt: skip

@@ -10,6 +10,7 @@ from sandbox.editing.edits.effects import declare
 from sandbox.editing.edits.fields import make_parameter
 from sandbox.editing.edits.joints import Pick, add_joint
 from sandbox.editing.edits.transforms import move, turn
+from sandbox.editing.edits.wrapping import wrap
 from sandbox.editing.suggest import MOST_MOVING, followed, suggestions, take
 from sandbox.editing.text_patches import put_all, remove
 from sandbox.model import catalog
@@ -55,6 +56,19 @@ def loop() -> str:
     text = disc(EMPTY, 0, 5)
     chosen = [Pick((-1, 8)), Pick((0, 5), "disc1"), Pick((1, 8))]
     return add_joint(text, parse(text), "pulley", chosen).text
+
+
+def capstan(m1: float, m2: float, mu: float | None = None, x: float = 1.04) -> str:
+    """Return two boxes that hang on a rope over a drum, let go for a short time."""
+    text = disc(EMPTY, 0, 4, 1)
+    for side in (-x, x):
+        text = add_box(text, parse(text), (side - 0.3, 1), (side + 0.3, 1.6)).text
+    masses = {("bodies", "box1", "mass"): m1, ("bodies", "box2", "mass"): m2}
+    text = put_all(text, masses | {("duration",): 0.3})
+    if mu is not None:
+        text = declare(text, parse(text), "friction")
+        text = put_all(text, {("bodies", "disc1", "friction"): mu})
+    return wrap(text, parse(text), ["disc1", "box1", "box2"]).text
 
 
 def incline(angle: float, friction: float | None = None, *, turns: bool = False) -> str:
@@ -141,6 +155,14 @@ MADE = {
         tackle((-0.5, 8), (0.5, 8), (2, 8)),
         tackle((-1, 8), (1, 8), (3, 8), hung=True, at=3),
         loop(),
+    ],
+    "capstan": [
+        capstan(5, 10),
+        capstan(5, 10, 0.25),
+        capstan(5, 15, 0.25),
+        capstan(30, 10, 0.25),
+        capstan(3, 100, 0.4, x=1.2),
+        capstan(5, 5, 0.1, x=0.9),
     ],
     "block on a slope": [
         incline(0.5),
@@ -259,6 +281,8 @@ def test_what_is_suggested_of_a_level_that_ships_can_be_taken(name: str) -> None
     ("name", "setup"),
     [
         ("newton/atwood", "Atwood machine"),
+        ("newton/compound-pulley", "block and tackle"),
+        ("machines/capstan", "capstan"),
         ("newton/incline", "block on a slope"),
         ("newton/incline-that-holds", "block that a slope holds"),
         ("lagrange/simple-pendulum", "pendulum"),
@@ -329,6 +353,13 @@ def test_a_tackle_holds_with_any_load() -> None:
     text = make_parameter(tackle((0, 8), (0, 8), (2, 8)), ("bodies", "box1", "mass"), "m")
     text = with_checks(text)
     assert all(holds(text, {"m": m}) for m in (2, 10, 30))
+
+
+def test_a_capstan_says_of_each_load_whether_it_holds() -> None:
+    text = make_parameter(capstan(5, 15, 0.25), ("bodies", "disc1", "friction"), "mu")
+    level = parse(with_checks(text))
+    verdicts = [{r.verdict for r in grade(simulate(level, {"mu": mu}))} for mu in (0.2, 0.5)]
+    assert verdicts == [{"passed"}, {"not applicable"}]
 
 
 def test_a_slope_has_no_checks_of_sliding_where_it_holds() -> None:
