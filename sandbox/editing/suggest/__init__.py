@@ -14,6 +14,7 @@ from sandbox.editing.edits.checks import add_checks
 from sandbox.editing.suggest import (
     capstan,
     collision,
+    cradle,
     incline,
     lever,
     oscillator,
@@ -33,6 +34,7 @@ _KNOWN: tuple[Callable[[Scene], Iterator[Suggestion]], ...] = (
     incline.suggestions,
     lever.suggestions,
     pendulum.suggestions,
+    cradle.suggestions,
     collision.suggestions,
     projectile.suggestions,
     oscillator.suggestions,
@@ -94,7 +96,7 @@ def followed(before: Level, text: str) -> str:
 
 
 def take(text: str, level: Level, suggestion: Suggestion) -> str:
-    """Return a level with the checks of a suggestion, and with the rate that they need.
+    """Return a level with the checks of a suggestion, and with what else they need.
 
     Where they are about a time before something is met, that is before it for all values of the
     parameters.
@@ -112,4 +114,8 @@ def take(text: str, level: Level, suggestion: Suggestion) -> str:
     besides = Changes()
     if level.stepping.accuracy is None and level.stepping.rate < suggestion.rate:
         besides["stepping", "rate"] = suggestion.rate
+    located = level.effects.contact.located if level.effects.contact else None
+    if not set(suggestion.located) <= set(located or ()):
+        together = dict.fromkeys((*(located or ()), *suggestion.located))
+        besides["effects", "contact", "located"] = list(together)
     return add_checks(text, level, suggestion.checks, besides)

@@ -4,7 +4,7 @@ M is the arithmetic-geometric mean, of Gauss.
 """
 
 from cmath import phase, rect
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from math import cos, pi, sqrt
 from typing import Any
 
@@ -41,14 +41,16 @@ def suggestions(scene: Scene) -> Iterator[Suggestion]:
     if fall is None or not scene.only("gravity", "contact", "friction", "restitution", "rotation"):
         return
     for name, joint in scene.level.joints.items():
-        bob = _bob(scene, joint)
+        bob = bob_of(scene, joint)
         if bob is None or not isinstance(joint, Rod | Rope):
             continue
         first, second = (place(end, scene.level.bodies, scene.values) for end in joint.ends)
         center = scene.where[bob].center
         way = center - (first if second == center else second)
         length, angle = abs(way), abs(phase(way * 1j))
-        if not SMALLEST < angle < LARGEST or not _clear(scene, bob, way):
+        others = [other for other in scene.where if other != bob]
+        swings = SMALLEST < angle < LARGEST
+        if not swings or not swings_free(scene, bob, center - way, way, others):
             continue
         mean = _mean(1.0, cos(angle / 2))
         quarter = pi / 2 * sqrt(length / -fall(scene.values)) / mean
@@ -67,7 +69,7 @@ def suggestions(scene: Scene) -> Iterator[Suggestion]:
         yield Suggestion("pendulum", (bob,), tuple(checks), rate_of(STEPS / (4 * quarter)))
 
 
-def _bob(scene: Scene, joint: Joint) -> str | None:
+def bob_of(scene: Scene, joint: Joint) -> str | None:
     """Return the body that hangs at rest by its centre from a point of the plane, if one does."""
     if not isinstance(joint, Rod | Rope) or joint.length is not None:
         return None
@@ -78,13 +80,16 @@ def _bob(scene: Scene, joint: Joint) -> str | None:
     return bob if alone and scene.rests(bob) else None
 
 
-def _clear(scene: Scene, bob: str, way: complex) -> bool:
-    """Whether nothing is in the way of the swing, and the string stays taut."""
-    start = phase(way * 1j)
+def swings_free(scene: Scene, bob: str, peg: complex, way: complex, others: Iterable[str]) -> bool:
+    """Whether no others are in the way of a swing about a peg, from a way [m] to its mirror image.
+
+    A string stays taut.
+    """
     if scene.level.effects.contact is None:
         return True
-    swing = [rect(abs(way), turn) / 1j - way for turn in np.linspace(start, -start, 100)]
-    others = [name for name in scene.where if name != bob]
+    start, center = phase(way * 1j), scene.where[bob].center
+    turns = np.linspace(start, -start, 100).tolist()
+    swing = [peg + rect(abs(way), turn) / 1j - center for turn in turns]
     return all(scene.distance(bob, by, o) > TOUCHING for by in swing for o in others)
 
 

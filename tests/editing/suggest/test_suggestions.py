@@ -1,6 +1,7 @@
 """Known set-ups are recognised, and what is suggested of them holds in a run."""
 
 from cmath import rect
+from math import copysign, pi, radians
 
 import pytest
 
@@ -12,7 +13,7 @@ from sandbox.editing.edits.joints import Pick, add_joint
 from sandbox.editing.edits.transforms import move, turn
 from sandbox.editing.edits.wrapping import wrap
 from sandbox.editing.suggest import MOST_MOVING, followed, suggestions, take
-from sandbox.editing.text_patches import put_all, remove
+from sandbox.editing.text_patches import put, put_all, remove
 from sandbox.model import catalog
 from sandbox.model.loading import parse, read
 from sandbox.physics.measuring.grading import grade
@@ -69,6 +70,40 @@ def capstan(m1: float, m2: float, mu: float | None = None, x: float = 1.04) -> s
         text = declare(text, parse(text), "friction")
         text = put_all(text, {("bodies", "disc1", "friction"): mu})
     return wrap(text, parse(text), ["disc1", "box1", "box2"]).text
+
+
+def cradle(count: int, drawn: int, *, angle: float = 30, rods: float = 3, kind: str = "rod") -> str:
+    """Return elastic balls that hang in a row, some of which, the last if < 0, are drawn aside."""
+    text, balls = EMPTY, range(1, count + 1)
+    for i in balls:
+        text = disc(text, i, 2, 0.5)
+        ends = [Pick((i, 2), f"disc{i}"), Pick((i, 2 + rods))]
+        text = add_joint(text, parse(text), kind, ends).text
+    text = declare(text, parse(text), "restitution")
+    text = put_all(text, {("bodies", f"disc{i}", "restitution"): 1 for i in balls})
+    way = rect(rods, -pi / 2 - copysign(radians(angle), drawn))
+    aside = balls[:drawn] if drawn > 0 else balls[drawn:]
+    for i in aside:
+        place = [i + way.real, 2 + rods + way.imag]
+        text = put(text, ("bodies", f"disc{i}", "position"), place)
+    return text
+
+
+def walled(text: str, x: float) -> str:
+    return add_surface(text, parse(text), [(x, 1), (x, 4)]).text
+
+
+def row(velocities: list[float]) -> str:
+    """Return elastic balls on a line, of which those that are alike touch, without gravity."""
+    text, x = EMPTY, -4.0
+    for i, v in enumerate(velocities):
+        x += 0.5 + (0.7 if i and v != velocities[i - 1] else 0)
+        text = disc(text, x, 4, 0.25)
+    text = remove(declare(text, parse(text), "restitution"), ("effects", "gravity"))
+    for i, v in enumerate(velocities):
+        body = ("bodies", f"disc{i + 1}")
+        text = put_all(text, {(*body, "restitution"): 1, (*body, "velocity"): [v, 0]})
+    return text
 
 
 def incline(angle: float, friction: float | None = None, *, turns: bool = False) -> str:
@@ -163,6 +198,13 @@ MADE = {
         capstan(30, 10, 0.25),
         capstan(3, 100, 0.4, x=1.2),
         capstan(5, 5, 0.1, x=0.9),
+    ],
+    "Newton's cradle": [
+        cradle(3, 1),
+        cradle(5, -2, angle=45),
+        cradle(4, 1, rods=5, kind="rope", angle=10),
+        row([2, 0, 0]),
+        row([0, 0, 0, -3, -3]),
     ],
     "block on a slope": [
         incline(0.5),
@@ -283,6 +325,8 @@ def test_what_is_suggested_of_a_level_that_ships_can_be_taken(name: str) -> None
         ("newton/atwood", "Atwood machine"),
         ("newton/compound-pulley", "block and tackle"),
         ("machines/capstan", "capstan"),
+        ("momentum/cradle", "Newton's cradle"),
+        ("hard/cradle-of-five", "Newton's cradle"),
         ("newton/incline", "block on a slope"),
         ("newton/incline-that-holds", "block that a slope holds"),
         ("lagrange/simple-pendulum", "pendulum"),
@@ -360,6 +404,20 @@ def test_a_capstan_says_of_each_load_whether_it_holds() -> None:
     level = parse(with_checks(text))
     verdicts = [{r.verdict for r in grade(simulate(level, {"mu": mu}))} for mu in (0.2, 0.5)]
     assert verdicts == [{"passed"}, {"not applicable"}]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        cradle(3, 3),  # nothing is struck
+        put_all(cradle(3, 1), {("bodies", "disc2", "mass"): 9}),
+        put_all(cradle(3, 1), {("bodies", "disc3", "restitution"): 0.9}),
+        walled(cradle(3, 1), 4.2),
+        row([2, 0, 2]),
+    ],
+)
+def test_no_cradle_is_seen_where_balls_differ_or_nothing_strikes(text: str) -> None:
+    assert "Newton's cradle" not in [one.setup for one in suggestions(parse(text))]
 
 
 def test_a_slope_has_no_checks_of_sliding_where_it_holds() -> None:
