@@ -1,6 +1,7 @@
 """What the inspector shows of the selection, and how it sets fields."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from functools import partial
 from typing import Any, Literal
 
@@ -11,6 +12,7 @@ from sandbox.app.building.effect_examples import example
 from sandbox.app.building.fields import Entry, Row
 from sandbox.app.words.language import later, plural, say
 from sandbox.editing import suggest
+from sandbox.editing.cleanup import accepted
 from sandbox.editing.edits import effects, events
 from sandbox.editing.edits.checks import add_checks, complete, drop_told
 from sandbox.editing.edits.fields import make_parameter, parameter_name, set_field
@@ -18,7 +20,7 @@ from sandbox.editing.edits.tilting import slope_of, tilt
 from sandbox.editing.edits.titling import entitled
 from sandbox.editing.renaming import rename
 from sandbox.editing.suggest.scene import Suggestion
-from sandbox.editing.text_patches import put
+from sandbox.editing.text_patches import put, put_all, value_at
 from sandbox.model.body import Body
 from sandbox.model.effect_variants import DEFAULTS
 from sandbox.model.errors import LevelError, SandboxError
@@ -29,6 +31,12 @@ from sandbox.model.level import Level
 from sandbox.model.level_parts import expressions
 
 NAMED = later("what it is called: a letter, then letters, digits or _; all mentions of it follow")
+
+ALIKE = (
+    "type", "mass", "friction", "static_friction", "restitution", "sensor", "color", "hidden",
+    "layer",
+)  # fmt: skip
+"""The fields that several bodies are given at once."""
 
 MOST_NAMES = 6
 """How many names are offered while a name is typed."""
@@ -51,7 +59,7 @@ def subject(work: Work) -> str:
 
 
 def rows(work: Work) -> Sequence[Row]:
-    """Return the fields of the selected part; several parts have none."""
+    """Return what can be set of what is inspected; of several bodies what they may have alike."""
     match work.selected:
         case () if not work.fixed:
             return fields.rows(Level, work.document, ())
@@ -61,7 +69,27 @@ def rows(work: Work) -> Sequence[Row]:
             found = fields.rows(model, said, (family, name)) if model else ()
             called = Entry((family, name), say("name"), say(NAMED), "", "text", name, required=True)
             return [(called,), *(row for row in found if _field(row) not in work.fixed)]
-    return ()
+    several = len(work.chosen) == len(work.selected) > 1
+    return list(_alike(work)) if several and not work.fixed else ()
+
+
+def _alike(work: Work) -> Iterator[Row]:
+    """Yield what several bodies may have alike; where they differ, a field is empty."""
+    first, *others = (work.document["bodies"][name] for name in work.chosen)
+    for row in fields.rows(Body, first, ("bodies", work.chosen[0])):
+        if isinstance(row, fields.Section) or len(row) > 1 or (key := _field(row)) not in ALIKE:
+            continue
+        if all(other.get(key) == first.get(key) for other in others):
+            yield row
+        elif row[0].sort not in ("choice", "switch"):
+            yield (replace(row[0], shown=""),)
+
+
+def _places(work: Work, path: Path) -> list[Path]:
+    """Return where a field stands: in each of the bodies, if several are selected."""
+    if len(work.selected) < 2:
+        return [path]
+    return [("bodies", name, *path[2:]) for name in work.chosen]
 
 
 def _field(row: Row) -> str | int:
@@ -75,7 +103,10 @@ def assign(work: Work, row: Sequence[Entry], entry: Entry, typed: str) -> str:
         if len(entry.path) == 2 and entry.path[0] in ("bodies", "joints"):
             _rename(work, entry, typed.strip())
             return ""
-        work.put(_assigned(work.text, row, entry, typed), say("set {field}", field=entry.label))
+        text = work.text
+        for path in _places(work, entry.path):
+            text = _assigned(text, row, replace(entry, path=path), typed)
+        work.put(text, say("set {field}", field=entry.label))
     except LevelError as error:
         return say(error.mistakes[0].rule)
     except SandboxError as error:
@@ -128,7 +159,7 @@ def _numbers(level: Level) -> frozenset[Path]:
 def parametrise(work: Work, entry: Entry) -> None:
     """Turn a number into a parameter, which gets a slider on the level's page.
 
-    The angle of a slope, or of what lies on it, is that of both.
+    The angle of a slope, or of what lies on it, is that of both. Several bodies have it alike.
     """
 
     def edit(text: str, level: Level) -> str:
@@ -136,7 +167,9 @@ def parametrise(work: Work, entry: Entry) -> None:
             name = str(entry.path[1])
             if slope_of(level, name):
                 return tilt(text, level, name)
-        return make_parameter(text, entry.path, parameter_name(level, entry.path))
+        made = make_parameter(text, entry.path, parameter_name(level, entry.path))
+        formula = value_at(made, entry.path)
+        return accepted(put_all(made, dict.fromkeys(_places(work, entry.path), formula)))
 
     if work.change(say("make {field} a parameter", field=entry.label), edit):
         name = list(work.document["parameters"])[-1]

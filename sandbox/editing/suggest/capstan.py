@@ -9,7 +9,7 @@ from itertools import pairwise
 from math import pi, sqrt
 from typing import Any, NamedTuple
 
-from sandbox.editing.layout import plain
+from sandbox.editing.json_layout import plain
 from sandbox.editing.suggest.incline import friction
 from sandbox.editing.suggest.scene import (
     SAFE,
@@ -83,16 +83,17 @@ def _of(scene: Scene, rope: Rope, mu: str) -> Iterator[Suggestion]:
     angle = "pi" if abs(rope.wrap - pi) < 10**-DIGITS else repr(plain(round(rope.wrap, DIGITS)))
     held = m1 if mu == "0" else f"{m1}*exp({mu}*{angle})"
     excess = Expression(f"{m2}/({held}) - 1")
-    if abs(excess(scene.known)) < EDGE:
+    rough = mu != "0"
+    if rough and abs(excess(scene.known)) < EDGE:
         return
-    slips = excess(scene.known) > 0
+    slips = not rough or excess(scene.known) > 0
     told = _slipping(rope, m1, m2, held, g) if slips else _holding(rope, m1, m2, g)
     side = f"{m2} > {1 + EDGE}*{held}" if slips else f"{m2} < {1 - EDGE}*{held} and {m1} <= {m2}"
     until = min(_until(each, rope, held) for each in scene.everywhere)
     more: dict[str, Any] = {
         "tolerance": _close(scene, rope),
         "at": instant(until) if slips else None,
-        "valid_if": side if excess.names else None,
+        "valid_if": side if rough and excess.names else None,
     }
     checks = tuple(
         check(label, quantity, formula, scale=scale, **more)
@@ -179,10 +180,10 @@ def _until(scene: Scene, rope: Rope, held: str) -> float:
     """Return a time until which nothing is met, and the rope has hardly run on [s]."""
     g, (_, m2) = opposite(scene.fall or Expression("0")), (scene.mass(n) for n in rope.ends)
     a = Expression(f"{g}*({m2} - {held})/({m2} + {held})")(scene.known)
-    if a <= 0:
+    if not a:
         return LATEST
     free = (
         scene.free_until(name, lambda t, way=way: way * a * t * t / 2, rope.knots)  # type: ignore[misc]
         for name, way in zip(rope.ends, (1j, -1j), strict=True)
     )
-    return min(SAFE * min(free), sqrt(2 * RUNS * scene.where[rope.drum].radius / a), LATEST)
+    return min(SAFE * min(free), sqrt(2 * RUNS * scene.where[rope.drum].radius / abs(a)), LATEST)

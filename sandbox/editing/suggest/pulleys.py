@@ -9,7 +9,7 @@ from itertools import combinations, pairwise
 from math import sqrt
 from typing import Any, NamedTuple
 
-from sandbox.editing.layout import plain
+from sandbox.editing.json_layout import plain
 from sandbox.editing.suggest.scene import SAFE, Scene, Setup, Suggestion, check, instant, opposite
 from sandbox.model.expressions import Expression
 from sandbox.model.joint_ends import place
