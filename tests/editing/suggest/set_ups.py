@@ -117,6 +117,11 @@ def pendulum(kind: str, x: float, y: float) -> str:
     return add_joint(text, parse(text), kind, [Pick((0, 7)), Pick((x, y), "disc1")]).text
 
 
+def damped(damping: float, y: float = 5) -> str:
+    text = oscillator(0, y, 2, falls=True)
+    return put_all(text, {("joints", "spring1", "damping"): damping})
+
+
 def oscillator(x: float, y: float, length: float, *, falls: bool) -> str:
     text = disc(EMPTY, x, y)
     text = add_joint(text, parse(text), "spring", [Pick((0, 7)), Pick((x, y), "disc1")]).text
@@ -210,6 +215,9 @@ MADE = {
         oscillator(-3, 7, 3.5, falls=False),
         oscillator(0, 5, 2, falls=True),
         oscillator(0, 4.5, 2, falls=True),
+        damped(0.5),
+        damped(5),
+        damped(15, 4.5),
     ],
     "lever": [
         seesaw({-2: 0.8, 1.75: 0.5}),

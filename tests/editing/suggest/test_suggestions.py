@@ -15,6 +15,7 @@ from tests.editing.suggest.set_ups import (
     atwood,
     capstan,
     cradle,
+    damped,
     incline,
     row,
     seesaw,
@@ -87,6 +88,10 @@ def test_a_lever_holds_with_any_weight() -> None:
     (one,) = suggestions(parse(text))
     text = take(text, parse(text), one)
     assert all(holds(text, {"m": m}) for m in (1.3, 2.5, 12.0))
+
+
+def test_no_oscillation_is_seen_where_a_damper_lets_a_body_creep() -> None:
+    assert suggestions(parse(damped(40))) == []
 
 
 def test_no_spring_pendulum_is_seen_that_would_meet_the_ground() -> None:
