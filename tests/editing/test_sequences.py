@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 from sandbox.editing.draft import Draft
 from sandbox.editing.edits import (
     bodies,
+    challenges,
     checks,
     copying,
     effects,
@@ -173,6 +174,12 @@ def wrapped(text: str, hand: Hand) -> str:
     return rope_wrapping.wrap(text, hand.level, list(dict.fromkeys(names))).text
 
 
+def challenged(text: str, hand: Hand) -> str:
+    if hand.level.challenge is not None:
+        return challenges.drop_challenge(text)
+    return challenges.add_challenge(text, hand.level, hand.body(), "Go.", ("across", "upwards"))
+
+
 def made_round(text: str, hand: Hand) -> str:
     name = hand.body()
     if hand.level.bodies[name].shape.type not in round_shapes.ROUND:
@@ -201,6 +208,7 @@ FAMILIES: tuple[Callable[[str, Hand], str], ...] = (
     tilted,
     swung,
     wrapped,
+    challenged,
     made_round,
 )
 

@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
-from typing import Any, Literal
+from typing import Any
 
 from sandbox.app.building import fields
 from sandbox.app.building.button_action import Act
@@ -13,8 +13,8 @@ from sandbox.app.building.fields import Entry, Row
 from sandbox.app.words.language import later, plural, say
 from sandbox.editing import suggest
 from sandbox.editing.cleanup import accepted
-from sandbox.editing.edits import effects, events
-from sandbox.editing.edits.checks import add_checks, complete, drop_told
+from sandbox.editing.edits import effects
+from sandbox.editing.edits.checks import complete
 from sandbox.editing.edits.fields import make_parameter, parameter_name, set_field
 from sandbox.editing.edits.tilting import slope_of, tilt
 from sandbox.editing.edits.titling import entitled
@@ -24,7 +24,6 @@ from sandbox.editing.text_patches import put, put_all, value_at
 from sandbox.model.body import Body
 from sandbox.model.effect_variants import DEFAULTS
 from sandbox.model.errors import LevelError, SandboxError
-from sandbox.model.expressions import Expression
 from sandbox.model.joints import Joint
 from sandbox.model.json_positions import Path
 from sandbox.model.level import Level
@@ -40,9 +39,6 @@ ALIKE = (
 
 MOST_NAMES = 6
 """How many names are offered while a name is typed."""
-
-MOST_TOLD = 12
-"""How many checks, and how many ghosts, have a button that removes them."""
 
 
 def subject(work: Work) -> str:
@@ -219,60 +215,3 @@ def _take(work: Work, one: Suggestion) -> None:
 
     if work.change(say(one.setup), edit):
         work.tell(say("Its checks are on the level's page (O), and are tested while it runs"))
-
-
-def stated(work: Work) -> list[Act]:
-    """Return what adds a check, and what takes out those that there are, and ghosts."""
-    if work.draft.level is None:
-        return []
-    level = work.level
-    moving = [name for name, body in level.bodies.items() if body.type == "dynamic"]
-    adding = [
-        Act(
-            say("Add a check"),
-            say("of any quantity; its fields are below"),
-            partial(_check, work, name),
-        )
-        for name in moving[:1]
-    ]
-    checks = [
-        Act(
-            f"− {check.quantity}", say("take this check out"), partial(_drop, work, "checks", index)
-        )
-        for index, check in enumerate(level.checks)
-    ]
-    ghosts = [
-        Act(
-            say("− ghost of {name}", name=name),
-            say("take this ghost out"),
-            partial(_drop, work, "ghosts", name),
-        )
-        for name in level.ghosts
-    ]
-    return [*adding, *_waiting(work, level), *checks[:MOST_TOLD], *ghosts[:MOST_TOLD]]
-
-
-def _waiting(work: Work, level: Level) -> list[Act]:
-    """Return what lets events wait for a quantity, in place of a time."""
-    tip = say("it waits until a quantity crosses a value; its fields are below, under events")
-    return [
-        Act(say("{event}: when ...", event=name), tip, partial(_wait, work, name))
-        for name, event in level.events.items()
-        if isinstance(event.at, Expression)
-    ][:MOST_TOLD]
-
-
-def _wait(work: Work, event: str) -> None:
-    said = say("let {event} wait for a quantity", event=event)
-    work.change(said, lambda text, level: events.wait_for_quantity(text, level, event))
-
-
-def _check(work: Work, body: str) -> None:
-    new = {"quantity": f"{body}.position.x", "formula": "0", "tolerance": 1e-3}
-    if work.change(say("add a check"), lambda text, level: add_checks(text, level, [new])):
-        work.tell(say("Type its quantity and its formula below, under checks"))
-
-
-def _drop(work: Work, part: Literal["checks", "ghosts"], which: int | str) -> None:
-    said = say("take out a check") if part == "checks" else say("take out a ghost")
-    work.change(said, lambda text, _: drop_told(text, part, which))

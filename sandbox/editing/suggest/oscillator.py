@@ -65,7 +65,8 @@ def _along(scene: Scene, joint: Spring, bob: str) -> Iterator[Suggestion]:
         return  # it creeps back
     omega, motion = sqrt(Expression(square)(scene.known)), Formula(form)
     times = np.linspace(0, min(scene.lasts, 2 * pi / omega), 60)
-    swing = motion.over(scene.known, times) - (peg.imag if index else peg.real)
+    places = motion.over(scene.known, times)
+    swing = places - (peg.imag if index else peg.real)
     unit = 1j if index else 1 + 0j
     across = dot(pull, unit * 1j) or dot(scene.velocity(bob), unit * 1j)
     if across or np.ptp(swing) < TOUCHING or swing.min() * swing.max() <= 0:
@@ -76,7 +77,8 @@ def _along(scene: Scene, joint: Spring, bob: str) -> Iterator[Suggestion]:
         return
     axis, most = "xy"[index], plain(float(f"{np.ptp(swing) / 2:.3g}"))
     checks = check("place", f"{bob}.position.{axis}", form, NEAR, scale=most)
-    yield Suggestion("oscillator", (bob,), (checks,), rate_of(_rate(omega, scene.lasts)))
+    share = max(1.0, float(np.abs(places).max()) / most)
+    yield Suggestion("oscillator", (bob,), (checks,), rate_of(_rate(omega, scene.lasts, share)))
 
 
 def _motion(k: str, m: str, c: str, rest: str, start: str, speed: str) -> tuple[str, str]:
@@ -98,6 +100,10 @@ def _point(end: End) -> tuple[Expression, Expression]:
     return end
 
 
-def _rate(omega: float, lasts: float) -> float:
-    """Return the rate at which the phase is late by half the bound at the end: ω³ dt² t / 24."""
-    return max(sqrt(omega**3 * lasts / 24 / (NEAR / 2)), omega * FEW / (2 * pi))
+def _rate(omega: float, lasts: float, share: float) -> float:
+    """Return the rate at which the phase is late by half the bound at the end: ω³ dt² t / 24.
+
+    The bound is a share of the amplitude, as many times NEAR as the largest place is larger.
+    """
+    late = share * NEAR / 2
+    return max(sqrt(omega**3 * lasts / 24 / late), omega * FEW / (2 * pi))
