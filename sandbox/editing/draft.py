@@ -135,6 +135,15 @@ class Draft:
         self._undone.clear()
         self.text, self._merge = text, merge if text != before else None
 
+    def amend(self, text: str, said: str) -> None:
+        """Go over to another text as a part of the last step, or by a step where there is none."""
+        if text != self.text:
+            last = self._done.pop() if self._done else None
+            before = last.undone(self.text) if last else self.text
+            self._done.append(step(before, text, last.said if last else said))
+            self._undone.clear()
+            self.text, self._merge = text, None
+
     def undo(self) -> str | None:
         """Undo the last step; return it, None if there is none."""
         self._merge = None

@@ -2,9 +2,10 @@
 
 import ast
 import re
+from collections.abc import Mapping
 from math import degrees
 
-from sandbox.editing.json_layout import plain
+from sandbox.editing.json_layout import Json, plain
 from sandbox.model.expressions import Expression, Values
 
 _LOOSE = (ast.IfExp, ast.Compare, ast.BoolOp, ast.UnaryOp)
@@ -15,6 +16,9 @@ _TIGHT = (ast.Name, ast.Call, ast.Constant)
 
 ROUND = 10
 """Decimals of an angle in degrees: a rounding of 2e-12 rad."""
+
+DIGITS = 12
+"""Of a length or an angle that is computed: what lies behind them is rounding."""
 
 
 def shifted(expression: Expression, by: float) -> float | str:
@@ -53,6 +57,22 @@ def negative(expression: Expression) -> float | str:
     if source.strip().startswith("-") and _is_negative(tree):
         return source.strip()[1:].strip()
     return f"-{_bracketed(source.strip())}"
+
+
+def rounded(value: float) -> float:
+    """Return a length or an angle without what is rounding."""
+    return float(f"{value:.{DIGITS}g}") if abs(value) > 10.0**-DIGITS else 0.0
+
+
+def sum_of(parts: Mapping[str, float]) -> Json:
+    """Return a sum of functions, each times a number, as a formula; `""` stands for 1."""
+    terms = ""
+    for function, factor in parts.items():
+        if size := plain(abs(rounded(factor))):
+            sign = ("-" if factor < 0 else "") if not terms else (" - " if factor < 0 else " + ")
+            number = repr(size) if not function or size != 1 else ""
+            terms += sign + "*".join(filter(None, (number, function)))
+    return terms or 0
 
 
 def _is_negative(tree: ast.expr) -> bool:

@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 from sandbox.editing.draft import Draft
 from sandbox.editing.edits import (
     bodies,
+    challenges,
     checks,
     copying,
     effects,
@@ -17,7 +18,9 @@ from sandbox.editing.edits import (
     handles,
     joints,
     mirroring,
+    rope_wrapping,
     round_shapes,
+    swinging,
     tilting,
     transforms,
 )
@@ -161,6 +164,22 @@ def tilted(text: str, hand: Hand) -> str:
     return tilting.tilt(text, hand.level, hand.body())
 
 
+def swung(text: str, hand: Hand) -> str:
+    hanging = [name for name in hand.level.bodies if swinging.peg_of(hand.level, name) is not None]
+    return swinging.swing(text, hand.level, hand.word(hanging)) if hanging else text
+
+
+def wrapped(text: str, hand: Hand) -> str:
+    names = [hand.body() for _ in range(3)]
+    return rope_wrapping.wrap(text, hand.level, list(dict.fromkeys(names))).text
+
+
+def challenged(text: str, hand: Hand) -> str:
+    if hand.level.challenge is not None:
+        return challenges.drop_challenge(text)
+    return challenges.add_challenge(text, hand.level, hand.body(), "Go.", ("across", "upwards"))
+
+
 def made_round(text: str, hand: Hand) -> str:
     name = hand.body()
     if hand.level.bodies[name].shape.type not in round_shapes.ROUND:
@@ -187,6 +206,9 @@ FAMILIES: tuple[Callable[[str, Hand], str], ...] = (
     renamed,
     checked,
     tilted,
+    swung,
+    wrapped,
+    challenged,
     made_round,
 )
 

@@ -61,12 +61,14 @@ class Work:
         self._message: str | None = None
         self.selected: tuple[Part, ...] = ()
         self._copied = ""
+        self._left: list[tuple[Part, ...]] = []  # what was selected when each step was undone
         self._looked: tuple[object, dict[object, Any]] = (None, {})
         self.take(Draft.empty())
 
     def take(self, draft: Draft) -> None:
         """Work on another level."""
         self.draft, self.selected = draft, ()
+        self._left.clear()
         self.refresh()
 
     def refresh(self) -> None:
@@ -111,6 +113,7 @@ class Work:
                     say("Repeated parts and groups are written out now; Ctrl Z brings them back")
                 )
             self.draft.change(text, said, merge)
+            self._left.clear()
         self.refresh()
 
     def _followed(self, text: str) -> str:
@@ -170,12 +173,16 @@ class Work:
     def undo(self) -> None:
         """Take the last step back."""
         messages = later("Undone: {step}"), later("Nothing to undo")
+        if self.draft.undoes:
+            self._left.append(self.selected)
         self._stepped(*messages, self.draft.undo())
 
     def redo(self) -> None:
-        """Take the step again that was taken back last."""
+        """Take the step again that was taken back last, and select what it had left selected."""
         messages = later("Done again: {step}"), later("Nothing to redo")
         self._stepped(*messages, self.draft.redo())
+        if self._left:
+            self.select(self._left.pop())
 
     def _stepped(self, done: str, otherwise: str, step: str | None) -> None:
         self.tell(say(done, step=step) if step else say(otherwise))

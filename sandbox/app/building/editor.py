@@ -104,6 +104,11 @@ class Editor:
         """Begin an empty scene; the level edited before keeps its changes."""
         self.begin(session, Draft.empty())
 
+    def save(self, session: Session) -> None:
+        """Save the level that is shown, whichever page is open, or ask for its name."""
+        self.applying.take_up(session)
+        self.saving.save()
+
     def keep_run(self, session: Session) -> None:
         """Go on building with the present state of the run as a level of its own."""
         try:

@@ -1,8 +1,9 @@
 """What the inspector shows of the selection, and how it sets fields."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from functools import partial
-from typing import Any, Literal
+from typing import Any
 
 from sandbox.app.building import fields
 from sandbox.app.building.button_action import Act
@@ -11,18 +12,18 @@ from sandbox.app.building.effect_examples import example
 from sandbox.app.building.fields import Entry, Row
 from sandbox.app.words.language import later, plural, say
 from sandbox.editing import suggest
-from sandbox.editing.edits import effects, events
-from sandbox.editing.edits.checks import add_checks, complete, drop_told
+from sandbox.editing.cleanup import accepted
+from sandbox.editing.edits import effects
+from sandbox.editing.edits.checks import complete
 from sandbox.editing.edits.fields import make_parameter, parameter_name, set_field
 from sandbox.editing.edits.tilting import slope_of, tilt
 from sandbox.editing.edits.titling import entitled
 from sandbox.editing.renaming import rename
 from sandbox.editing.suggest.scene import Suggestion
-from sandbox.editing.text_patches import put
+from sandbox.editing.text_patches import put, put_all, value_at
 from sandbox.model.body import Body
 from sandbox.model.effect_variants import DEFAULTS
 from sandbox.model.errors import LevelError, SandboxError
-from sandbox.model.expressions import Expression
 from sandbox.model.joints import Joint
 from sandbox.model.json_positions import Path
 from sandbox.model.level import Level
@@ -30,11 +31,14 @@ from sandbox.model.level_parts import expressions
 
 NAMED = later("what it is called: a letter, then letters, digits or _; all mentions of it follow")
 
+ALIKE = (
+    "type", "mass", "friction", "static_friction", "restitution", "sensor", "color", "hidden",
+    "layer",
+)  # fmt: skip
+"""The fields that several bodies are given at once."""
+
 MOST_NAMES = 6
 """How many names are offered while a name is typed."""
-
-MOST_TOLD = 12
-"""How many checks, and how many ghosts, have a button that removes them."""
 
 
 def subject(work: Work) -> str:
@@ -51,7 +55,7 @@ def subject(work: Work) -> str:
 
 
 def rows(work: Work) -> Sequence[Row]:
-    """Return the fields of the selected part; several parts have none."""
+    """Return what can be set of what is inspected; of several bodies what they may have alike."""
     match work.selected:
         case () if not work.fixed:
             return fields.rows(Level, work.document, ())
@@ -61,7 +65,27 @@ def rows(work: Work) -> Sequence[Row]:
             found = fields.rows(model, said, (family, name)) if model else ()
             called = Entry((family, name), say("name"), say(NAMED), "", "text", name, required=True)
             return [(called,), *(row for row in found if _field(row) not in work.fixed)]
-    return ()
+    several = len(work.chosen) == len(work.selected) > 1
+    return list(_alike(work)) if several and not work.fixed else ()
+
+
+def _alike(work: Work) -> Iterator[Row]:
+    """Yield what several bodies may have alike; where they differ, a field is empty."""
+    first, *others = (work.document["bodies"][name] for name in work.chosen)
+    for row in fields.rows(Body, first, ("bodies", work.chosen[0])):
+        if isinstance(row, fields.Section) or len(row) > 1 or (key := _field(row)) not in ALIKE:
+            continue
+        if all(other.get(key) == first.get(key) for other in others):
+            yield row
+        elif row[0].sort not in ("choice", "switch"):
+            yield (replace(row[0], shown=""),)
+
+
+def _places(work: Work, path: Path) -> list[Path]:
+    """Return where a field stands: in each of the bodies, if several are selected."""
+    if len(work.selected) < 2:
+        return [path]
+    return [("bodies", name, *path[2:]) for name in work.chosen]
 
 
 def _field(row: Row) -> str | int:
@@ -75,7 +99,10 @@ def assign(work: Work, row: Sequence[Entry], entry: Entry, typed: str) -> str:
         if len(entry.path) == 2 and entry.path[0] in ("bodies", "joints"):
             _rename(work, entry, typed.strip())
             return ""
-        work.put(_assigned(work.text, row, entry, typed), say("set {field}", field=entry.label))
+        text = work.text
+        for path in _places(work, entry.path):
+            text = _assigned(text, row, replace(entry, path=path), typed)
+        work.put(text, say("set {field}", field=entry.label))
     except LevelError as error:
         return say(error.mistakes[0].rule)
     except SandboxError as error:
@@ -128,7 +155,7 @@ def _numbers(level: Level) -> frozenset[Path]:
 def parametrise(work: Work, entry: Entry) -> None:
     """Turn a number into a parameter, which gets a slider on the level's page.
 
-    The angle of a slope, or of what lies on it, is that of both.
+    The angle of a slope, or of what lies on it, is that of both. Several bodies have it alike.
     """
 
     def edit(text: str, level: Level) -> str:
@@ -136,7 +163,9 @@ def parametrise(work: Work, entry: Entry) -> None:
             name = str(entry.path[1])
             if slope_of(level, name):
                 return tilt(text, level, name)
-        return make_parameter(text, entry.path, parameter_name(level, entry.path))
+        made = make_parameter(text, entry.path, parameter_name(level, entry.path))
+        formula = value_at(made, entry.path)
+        return accepted(put_all(made, dict.fromkeys(_places(work, entry.path), formula)))
 
     if work.change(say("make {field} a parameter", field=entry.label), edit):
         name = list(work.document["parameters"])[-1]
@@ -186,60 +215,3 @@ def _take(work: Work, one: Suggestion) -> None:
 
     if work.change(say(one.setup), edit):
         work.tell(say("Its checks are on the level's page (O), and are tested while it runs"))
-
-
-def stated(work: Work) -> list[Act]:
-    """Return what adds a check, and what takes out those that there are, and ghosts."""
-    if work.draft.level is None:
-        return []
-    level = work.level
-    moving = [name for name, body in level.bodies.items() if body.type == "dynamic"]
-    adding = [
-        Act(
-            say("Add a check"),
-            say("of any quantity; its fields are below"),
-            partial(_check, work, name),
-        )
-        for name in moving[:1]
-    ]
-    checks = [
-        Act(
-            f"− {check.quantity}", say("take this check out"), partial(_drop, work, "checks", index)
-        )
-        for index, check in enumerate(level.checks)
-    ]
-    ghosts = [
-        Act(
-            say("− ghost of {name}", name=name),
-            say("take this ghost out"),
-            partial(_drop, work, "ghosts", name),
-        )
-        for name in level.ghosts
-    ]
-    return [*adding, *_waiting(work, level), *checks[:MOST_TOLD], *ghosts[:MOST_TOLD]]
-
-
-def _waiting(work: Work, level: Level) -> list[Act]:
-    """Return what lets events wait for a quantity, in place of a time."""
-    tip = say("it waits until a quantity crosses a value; its fields are below, under events")
-    return [
-        Act(say("{event}: when ...", event=name), tip, partial(_wait, work, name))
-        for name, event in level.events.items()
-        if isinstance(event.at, Expression)
-    ][:MOST_TOLD]
-
-
-def _wait(work: Work, event: str) -> None:
-    said = say("let {event} wait for a quantity", event=event)
-    work.change(said, lambda text, level: events.wait_for_quantity(text, level, event))
-
-
-def _check(work: Work, body: str) -> None:
-    new = {"quantity": f"{body}.position.x", "formula": "0", "tolerance": 1e-3}
-    if work.change(say("add a check"), lambda text, level: add_checks(text, level, [new])):
-        work.tell(say("Type its quantity and its formula below, under checks"))
-
-
-def _drop(work: Work, part: Literal["checks", "ghosts"], which: int | str) -> None:
-    said = say("take out a check") if part == "checks" else say("take out a ghost")
-    work.change(said, lambda text, _: drop_told(text, part, which))

@@ -11,6 +11,7 @@ from sandbox.app.words.language import later, say
 from sandbox.editing.edits import events
 from sandbox.editing.edits.checks import flight, set_ghost
 from sandbox.editing.edits.round_shapes import ROUND, rounded
+from sandbox.editing.edits.swinging import peg_of, swing
 from sandbox.editing.edits.tilting import slope_of
 from sandbox.model.level import Level
 
@@ -48,6 +49,9 @@ def _of_body(work: Work, level: Level, name: str) -> Iterator[Act]:
     if (slope := slope_of(level, name)) and not level.bodies[slope].angle.names:
         tip = say("its angle becomes a parameter; what lies on it turns with it")
         yield Act(say("Slider for the slope"), tip, partial(_tilt, work, name))
+    if body.type == "dynamic" and peg_of(level, name) is not None:
+        tip = say("draws it aside; its angle becomes a parameter, and what holds it stays as long")
+        yield Act(say("Slider for the swing"), tip, partial(_swing, work, name))
     if body.type == "dynamic" and name not in level.ghosts:
         tip = say(
             "draws where a formula says that the body is; it flies freely until you type another"
@@ -68,6 +72,12 @@ def _happen(work: Work, said: str, edit: Callable[[str, Level, str], str], name:
 
 def _tilt(work: Work, name: str) -> None:
     parametrise(work, Entry(("bodies", name, "angle"), say("angle"), "", "rad", "number", ""))
+
+
+def _swing(work: Work, name: str) -> None:
+    said = say("draw {name} aside", name=name)
+    if work.change(said, lambda text, level: swing(text, level, name)):
+        work.tell(say("Its angle is a parameter now; its slider is on the level's page (O)"))
 
 
 def _round(work: Work, name: str, kind: str) -> None:

@@ -33,7 +33,7 @@ class Saving:
             self.save_as()
             return
         if path is not None:
-            draft.change(entitled_by(draft.text, path), say("give it a title"), "title")
+            draft.amend(entitled_by(draft.text, path), say("give it a title"))
             work.refresh()
         try:
             self._drafts.save(draft, path, overwrite=overwrite)

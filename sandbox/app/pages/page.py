@@ -132,7 +132,7 @@ class PageCommand(NamedTuple):
 
     name: str
     character: str
-    """the key that calls for it; a capital letter is that letter with Shift"""
+    """the key that calls for it; a capital letter is that letter with Shift; none if empty"""
     text: str
     """what the help says"""
     act: Callable[[Desk], str | None]
@@ -146,7 +146,8 @@ class PageCommand(NamedTuple):
         letter = self.character
         shown = f"Shift {letter}" if letter.isupper() else letter.upper()
         if self.control is not None:
-            shown += f" or Ctrl {pygame.key.name(self.control).upper()}"
+            with_control = f"Ctrl {pygame.key.name(self.control).upper()}"
+            shown = f"{shown} or {with_control}" if shown else with_control
         controls = () if self.control is None else (self.control,)
         return Binding(self.name, shown, self.text, (), letter, controls)
 

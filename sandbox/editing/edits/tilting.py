@@ -10,6 +10,7 @@ from typing import NamedTuple
 
 from sandbox.editing.cleanup import accepted
 from sandbox.editing.edits.fields import parameter_name
+from sandbox.editing.formulas import rounded, sum_of
 from sandbox.editing.json_layout import Json, plain
 from sandbox.editing.placement import Placed, distance, placed, xy
 from sandbox.editing.text_patches import Changes, put_all
@@ -28,9 +29,6 @@ LEVEL = 1e-6
 
 FLAT = 1e-7
 """deg, up to which a body on a slope counts as lying flat."""
-
-DIGITS = 12
-"""Significant digits of computed numbers; the digits after them are rounding."""
 
 RANGES = ((5, 60), (0, 90))
 """deg, possible ranges of the slider; the first that contains the slope is used."""
@@ -54,11 +52,11 @@ class _Tilt(NamedTuple):
         cos, sin = (f"{function}({self.name}*deg)" for function in ("cos", "sin"))
         x = {"": start.real, cos: local.real, sin: -sign * local.imag}
         y = {"": start.imag, cos: local.imag, sin: sign * local.real}
-        return [_sum(x), _sum(y)]
+        return [sum_of(x), sum_of(y)]
 
     def turned(self, angle: float) -> str:
         """Return the angle of a body that turns with the slope [rad]."""
-        more = _rounded(degrees(angle - self.angle))
+        more = rounded(degrees(angle - self.angle))
         if abs(more) < FLAT:
             return self.formula
         return f"{self.formula} {'-' if more < 0 else '+'} {plain(abs(more))!r}*deg"
@@ -108,7 +106,7 @@ def tilt(text: str, level: Level, name: str) -> str:
     for one in moved:
         changes |= _turned(where[one], found)
     changes |= _tied(level, where, {slope, *moved}, found)
-    value = plain(_rounded(abs(degrees(found.angle))))
+    value = plain(rounded(abs(degrees(found.angle))))
     parameters: list[dict[str, Json]] = [
         {"value": value, "min": low, "max": high, "unit": "deg", "label": f"angle of {slope}"}
         for low, high in (*RANGES, (value, value))
@@ -158,12 +156,12 @@ def _tilt(slope: Placed, name: str) -> _Tilt:
 def _line(slope: Placed, tilted: _Tilt) -> Changes:
     """Return a slope as a line along its own x axis, from its lower end."""
     path = ("bodies", slope.name)
-    along = (_rounded(tilted.inside(corner).real) for corner in slope.corners)
+    along = (rounded(tilted.inside(corner).real) for corner in slope.corners)
     start, end = ([plain(x), 0] for x in along)
     return {
         (*path, "shape", "start"): start,
         (*path, "shape", "end"): end,
-        (*path, "position"): [plain(_rounded(x)) for x in xy(tilted.foot)],
+        (*path, "position"): [plain(rounded(x)) for x in xy(tilted.foot)],
         (*path, "angle"): tilted.formula,
     }
 
@@ -195,19 +193,3 @@ def _tied(
                 place = tilted.vector(tilted.inside(point), tilted.foot)
                 changes["joints", name, *step] = place
     return changes
-
-
-def _rounded(value: float) -> float:
-    """Return a length or an angle without what is rounding."""
-    return float(f"{value:.{DIGITS}g}") if abs(value) > 10.0**-DIGITS else 0.0
-
-
-def _sum(parts: Mapping[str, float]) -> Json:
-    """Return a sum of functions, each times a number, as a formula; `""` stands for 1."""
-    terms = ""
-    for function, factor in parts.items():
-        if size := plain(abs(_rounded(factor))):
-            sign = ("-" if factor < 0 else "") if not terms else (" - " if factor < 0 else " + ")
-            number = repr(size) if not function or size != 1 else ""
-            terms += sign + "*".join(filter(None, (number, function)))
-    return terms or 0

@@ -12,13 +12,15 @@ from contextlib import suppress
 from sandbox.editing.cleanup import without_meaning
 from sandbox.editing.edits.checks import add_checks
 from sandbox.editing.suggest import (
-    atwood,
+    capstan,
     collision,
+    cradle,
     incline,
     lever,
     oscillator,
     pendulum,
     projectile,
+    pulleys,
     spring_pendulum,
 )
 from sandbox.editing.suggest.scene import Scene, Suggestion
@@ -28,25 +30,30 @@ from sandbox.model.level import Level
 from sandbox.model.loading import parse
 
 _KNOWN: tuple[Callable[[Scene], Iterator[Suggestion]], ...] = (
-    atwood.suggestions,
+    pulleys.suggestions,
     incline.suggestions,
     lever.suggestions,
     pendulum.suggestions,
+    cradle.suggestions,
     collision.suggestions,
     projectile.suggestions,
     oscillator.suggestions,
     spring_pendulum.suggestions,
+    capstan.suggestions,
 )
 
 
+_OF_MANY: tuple[Callable[[Scene], Iterator[Suggestion]], ...] = (capstan.suggestions,)
+"""Those that have many bodies, and are found by their joints."""
+
 MOST_MOVING = 12
-"""Up to how many moving bodies set-ups are looked for; known set-ups have a few."""
+"""Up to how many moving bodies other set-ups are looked for."""
 
 
 def suggestions(level: Level) -> list[Suggestion]:
     """Return the closed forms of the known set-ups that a level is, and does not check yet.
 
-    In a crowd nothing is looked for: each body would be followed among all the others.
+    In a crowd few are looked for: each body would be followed among all the others.
     """
     checked = {check.quantity for check in level.checks}
     found = _recognised(level)
@@ -55,10 +62,9 @@ def suggestions(level: Level) -> list[Suggestion]:
 
 def _recognised(level: Level, *, thorough: bool = False) -> list[Suggestion]:
     """Return the known set-ups that a level is."""
-    if sum(body.type == "dynamic" for body in level.bodies.values()) > MOST_MOVING:
-        return []
+    crowd = sum(body.type == "dynamic" for body in level.bodies.values()) > MOST_MOVING
     scene = Scene(level, level.defaults, thorough)
-    return [one for known in _KNOWN for one in known(scene)]
+    return [one for known in (_OF_MANY if crowd else _KNOWN) for one in known(scene)]
 
 
 def followed(before: Level, text: str) -> str:
@@ -90,7 +96,7 @@ def followed(before: Level, text: str) -> str:
 
 
 def take(text: str, level: Level, suggestion: Suggestion) -> str:
-    """Return a level with the checks of a suggestion, and with the rate that they need.
+    """Return a level with the checks of a suggestion, and with what else they need.
 
     Where they are about a time before something is met, that is before it for all values of the
     parameters.
@@ -108,4 +114,8 @@ def take(text: str, level: Level, suggestion: Suggestion) -> str:
     besides = Changes()
     if level.stepping.accuracy is None and level.stepping.rate < suggestion.rate:
         besides["stepping", "rate"] = suggestion.rate
+    located = level.effects.contact.located if level.effects.contact else None
+    if not set(suggestion.located) <= set(located or ()):
+        together = dict.fromkeys((*(located or ()), *suggestion.located))
+        besides["effects", "contact", "located"] = list(together)
     return add_checks(text, level, suggestion.checks, besides)

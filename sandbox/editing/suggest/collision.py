@@ -43,7 +43,7 @@ def _meet(scene: Scene, one: str, other: str) -> bool:
 def _of(scene: Scene, one: str, other: str) -> Suggestion:
     m1, m2 = scene.mass(one), scene.mass(other)
     v1, v2 = (said(scene.level.bodies[name].velocity[0]) for name in (one, other))
-    e = _restitution(scene, one, other)
+    e = restitution(scene, one, other)
     at = {"event": "contact", "bodies": [one, other]}
     total = f"{m1}*{v1} + {m2}*{v2}"
     after = [
@@ -60,7 +60,7 @@ def _of(scene: Scene, one: str, other: str) -> Suggestion:
     return Suggestion("collision", (one, other), tuple(checks))
 
 
-def _restitution(scene: Scene, one: str, other: str) -> str:
+def restitution(scene: Scene, one: str, other: str) -> str:
     """Return the coefficient of the pair: the level's own, or else the product."""
     effect = scene.level.effects.restitution
     if effect is None:

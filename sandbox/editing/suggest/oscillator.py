@@ -1,4 +1,7 @@
-"""A body on a spring: s(t) = s0 cos ωt + v0/ω sin ωt about its place of rest, ω = √(k/m)."""
+"""A body on a spring: s(t) = s0 cos ωt + v0/ω sin ωt about its place of rest, ω = √(k/m).
+
+Damped, γ = c/2m: s(t) = e^(−γt) (s0 cos ωt + (v0 + γ s0)/ω sin ωt), ω = √(k/m − γ²).
+"""
 
 from collections.abc import Iterator
 from math import pi, sqrt
@@ -30,14 +33,13 @@ def suggestions(scene: Scene) -> Iterator[Suggestion]:
 
 
 def held_by(scene: Scene, joint: Spring) -> str | None:
-    """Return the body that a spring without a damper holds by its centre at the plane."""
+    """Return the body that a spring whose force is linear holds by its centre at the plane."""
     held = [end for end in joint.ends if body_of(end)]
     if len(held) != 1 or not isinstance(bob := held[0], str):
         return None
     alone = scene.level.bodies[bob].type == "dynamic" and len(scene.joints[bob]) == 1
     linear = not joint.pushes_only and joint.law is None
-    simple = linear and joint.damping(scene.values) == 0
-    return bob if alone and simple and joint.stiffness(scene.values) > 0 else None
+    return bob if alone and linear and joint.stiffness(scene.values) > 0 else None
 
 
 def _along(scene: Scene, joint: Spring, bob: str) -> Iterator[Suggestion]:
@@ -58,11 +60,13 @@ def _along(scene: Scene, joint: Spring, bob: str) -> Iterator[Suggestion]:
         sign = "+" if way.real + way.imag > 0 else "-"
         slack = f"({said(_point(end)[index])} {sign} {said(joint.length)})"
     rest = f"({slack} + {said(fall.acceleration[index])}*{m}/{k})" if fall and pull else slack
-    beat = f"sqrt({k}/{m})"
-    form = f"{rest} + ({start} - {rest})*cos({beat}*t) + {speed}/{beat}*sin({beat}*t)"
-    omega, motion = sqrt(Expression(f"{k}/{m}")(scene.known)), Formula(form)
+    square, form = _motion(k, m, said(joint.damping), rest, start, speed)
+    if Expression(square)(scene.known) <= 0:
+        return  # it creeps back
+    omega, motion = sqrt(Expression(square)(scene.known)), Formula(form)
     times = np.linspace(0, min(scene.lasts, 2 * pi / omega), 60)
-    swing = motion.over(scene.known, times) - (peg.imag if index else peg.real)
+    places = motion.over(scene.known, times)
+    swing = places - (peg.imag if index else peg.real)
     unit = 1j if index else 1 + 0j
     across = dot(pull, unit * 1j) or dot(scene.velocity(bob), unit * 1j)
     if across or np.ptp(swing) < TOUCHING or swing.min() * swing.max() <= 0:
@@ -73,7 +77,21 @@ def _along(scene: Scene, joint: Spring, bob: str) -> Iterator[Suggestion]:
         return
     axis, most = "xy"[index], plain(float(f"{np.ptp(swing) / 2:.3g}"))
     checks = check("place", f"{bob}.position.{axis}", form, NEAR, scale=most)
-    yield Suggestion("oscillator", (bob,), (checks,), rate_of(_rate(omega, scene.lasts)))
+    share = max(1.0, float(np.abs(places).max()) / most)
+    yield Suggestion("oscillator", (bob,), (checks,), rate_of(_rate(omega, scene.lasts, share)))
+
+
+def _motion(k: str, m: str, c: str, rest: str, start: str, speed: str) -> tuple[str, str]:
+    """Return ω², and where a body is: what rest it swings about, where it starts, and how fast."""
+    if c == "0":
+        beat = f"sqrt({k}/{m})"
+        form = f"{rest} + ({start} - {rest})*cos({beat}*t) + {speed}/{beat}*sin({beat}*t)"
+        return f"{k}/{m}", form
+    decay = f"{c}/(2*{m})"
+    square = f"{k}/{m} - ({decay})**2"
+    beat, aside = f"sqrt({square})", f"({start} - {rest})"
+    swing = f"{aside}*cos({beat}*t) + ({speed} + {decay}*{aside})/{beat}*sin({beat}*t)"
+    return square, f"{rest} + exp(-{decay}*t)*({swing})"
 
 
 def _point(end: End) -> tuple[Expression, Expression]:
@@ -82,6 +100,10 @@ def _point(end: End) -> tuple[Expression, Expression]:
     return end
 
 
-def _rate(omega: float, lasts: float) -> float:
-    """Return the rate at which the phase is late by half the bound at the end: ω³ dt² t / 24."""
-    return max(sqrt(omega**3 * lasts / 24 / (NEAR / 2)), omega * FEW / (2 * pi))
+def _rate(omega: float, lasts: float, share: float) -> float:
+    """Return the rate at which the phase is late by half the bound at the end: ω³ dt² t / 24.
+
+    The bound is a share of the amplitude, as many times NEAR as the largest place is larger.
+    """
+    late = share * NEAR / 2
+    return max(sqrt(omega**3 * lasts / 24 / late), omega * FEW / (2 * pi))

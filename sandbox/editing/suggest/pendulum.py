@@ -4,9 +4,9 @@ M is the arithmetic-geometric mean, of Gauss.
 """
 
 from cmath import phase, rect
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from math import cos, pi, sqrt
-from typing import Any
+from typing import NamedTuple
 
 import numpy as np
 
@@ -21,7 +21,7 @@ from sandbox.editing.suggest.scene import (
     said,
 )
 from sandbox.model.joint_ends import place
-from sandbox.model.joints import Joint, Rod, Rope, body_of
+from sandbox.model.joints import Joint, Rod, Rope, body_of, points
 from sandbox.model.level_parts import names_in
 
 NEAR = 1e-4
@@ -30,44 +30,87 @@ NEAR = 1e-4
 STEPS = 400
 """Steps per period."""
 
+WIDE = 1.8
+"""rad, up to which (1 + √cos(θ0/2))²/4, the second step of the mean, is near enough to it."""
+
+SAME = 1e-9
+"""m, within which what a bob hangs on is as long whatever the parameters."""
+
 LARGEST, SMALLEST = 2.5, 1e-3
 """rad, the amplitudes for which the closed form is accurate enough, and the swing is no
 rounding."""
 
 
+class Swing(NamedTuple):
+    """A swing of a bob about a peg."""
+
+    peg: complex
+    """m"""
+    way: complex
+    """from the peg to the bob [m]"""
+
+    @property
+    def angle(self) -> float:
+        """From the vertical [rad]."""
+        return abs(phase(self.way * 1j))
+
+
 def suggestions(scene: Scene) -> Iterator[Suggestion]:
     """Yield the closed forms of the pendulums."""
-    fall = scene.fall
-    if fall is None or not scene.only("gravity", "contact", "friction", "restitution", "rotation"):
+    if scene.fall is None:
+        return
+    if not scene.only("gravity", "contact", "friction", "restitution", "rotation"):
         return
     for name, joint in scene.level.joints.items():
-        bob = _bob(scene, joint)
-        if bob is None or not isinstance(joint, Rod | Rope):
-            continue
-        first, second = (place(end, scene.level.bodies, scene.values) for end in joint.ends)
-        center = scene.where[bob].center
-        way = center - (first if second == center else second)
-        length, angle = abs(way), abs(phase(way * 1j))
-        if not SMALLEST < angle < LARGEST or not _clear(scene, bob, way):
-            continue
-        mean = _mean(1.0, cos(angle / 2))
-        quarter = pi / 2 * sqrt(length / -fall(scene.values)) / mean
-        g, (x, y) = opposite(fall), scene.level.bodies[bob].position
-        energy = f"{scene.mass(bob)}*{g}*{said(y)}"
-        checks: list[dict[str, Any]] = [
-            check("energy", f"{bob}.energy", energy, NEAR, scale=f"{scene.mass(bob)}*{g}")
-        ]
-        if not names_in((x, y, joint)):
-            checks.append(check("length", f"{name}.length", f"{plain(length)!r}", 1e-10))
-            if scene.lasts > quarter:
-                form = f"pi/2*sqrt({plain(length)!r}/{g})/{plain(mean)!r}"
-                at = dict[str, Any](event="crossing", quantity=f"{bob}.position.x")
-                at["value"] = plain((center - way).real)
-                checks.append(check("quarter of a period", "t", form, NEAR, at=at))
-        yield Suggestion("pendulum", (bob,), tuple(checks), rate_of(STEPS / (4 * quarter)))
+        bob = bob_of(scene, joint)
+        swings = [_swing(each, joint, bob) for each in scene.everywhere] if bob else []
+        if bob and all(swings):
+            yield _of(scene, name, bob, [swing for swing in swings if swing])
 
 
-def _bob(scene: Scene, joint: Joint) -> str | None:
+def _of(scene: Scene, name: str, bob: str, swings: Sequence[Swing]) -> Suggestion:
+    """Return what is suggested of a pendulum; its swings are those with all parameters."""
+    assert scene.fall is not None
+    g, mass, (x, y) = opposite(scene.fall), scene.mass(bob), scene.level.bodies[bob].position
+    quarters = [
+        _quarter(abs(swing.way), swing.angle, -each.fall(each.values))
+        for swing, each in zip(swings, scene.everywhere, strict=True)
+        if each.fall
+    ]
+    energy = f"{mass}*{g}*{said(y)}"
+    checks = [check("energy", f"{bob}.energy", energy, NEAR, scale=f"{mass}*{g}")]
+    (peg, way), joint = swings[0], scene.joint(name)
+    length = plain(abs(way))
+    if not names_in(joint) and all(abs(abs(one.way) - abs(way)) < SAME for one in swings):
+        checks.append(check("length", f"{name}.length", f"{length!r}", 1e-10))
+        near = not names_in((x, y)) or max(one.angle for one in swings) < WIDE
+        if near and scene.lasts > max(quarters):
+            form = f"pi/2*sqrt({length!r}/{g})/{plain(_mean(1.0, cos(swings[0].angle / 2)))!r}"
+            if names_in((x, y)):
+                cosine = f"({plain(peg.imag)!r} - {said(y)})/{length!r}"
+                form = f"2*pi*sqrt({length!r}/{g})/(1 + ((1 + {cosine})/2)**0.25)**2"
+            at = {"event": "crossing", "quantity": f"{bob}.position.x", "value": plain(peg.real)}
+            checks.append(check("quarter of a period", "t", form, NEAR, at=at))
+    return Suggestion("pendulum", (bob,), tuple(checks), rate_of(STEPS / (4 * min(quarters))))
+
+
+def _swing(scene: Scene, joint: Joint, bob: str) -> Swing | None:
+    """Return the swing of a bob, if it is neither too small nor too large, and free."""
+    first, second = (place(end, scene.level.bodies, scene.values) for end in points(joint)[:2])
+    center = scene.where[bob].center
+    peg = first if second == center else second
+    found = Swing(peg, center - peg)
+    others = [other for other in scene.where if other != bob]
+    free = SMALLEST < found.angle < LARGEST and swings_free(scene, bob, *found, others)
+    return found if free else None
+
+
+def _quarter(length: float, angle: float, g: float) -> float:
+    """Return a quarter of a period [s]."""
+    return pi / 2 * sqrt(length / g) / _mean(1.0, cos(angle / 2))
+
+
+def bob_of(scene: Scene, joint: Joint) -> str | None:
     """Return the body that hangs at rest by its centre from a point of the plane, if one does."""
     if not isinstance(joint, Rod | Rope) or joint.length is not None:
         return None
@@ -78,13 +121,16 @@ def _bob(scene: Scene, joint: Joint) -> str | None:
     return bob if alone and scene.rests(bob) else None
 
 
-def _clear(scene: Scene, bob: str, way: complex) -> bool:
-    """Whether nothing is in the way of the swing, and the string stays taut."""
-    start = phase(way * 1j)
+def swings_free(scene: Scene, bob: str, peg: complex, way: complex, others: Iterable[str]) -> bool:
+    """Whether no others are in the way of a swing about a peg, from a way [m] to its mirror image.
+
+    A string stays taut.
+    """
     if scene.level.effects.contact is None:
         return True
-    swing = [rect(abs(way), turn) / 1j - way for turn in np.linspace(start, -start, 100)]
-    others = [name for name in scene.where if name != bob]
+    start, center = phase(way * 1j), scene.where[bob].center
+    turns = np.linspace(start, -start, 100).tolist()
+    swing = [peg + rect(abs(way), turn) / 1j - center for turn in turns]
     return all(scene.distance(bob, by, o) > TOUCHING for by in swing for o in others)
 
 

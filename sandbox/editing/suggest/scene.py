@@ -36,8 +36,9 @@ MOST_CORNERS = 8
 
 
 Setup = Literal[
-    "Atwood machine", "collision", "block that a slope holds", "block on a slope", "lever",
-    "oscillator", "pendulum", "spring pendulum", "thrown body", "falling body",
+    "Atwood machine", "block and tackle", "block on a slope", "block that a slope holds", "capstan",
+    "collision", "falling body", "lever", "Newton's cradle", "oscillator", "pendulum",
+    "spring pendulum", "thrown body",
 ]  # fmt: skip
 
 
@@ -55,12 +56,15 @@ class Suggestion:
         The checks, as they stand in a level's file.
     rate
         Hz, that they need at the least.
+    located
+        The bodies whose impacts must have their own time within a step.
     """
 
     setup: Setup
     about: tuple[str, ...]
     checks: tuple[Check, ...]
     rate: float = 60.0
+    located: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)

@@ -24,6 +24,8 @@ def suggestions(scene: Scene) -> Iterator[Suggestion]:
         bob = held_by(scene, joint) if isinstance(joint, Spring) else None
         if bob is None or not isinstance(joint, Spring) or joint.length is not None:
             continue
+        if joint.damping.source != 0:
+            continue  # which takes energy
         if all(_swings(each, joint, bob) for each in scene.everywhere):
             weight = f"{scene.mass(bob)}*{opposite(scene.fall)}"
             energy = f"{weight}*{said(scene.level.bodies[bob].position[1])}"

@@ -301,12 +301,69 @@ def test_a_rope_is_laid_over_a_drum_with_few_clicks(builder: Builder) -> None:
     builder.person.wait(0.1)
     builder.act("Rope over the disc")
     assert builder.clicks <= 8
+    builder.key(pygame.K_ESCAPE)
+    builder.act("capstan")
+    assert len(builder.document["checks"]) == 3
     builder.click(builder.page.palette.button("Try it").rect)
     builder.person.wait(0.4)
 
     assert not builder.editor.applying.refusal
     assert builder.person.session.playing
     assert len(builder.document["joints"]) > 20
+
+
+def test_a_string_goes_on_over_a_wheel_that_is_clicked_with_shift(builder: Builder) -> None:
+    builder.new()
+    builder.clicks = 0
+    builder.tool("disc")
+    builder.drag((0, 3), (0.5, 3))
+    builder.tool("box")
+    builder.drag((2.5, 3), (3.5, 4))
+    builder.tool("join")
+    builder.tool("pulley")
+    for place in ((3, 3.5), (3, 7.5), (0.5, 7.5)):
+        builder.at(*place)
+    pygame.key.set_mods(pygame.KMOD_LSHIFT)
+    builder.at(0, 3)
+    pygame.key.set_mods(pygame.KMOD_NONE)
+    builder.at(-0.5, 7.5)
+    builder.key(pygame.K_RETURN, "\r")
+    builder.key(pygame.K_ESCAPE)
+    builder.key(pygame.K_ESCAPE)
+    builder.act("block and tackle")
+
+    assert builder.clicks <= 12
+    level = parse(builder.editor.work.draft.text)
+    assert [result.verdict for result in grade(simulate(level))] == ["passed"] * 3
+
+
+def test_a_cradle_is_drawn_and_one_slider_draws_its_first_ball_aside(builder: Builder) -> None:
+    builder.new()
+    builder.clicks = 0
+    builder.tool("disc")
+    for x in (-1, 0, 1):
+        builder.drag((x, 3), (x + 0.5, 3))
+    builder.tool("join")
+    builder.tool("rod")
+    for x in (-1, 0, 1):
+        builder.at(x, 3)
+        builder.at(x, 6.5)
+    builder.tool("select")
+    builder.drag((-3, 3.9), (3, 2))
+    builder.fill("1", "bodies", "disc1", "restitution")
+    builder.key(pygame.K_ESCAPE)
+    builder.at(-1, 3)
+    builder.act("Slider for the swing")
+    builder.key(pygame.K_ESCAPE)
+    builder.act("Newton's cradle")
+
+    assert builder.clicks <= 20
+    assert builder.document["title"] == "Newton's cradle"
+    assert [body.get("restitution") for body in builder.document["bodies"].values()] == [1] * 4
+    level = parse(builder.editor.work.draft.text)
+    for angle in (10, 50):
+        run = simulate(level, {**level.defaults, "angle": angle})
+        assert {result.verdict for result in grade(run)} == {"passed"}
 
 
 def draw_half(builder: Builder, name: str, start: str, end: str) -> None:

@@ -127,9 +127,34 @@ def test_a_new_level_is_saved_under_the_name_that_is_typed(mine: Builder, tmp_pa
     assert "disc1" in json.loads((tmp_path / "mine.json").read_text(encoding="utf-8"))["bodies"]
     assert mine.person.window.path == tmp_path / "mine.json"
     mine.control("z")
-    assert mine.document["title"] == "New level"
-    mine.control("z")
     assert list(mine.document["bodies"]) == ["ground"]
+    mine.control("y")
+    assert (mine.document["title"], "disc1" in mine.document["bodies"]) == ("Mine", True)
+
+
+def test_a_level_is_saved_from_any_page(mine: Builder) -> None:
+    mine.at(-0.6, 0)
+    mine.key(pygame.K_LEFT)
+    mine.person.wait(0.3)
+    mine.key(pygame.K_o, "o")
+    mine.control("s")
+    assert file_of(mine).read_text("utf-8") == mine.editor.work.draft.text
+
+    mine.new()
+    mine.key(pygame.K_g, "g")
+    mine.control("s")
+    mine.person.wait(0.1)
+    assert mine.page._name is not None
+
+
+def test_what_is_done_again_is_selected_as_it_was(mine: Builder) -> None:
+    mine.at(-0.6, 0)
+    mine.control("d")
+    copies = mine.editor.work.selected
+    assert copies
+    mine.control("z")
+    mine.control("y")
+    assert mine.editor.work.selected == copies
 
 
 @pytest.mark.parametrize(

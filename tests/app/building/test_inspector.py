@@ -48,6 +48,47 @@ def test_half_of_a_point_that_is_not_said_can_be_typed(builder: Builder) -> None
     assert builder.document["bodies"]["left"]["velocity"] == [0, -2]
 
 
+def test_several_bodies_are_given_a_field_alike_and_by_one_slider(builder: Builder) -> None:
+    builder.new()
+    for x in (-4, 0, 4):
+        builder.tool("disc")
+        builder.drag((x, 3), (x + 1, 3))
+    builder.fill("3", "bodies", "disc3", "mass")
+    builder.tool("select")
+    builder.drag((-2, 6), (7, 1))
+    field = builder.page.inspector.field("bodies", "disc2", "mass")
+    assert field.get_text() == ""  # they differ
+
+    builder.fill("2", "bodies", "disc2", "mass")
+    builder.fill("0.7", "bodies", "disc2", "restitution")
+    masses = [builder.document["bodies"][f"disc{i}"]["mass"] for i in (1, 2, 3)]
+    assert masses[1:] == [2, 2]
+    assert masses[0] > 4
+    assert builder.page.inspector.field("bodies", "disc2", "mass").get_text() == "2"
+
+    button = builder.page.inspector.parametrise_button("bodies", "disc2", "restitution")
+    builder.reach(button)
+    builder.click(button.rect)
+    builder.person.wait(0.1)
+    bounces = [builder.document["bodies"][f"disc{i}"]["restitution"] for i in (1, 2, 3)]
+    assert bounces[1] == bounces[2] == list(builder.document["parameters"])[-1]
+    assert bounces[0] == 0.5
+
+
+def test_what_one_of_several_cannot_have_none_of_them_gets(builder: Builder) -> None:
+    builder.new()
+    for x in (-4, 0):
+        builder.tool("disc")
+        builder.drag((x, 3), (x + 1, 3))
+    builder.tool("select")
+    builder.drag((-6, 6), (3, 1))
+    before = builder.editor.work.draft.text
+    builder.fill("-1", "bodies", "disc1", "mass")
+
+    assert builder.editor.work.draft.text == before
+    assert "greater than 0" in builder.page._refused["bodies", "disc1", "mass"]
+
+
 @pytest.mark.parametrize("effect", thinned(EFFECTS, 5))
 def test_every_effect_is_switched_on_and_off(builder: Builder, effect: str) -> None:
     builder.new()

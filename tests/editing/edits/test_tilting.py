@@ -23,7 +23,7 @@ from sandbox.model.loading import parse
 from sandbox.physics.geometry.distance import gap
 from sandbox.physics.measuring.grading import grade
 from sandbox.physics.run import build, simulate
-from tests.editing.suggest.test_suggestions import incline
+from tests.editing.suggest.set_ups import incline
 
 EMPTY = Draft.empty().text
 

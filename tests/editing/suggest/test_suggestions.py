@@ -1,48 +1,28 @@
 """Known set-ups are recognised, and what is suggested of them holds in a run."""
 
-from cmath import rect
-
 import pytest
 
-from sandbox.editing.draft import Draft
-from sandbox.editing.edits.bodies import add_box, add_disc, add_surface
-from sandbox.editing.edits.effects import declare
 from sandbox.editing.edits.fields import make_parameter
-from sandbox.editing.edits.joints import Pick, add_joint
-from sandbox.editing.edits.transforms import move, turn
+from sandbox.editing.edits.transforms import move
 from sandbox.editing.suggest import MOST_MOVING, followed, suggestions, take
-from sandbox.editing.text_patches import put_all, remove
+from sandbox.editing.text_patches import put_all
 from sandbox.model import catalog
 from sandbox.model.loading import parse, read
 from sandbox.physics.measuring.grading import grade
 from sandbox.physics.run import simulate
-
-EMPTY = Draft.empty().text
-
-
-def disc(text: str, x: float, y: float, radius: float = 0.25) -> str:
-    return add_disc(text, parse(text), (x, y), (x + radius, y)).text
-
-
-def atwood(one: float, other: float) -> str:
-    text = disc(disc(EMPTY, -1, 3), 1, 3)
-    pegs = Pick((-1, 6)), Pick((1, 6))
-    chosen = [Pick((-1, 3), "disc1"), *pegs, Pick((1, 3), "disc2")]
-    text = add_joint(text, parse(text), "pulley", chosen).text
-    return put_all(text, {("bodies", "disc1", "mass"): one, ("bodies", "disc2", "mass"): other})
-
-
-def incline(angle: float, friction: float | None = None, *, turns: bool = False) -> str:
-    text = add_surface(EMPTY, parse(EMPTY), [(-6, 6), (6, 6)]).text
-    text = turn(text, parse(text), ["surface1"], angle)
-    at = 6j + (rect(2, angle) if angle > 0 else rect(-2, angle)) + 0.25j * rect(1, angle)
-    low, high = at - 0.5 - 0.25j, at + 0.5 + 0.25j
-    text = add_box(text, parse(text), (low.real, low.imag), (high.real, high.imag)).text
-    text = turn(text, parse(text), ["box1"], angle)
-    if friction is not None:
-        text = declare(text, parse(text), "friction")
-        text = put_all(text, {("bodies", "box1", "friction"): friction})
-    return declare(text, parse(text), "rotation") if turns else text
+from tests.editing.suggest.set_ups import (
+    MADE,
+    atwood,
+    capstan,
+    cradle,
+    damped,
+    incline,
+    row,
+    seesaw,
+    spring,
+    tackle,
+    walled,
+)
 
 
 def test_a_number_in_a_check_stands_as_a_number() -> None:
@@ -52,100 +32,6 @@ def test_a_number_in_a_check_stands_as_a_number() -> None:
     said = take(text, parse(text), one)
     assert '"scale": 9.81' in said
     assert all(not isinstance(check.get("scale"), str) for check in one.checks)
-
-
-def pendulum(kind: str, x: float, y: float) -> str:
-    text = disc(EMPTY, x, y)
-    return add_joint(text, parse(text), kind, [Pick((0, 7)), Pick((x, y), "disc1")]).text
-
-
-def oscillator(x: float, y: float, length: float, *, falls: bool) -> str:
-    text = disc(EMPTY, x, y)
-    text = add_joint(text, parse(text), "spring", [Pick((0, 7)), Pick((x, y), "disc1")]).text
-    text = put_all(text, {("joints", "spring1", "length"): length})
-    return text if falls else remove(text, ("effects", "gravity"))
-
-
-def collision(m1: float, v1: float, m2: float, v2: float, e: float | None) -> str:
-    text = remove(disc(disc(EMPTY, -2, 4), 1, 4, 0.4), ("effects", "gravity"))
-    if e is not None:
-        text = declare(text, parse(text), "restitution")
-        text = put_all(text, {("bodies", f"disc{i}", "restitution"): e for i in (1, 2)})
-    masses = {("bodies", f"disc{i}", "mass"): m for i, m in ((1, m1), (2, m2))}
-    return put_all(
-        text, masses | {("bodies", f"disc{i}", "velocity"): [v, 0] for i, v in ((1, v1), (2, v2))}
-    )
-
-
-def thrown(x: float, y: float, u: float, v: float) -> str:
-    return put_all(disc(EMPTY, x, y), {("bodies", "disc1", "velocity"): [u, v]})
-
-
-def seesaw(
-    boxes: dict[float, float],
-    *,
-    pin: tuple[float, float] = (0, 1.1),
-    friction: float | None = None,
-    discs: dict[float, float] | None = None,
-) -> str:
-    """Return a plank on a pin, with squares and discs of a size on it where they are placed."""
-    text = add_box(EMPTY, parse(EMPTY), (-3, 1), (3, 1.2)).text
-    for x, size in boxes.items():
-        text = add_box(text, parse(text), (x - size / 2, 1.2), (x + size / 2, 1.2 + size)).text
-    for x, radius in (discs or {}).items():
-        text = disc(text, x, 1.2 + radius, radius)
-    text = add_joint(text, parse(text), "pivot", [Pick(pin, "box1"), Pick(pin)]).text
-    if friction is None:
-        return text
-    text = declare(text, parse(text), "friction")
-    names = (name for name in parse(text).bodies if name.startswith("box"))
-    return put_all(text, {("bodies", name, "friction"): friction for name in names})
-
-
-def spring(x: float, y: float, stiffness: float) -> str:
-    text = disc(EMPTY, x, y)
-    text = add_joint(text, parse(text), "spring", [Pick((0, 7)), Pick((x, y), "disc1")]).text
-    return put_all(text, {("joints", "spring1", "stiffness"): stiffness})
-
-
-MADE = {
-    "Atwood machine": [atwood(2, 3.7), atwood(5, 0.3), atwood(1, 1), atwood(1e3, 1)],
-    "block on a slope": [
-        incline(0.5),
-        incline(-0.7),
-        incline(0.6, 0.2),
-        incline(-1.2, 0.7),
-        incline(0.4, turns=True),
-    ],
-    "block that a slope holds": [incline(0.2, 0.5), incline(-0.3, 0.9)],
-    "pendulum": [
-        pendulum("rod", 1.5, 6),
-        pendulum("rod", -0.2, 5),
-        pendulum("rope", 1, 5.5),
-        pendulum("rod", 1.5, 8),
-    ],
-    "oscillator": [
-        oscillator(2, 7, 1.5, falls=False),
-        oscillator(-3, 7, 3.5, falls=False),
-        oscillator(0, 5, 2, falls=True),
-        oscillator(0, 4.5, 2, falls=True),
-    ],
-    "lever": [
-        seesaw({-2: 0.8, 1.75: 0.5}),
-        seesaw({-2: 0.6}),
-        seesaw({-2: 0.8, 2: 0.8}),
-        seesaw({-2: 0.8, 1.75: 0.5}, pin=(0.5, 1.15), friction=0.8),
-        seesaw({}, discs={-2: 0.5, 1: 0.4}),
-    ],
-    "spring pendulum": [spring(2, 6, 77), spring(-1, 5.5, 300), spring(2, 9, 100)],
-    "collision": [
-        collision(1, 3, 2, 0, None),
-        collision(3, 2, 0.4, -1, 1),
-        collision(1, 5, 7, 2, 0.8),
-    ],
-    "thrown body": [thrown(0, 3, 2, 4), thrown(-3, 1, 7, 0.5), thrown(0, 9, -1, -1)],
-    "falling body": [disc(EMPTY, 0, 5), disc(EMPTY, 3, 1)],
-}
 
 
 @pytest.mark.sweep
@@ -204,6 +90,10 @@ def test_a_lever_holds_with_any_weight() -> None:
     assert all(holds(text, {"m": m}) for m in (1.3, 2.5, 12.0))
 
 
+def test_no_oscillation_is_seen_where_a_damper_lets_a_body_creep() -> None:
+    assert suggestions(parse(damped(40))) == []
+
+
 def test_no_spring_pendulum_is_seen_that_would_meet_the_ground() -> None:
     assert suggestions(parse(spring(2, 6, 10))) == []
 
@@ -227,6 +117,10 @@ def test_what_is_suggested_of_a_level_that_ships_can_be_taken(name: str) -> None
     ("name", "setup"),
     [
         ("newton/atwood", "Atwood machine"),
+        ("newton/compound-pulley", "block and tackle"),
+        ("machines/capstan", "capstan"),
+        ("momentum/cradle", "Newton's cradle"),
+        ("hard/cradle-of-five", "Newton's cradle"),
         ("newton/incline", "block on a slope"),
         ("newton/incline-that-holds", "block that a slope holds"),
         ("lagrange/simple-pendulum", "pendulum"),
@@ -278,6 +172,46 @@ def test_checks_are_about_a_time_before_something_is_met_with_any_value() -> Non
     text = make_parameter(atwood(2, 2), ("bodies", "disc2", "mass"), "m")
     text = with_checks(text)
     assert all(holds(text, {"m": m}) for m in (0.4, 2.0, 10.0))
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        tackle((-0.5, 8), (1, 8), (2, 8)),  # the wheel would swing
+        tackle((-0.5, 8), (0.5, 8), (2.5, 8)),  # the box would
+        put_all(tackle((0, 8), (0, 8), (2, 8)), {("bodies", "disc1", "velocity"): [0, 1]}),
+        put_all(tackle((0, 8), (0, 8), (2, 8)), {("joints", "pulley1", "length"): 13}),
+    ],
+)
+def test_no_tackle_is_seen_where_a_pull_is_not_upright_or_the_string_is_slack(text: str) -> None:
+    assert "block and tackle" not in [one.setup for one in suggestions(parse(text))]
+
+
+def test_a_tackle_holds_with_any_load() -> None:
+    text = make_parameter(tackle((0, 8), (0, 8), (2, 8)), ("bodies", "box1", "mass"), "m")
+    text = with_checks(text)
+    assert all(holds(text, {"m": m}) for m in (2, 10, 30))
+
+
+def test_a_capstan_says_of_each_load_whether_it_holds() -> None:
+    text = make_parameter(capstan(5, 15, 0.25), ("bodies", "disc1", "friction"), "mu")
+    level = parse(with_checks(text))
+    verdicts = [{r.verdict for r in grade(simulate(level, {"mu": mu}))} for mu in (0.2, 0.5)]
+    assert verdicts == [{"passed"}, {"not applicable"}]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        cradle(3, 3),  # nothing is struck
+        put_all(cradle(3, 1), {("bodies", "disc2", "mass"): 9}),
+        put_all(cradle(3, 1), {("bodies", "disc3", "restitution"): 0.9}),
+        walled(cradle(3, 1), 4.2),
+        row([2, 0, 2]),
+    ],
+)
+def test_no_cradle_is_seen_where_balls_differ_or_nothing_strikes(text: str) -> None:
+    assert "Newton's cradle" not in [one.setup for one in suggestions(parse(text))]
 
 
 def test_a_slope_has_no_checks_of_sliding_where_it_holds() -> None:

@@ -36,7 +36,8 @@ CLICKS: Mapping[str, Clicks] = {
             later("Click what hangs at one end of the string"),
             later("Click the first peg that it runs over"),
             later(
-                "Click another peg, or what hangs at the other end; Enter ends it at a fixed point"
+                "Click another peg, or what hangs at the other end; Shift: a body is a peg, too; "
+                "Enter ends it at a fixed point"
             ),
         ),
         several=True,

@@ -12,6 +12,10 @@ def _new(desk: Desk) -> None:
     desk.worker(Editor).new(desk.session)
 
 
+def _save(desk: Desk) -> None:
+    desk.worker(Editor).save(desk.session)
+
+
 PAGE = Page(
     name="build",
     caption="Build",
@@ -19,7 +23,10 @@ PAGE = Page(
     text="build a level with the mouse",
     panel=BuildPage,
     worker=Editor,
-    commands=(PageCommand("new scene", "B", "build from an empty scene", _new, pygame.K_n),),
+    commands=(
+        PageCommand("new scene", "B", "build from an empty scene", _new, pygame.K_n),
+        PageCommand("save level", "", "save the level as it is built", _save, pygame.K_s),
+    ),
     keys=keys.HELP,
     energy=False,
 )

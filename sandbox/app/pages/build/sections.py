@@ -7,6 +7,7 @@ from sandbox.app.building import fields, inspection
 from sandbox.app.building.arranging import arrangements
 from sandbox.app.building.button_action import Act
 from sandbox.app.building.editor import Editor
+from sandbox.app.building.level_actions import stated
 from sandbox.app.building.part_actions import part_actions
 from sandbox.app.building.recovery_choices import offers
 from sandbox.app.drawing import theme
@@ -94,7 +95,7 @@ def subject(editor: Editor) -> list[Block]:
             title,
             Block(say(NOTHING_SELECTED if drawn else FIRST)),
             *_suggested(editor),
-            Block("", acts=tuple(inspection.stated(work))),
+            Block("", acts=tuple(stated(work))),
             _switches(editor),
         ]
     if in_run:

@@ -1,0 +1,97 @@
+"""What can be added to a level as a whole, and taken out: checks, ghosts, a challenge."""
+
+from functools import partial
+from typing import Literal
+
+from sandbox.app.building.button_action import Act
+from sandbox.app.building.edited_level import Work
+from sandbox.app.words.language import say
+from sandbox.editing.edits import events
+from sandbox.editing.edits.challenges import add_challenge, drop_challenge
+from sandbox.editing.edits.checks import add_checks, drop_told
+from sandbox.model.expressions import Expression
+from sandbox.model.level import Level
+
+MOST_TOLD = 12
+"""How many checks have a button that takes them out, and how many ghosts."""
+
+
+def stated(work: Work) -> list[Act]:
+    """Return what adds a check, and what takes out those that there are, and ghosts."""
+    if work.draft.level is None:
+        return []
+    level = work.level
+    moving = [name for name, body in level.bodies.items() if body.type == "dynamic"]
+    adding = [
+        Act(
+            say("Add a check"),
+            say("of any quantity; its fields are below"),
+            partial(_check, work, name),
+        )
+        for name in moving[:1]
+    ]
+    checks = [
+        Act(
+            f"− {check.quantity}", say("take this check out"), partial(_drop, work, "checks", index)
+        )
+        for index, check in enumerate(level.checks)
+    ]
+    ghosts = [
+        Act(
+            say("− ghost of {name}", name=name),
+            say("take this ghost out"),
+            partial(_drop, work, "ghosts", name),
+        )
+        for name in level.ghosts
+    ]
+    told = [*checks[:MOST_TOLD], *ghosts[:MOST_TOLD]]
+    return [*adding, *_challenge(work, level, moving), *_waiting(work, level), *told]
+
+
+def _challenge(work: Work, level: Level, moving: list[str]) -> list[Act]:
+    """Return what makes the level a task, or what takes the task out."""
+    if level.challenge is not None:
+        tip = say("the level asks for nothing any more")
+        drop = partial(
+            work.change, say("take out the challenge"), lambda text, _: drop_challenge(text)
+        )
+        return [Act(say("− challenge"), tip, drop)]
+    tip = say("a task for the sliders: a body has to end where something stands")
+    return [Act(say("Add a challenge"), tip, partial(_set_task, work, name)) for name in moving[:1]]
+
+
+def _set_task(work: Work, body: str) -> None:
+    task = say("Bring {body} to where it belongs.", body=body)
+    labels = say("between left and right"), say("not above")
+
+    def edit(text: str, level: Level) -> str:
+        return add_challenge(text, level, body, task, labels)
+
+    if work.change(say("add a challenge"), edit):
+        work.tell(say("Its task and its goals are fields below, under challenge"))
+
+
+def _waiting(work: Work, level: Level) -> list[Act]:
+    """Return what lets events wait for a quantity, in place of a time."""
+    tip = say("it waits until a quantity crosses a value; its fields are below, under events")
+    return [
+        Act(say("{event}: when ...", event=name), tip, partial(_wait, work, name))
+        for name, event in level.events.items()
+        if isinstance(event.at, Expression)
+    ][:MOST_TOLD]
+
+
+def _wait(work: Work, event: str) -> None:
+    said = say("let {event} wait for a quantity", event=event)
+    work.change(said, lambda text, level: events.wait_for_quantity(text, level, event))
+
+
+def _check(work: Work, body: str) -> None:
+    new = {"quantity": f"{body}.position.x", "formula": "0", "tolerance": 1e-3}
+    if work.change(say("add a check"), lambda text, level: add_checks(text, level, [new])):
+        work.tell(say("Type its quantity and its formula below, under checks"))
+
+
+def _drop(work: Work, part: Literal["checks", "ghosts"], which: int | str) -> None:
+    said = say("take out a check") if part == "checks" else say("take out a ghost")
+    work.change(said, lambda text, _: drop_told(text, part, which))

@@ -1,0 +1,85 @@
+"""Making a level a task: its parameters are free, and a body has to end in a place."""
+
+from collections.abc import Sequence
+
+from sandbox.editing.cleanup import accepted, without_meaning
+from sandbox.editing.json_layout import Json, plain
+from sandbox.editing.placement import Placed, around, placed
+from sandbox.editing.text_patches import put, remove
+from sandbox.model.errors import SandboxError
+from sandbox.model.level import Level
+from sandbox.model.message import Message
+
+DIGITS = 6
+"""Decimals of the bounds of a place [m]."""
+
+STEP = 1.0
+"""m, how far to the right of where a body begins its place is if nothing stands there."""
+
+
+def add_challenge(text: str, level: Level, body: str, task: str, labels: Sequence[str]) -> str:
+    """Return a level with a task: to bring a body, by the parameters, to where something stands.
+
+    That is all that stands still but for the widest, which is the ground: over its width, and not
+    above its top. What the parameters are now counts as the solution.
+
+    Parameters
+    ----------
+    text, level, body
+        Of the level, and which body.
+    task, labels
+        What is asked for, and what of the place across and of that upwards.
+
+    Raises
+    ------
+    SandboxError
+        If the level has no parameters, or a task already.
+    """
+    if not level.parameters:
+        raise SandboxError(
+            Message(
+                "a challenge needs something to change: make a number a parameter by its slider"
+            )
+        )
+    if level.challenge is not None:
+        raise SandboxError(Message("the level has a challenge already"))
+    at, (across, upwards) = level.duration.source, _bounds(level, body)
+    goals: list[Json] = [
+        {"label": label, "quantity": f"{body}.position.{axis}", "at": at, **bounds}
+        for label, axis, bounds in zip(labels, "xy", (across, upwards), strict=True)
+        if bounds
+    ]
+    challenge: dict[str, Json] = {
+        "task": task,
+        "free": list(level.parameters),
+        "goals": goals,
+        "solution": {name: plain(p.value) for name, p in level.parameters.items()},
+    }
+    return accepted(put(text, ("challenge",), challenge))
+
+
+def drop_challenge(text: str) -> str:
+    """Return a level without its task."""
+    return without_meaning(remove(text, ("challenge",)))
+
+
+def _bounds(level: Level, body: str) -> tuple[dict[str, Json], dict[str, Json]]:
+    """Return between what a place lies across, and what it lies below [m]."""
+    where = placed(level)
+    target = _target(list(where.values()))
+    if not target:
+        x = where[body].center.real
+        return {"above": _number(x + STEP), "below": _number(x + 2 * STEP)}, {}
+    low, high = around(target)
+    return {"above": _number(low.real), "below": _number(high.real)}, {"below": _number(high.imag)}
+
+
+def _target(bodies: Sequence[Placed]) -> list[Placed]:
+    """Return what stands still, without the ground."""
+    still = [one for one in bodies if one.body.type == "static"]
+    ground = max(still, key=lambda one: (one.bounds[1] - one.bounds[0]).real, default=None)
+    return [one for one in still if one is not ground]
+
+
+def _number(value: float) -> Json:
+    return plain(round(value, DIGITS))

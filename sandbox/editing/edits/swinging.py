@@ -1,0 +1,94 @@
+"""The angle of what hangs from a peg as one parameter: what it hangs on keeps its length.
+
+Its position is then a sum such as `2 - 3*sin(angle*deg)`.
+"""
+
+from cmath import phase, rect
+from collections.abc import Mapping
+from math import copysign, degrees, pi
+
+from sandbox.editing.cleanup import accepted
+from sandbox.editing.edits.fields import parameter_name
+from sandbox.editing.formulas import rounded, sum_of
+from sandbox.editing.json_layout import Json, plain
+from sandbox.editing.placement import Placed, distance, placed
+from sandbox.editing.text_patches import put_all
+from sandbox.model.errors import SandboxError
+from sandbox.model.joint_ends import place
+from sandbox.model.joints import Rod, Rope, bodies_of, body_of
+from sandbox.model.level import Level
+from sandbox.model.level_parts import names_in
+from sandbox.model.message import Message
+
+ASIDE = 30.0
+"""deg, by which what hangs straight down is drawn aside."""
+
+STRAIGHT = 1e-6
+"""deg, up to which it hangs straight down."""
+
+RANGES = ((5, 60), (0, 90), (0, 175))
+"""deg, of the slider, if the angle is within."""
+
+
+def peg_of(level: Level, name: str) -> complex | None:
+    """Return the point of the plane [m] from which a body hangs on one rod or rope, if it does."""
+    held = [joint for joint in level.joints.values() if name in bodies_of(joint)]
+    if len(held) != 1 or not isinstance(held[0], Rod | Rope) or held[0].length is not None:
+        return None
+    pegs = [end for end in held[0].ends if end != name]
+    if len(pegs) != 1 or body_of(pegs[0]) or names_in((pegs[0], level.bodies[name].position)):
+        return None
+    return place(pegs[0], level.bodies, level.defaults)
+
+
+def swing(text: str, level: Level, name: str) -> str:
+    """Return a level in which the angle of what hangs is a parameter.
+
+    What hangs straight down is drawn aside.
+
+    Parameters
+    ----------
+    text, level
+        Of the level.
+    name
+        Of a body on a rod or a rope.
+
+    Raises
+    ------
+    SandboxError
+        If it does not hang from a point of the plane, or a formula says where it is.
+    """
+    peg = peg_of(level, name)
+    if peg is None:
+        raise SandboxError(Message("'{name}' does not hang from a point of the plane", name=name))
+    where = placed(level)
+    way = where[name].center - peg
+    turned = degrees(phase(way * 1j))
+    if abs(turned) < STRAIGHT:
+        turned = _free_side(where, name, peg, abs(way))
+    angle = parameter_name(level, ("bodies", name, "angle"))
+    sin, cos = (f"{function}({angle}*deg)" for function in ("sin", "cos"))
+    formulas: list[Json] = [
+        sum_of({"": peg.real, sin: copysign(abs(way), turned)}),
+        sum_of({"": peg.imag, cos: -abs(way)}),
+    ]
+    value = plain(rounded(abs(turned)))
+    parameters: list[dict[str, Json]] = [
+        {"value": value, "min": low, "max": high, "unit": "deg", "label": f"angle of {name}"}
+        for low, high in (*RANGES, (value, value))
+        if low <= value <= high
+    ]
+    moved: Mapping[tuple[str | int, ...], Json] = {("bodies", name, "position"): formulas}
+    path = ("parameters", angle)
+    return accepted(*(put_all(text, {**moved, path: one}) for one in parameters))
+
+
+def _free_side(where: Mapping[str, Placed], name: str, peg: complex, length: float) -> float:
+    """Return to which side something can be drawn, to the left if it can [deg]."""
+    for turned in (-ASIDE, ASIDE):
+        way = peg + rect(length, turned * pi / 180 - pi / 2) - where[name].center
+        if all(
+            distance(where[name], other, way) > 0 for other in where.values() if other.name != name
+        ):
+            return turned
+    return -ASIDE

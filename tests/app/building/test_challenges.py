@@ -1,0 +1,67 @@
+"""A level that was drawn becomes a task with the mouse."""
+
+import pygame
+
+from sandbox.model.loading import parse
+from sandbox.physics.measuring.goals import attempt
+from sandbox.physics.run import simulate
+from tests.app.building.builder import Builder
+
+
+def draw_a_bucket(builder: Builder) -> None:
+    builder.tool("surface")
+    for point in ((5, 1.5), (5, 0), (7, 0), (7, 1.5)):
+        builder.at(*point)
+    builder.key(pygame.K_RETURN, "\r")
+
+
+def test_a_throw_into_a_bucket_becomes_a_challenge_with_few_clicks(builder: Builder) -> None:
+    builder.new()
+    builder.clicks = 0
+    draw_a_bucket(builder)
+    builder.tool("disc")
+    builder.drag((-6, 1), (-5.75, 1))
+    builder.fill("5", "bodies", "disc1", "velocity", 0)
+    builder.fill("8", "bodies", "disc1", "velocity", 1)
+    for axis in (0, 1):
+        button = builder.page.inspector.parametrise_button("bodies", "disc1", "velocity", axis)
+        builder.reach(button)
+        builder.click(button.rect)
+        builder.person.wait(0.1)
+    builder.key(pygame.K_ESCAPE)
+    builder.key(pygame.K_ESCAPE)
+    builder.act("Add a challenge")
+
+    assert builder.clicks <= 14
+    challenge = builder.document["challenge"]
+    assert challenge["free"] == list(builder.document["parameters"])
+    assert [goal["quantity"] for goal in challenge["goals"]] == [
+        "disc1.position.x",
+        "disc1.position.y",
+    ]
+    assert challenge["goals"][0]["above"] == 5
+    assert challenge["goals"][1]["below"] == 1.5
+    level = parse(builder.editor.work.draft.text)
+    across, _ = level.parameters
+    stars = [
+        found.stars
+        for speed in (5, 7.3)
+        if (found := attempt(simulate(level, {**level.defaults, across: speed})))
+    ]
+    assert stars == [0, 1]
+
+    builder.act("− challenge")
+    assert "challenge" not in builder.document
+
+
+def test_a_challenge_needs_something_to_change(builder: Builder) -> None:
+    builder.new()
+    builder.tool("disc")
+    builder.drag((0, 1), (1, 1))
+    builder.key(pygame.K_ESCAPE)
+    builder.key(pygame.K_ESCAPE)
+    builder.act("Add a challenge")
+    builder.person.wait(0.1)
+
+    assert "challenge" not in builder.document
+    assert "make a number a parameter" in str(builder.person.window.banner._note)
