@@ -1,6 +1,7 @@
 """How the C library keeps the memory of the window."""
 
 import ctypes
+from collections.abc import Callable
 
 _THRESHOLD_OPTION = -3  # M_MMAP_THRESHOLD of glibc's malloc.h
 THRESHOLD = 128 * 1024
@@ -15,8 +16,23 @@ def give_back_large_blocks() -> bool:
     from the heap. Pictures and states come and go all the time in a window, and what little stays
     between them keeps the rest. Other libraries are left as they are.
     """
+    option = _function("mallopt")
+    return option is not None and bool(option(_THRESHOLD_OPTION, THRESHOLD))
+
+
+def give_back_gaps() -> bool:
+    """Give back what is free between what is held; return whether anything was.
+
+    glibc itself gives back only what is free at the end. This takes up to some milliseconds.
+    """
+    trim = _function("malloc_trim")
+    return trim is not None and bool(trim(0))
+
+
+def _function(name: str) -> Callable[..., int] | None:
+    """Return a function of glibc; None if this is another C library, or none that can be asked."""
     try:
-        option = ctypes.CDLL(None).mallopt
-    except (AttributeError, OSError, TypeError):  # not glibc, or no C library to be asked
-        return False
-    return bool(option(_THRESHOLD_OPTION, THRESHOLD))
+        found: Callable[..., int] = getattr(ctypes.CDLL(None), name)
+    except (AttributeError, OSError, TypeError):
+        return None
+    return found

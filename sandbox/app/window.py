@@ -1,7 +1,7 @@
 """The window: events in, frames out."""
 
 import gc
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from time import perf_counter
 
 import pygame
@@ -11,6 +11,7 @@ from sandbox.app.events import Events
 from sandbox.app.files.open_level_watch import FileWatch
 from sandbox.app.frame_time import Allowance
 from sandbox.app.long_frames import HoldUp
+from sandbox.app.malloc_tuning import give_back_gaps
 from sandbox.app.painting import paint
 from sandbox.app.runs.session import Session
 from sandbox.app.sounds import Sounds
@@ -93,9 +94,7 @@ class Window(Workspace):
 
     def _pass(self, seconds: float, allowed: float) -> None:
         """Handle events, and let time pass [s]; its steps may take some time [s]."""
-        events = self.hold_up.events()
-        self._quiet = 0.0 if events else self._quiet + seconds
-        for event in events:
+        for event in self._happened(seconds):
             self._events.handle(event)
         self.dress()
         if self._watch.changed(self.path, seconds) and self.path is not None:
@@ -118,6 +117,14 @@ class Window(Workspace):
             self.panels.follow_home()
             if not self.comfort.chosen.reduced:
                 self.panels.home.play(seconds)
+
+    def _happened(self, seconds: float) -> Sequence[pygame.Event]:
+        """Return what has happened; when nothing has for a while, give back memory, once."""
+        events, before = self.hold_up.events(), self._quiet
+        self._quiet = 0.0 if events else before + seconds
+        if before < QUIET <= self._quiet:
+            give_back_gaps()
+        return events
 
     def _play(self, session: Session, seconds: float, allowed: float) -> None:
         """Let time pass, and note what that takes [s]."""

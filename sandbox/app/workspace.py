@@ -11,6 +11,7 @@ from sandbox.app.drawing.text import Pen, legible
 from sandbox.app.files.preferences import Comfort
 from sandbox.app.frame_time import Load
 from sandbox.app.level_files import LevelFiles
+from sandbox.app.malloc_tuning import give_back_gaps
 from sandbox.app.measuring.stage_mouse import Hand
 from sandbox.app.pages.page import OnStage
 from sandbox.app.pages.register import PAGES, opening
@@ -191,6 +192,7 @@ class Workspace:
             self.panels.show(opening(session.original, self.panels.page))
         self._entitle(session.original)
         self.lay_out()
+        give_back_gaps()  # the level before has left some
 
     def _begun(self, path: Path, rate: float | None) -> Session:
         """Return a session of the level of a file; what takes long is said before."""

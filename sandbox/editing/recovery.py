@@ -10,9 +10,10 @@ import time
 from collections.abc import Iterator
 from contextlib import suppress
 from pathlib import Path
+from typing import Annotated
 from uuid import uuid4
 
-from pydantic import BaseModel, ValidationError
+from pydantic import BaseModel, Field, ValidationError
 
 from sandbox.editing.draft import Draft
 from sandbox.model.errors import SandboxError
@@ -21,6 +22,9 @@ from sandbox.model.message import NOTHING, Message
 
 LARGEST = 20_000_000
 """The largest file that is read [bytes]; a larger one was not written by this program."""
+
+LATEST = 32e9
+"""s, since 1970: in the year 2984, before any system's calendar ends."""
 
 _ENDING = ".draft.json"
 _OPEN = set[str]()
@@ -43,7 +47,7 @@ class Kept(BaseModel):
     """what that holds, or what it began with"""
     text: str
     """what it had become"""
-    when: float
+    when: Annotated[float, Field(ge=0, le=LATEST)]
     """s, since 1970"""
 
 

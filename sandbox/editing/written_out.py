@@ -13,7 +13,7 @@ def plain(text: str) -> str:
     """
     try:
         typed = json.loads(text)
-    except ValueError:
+        made = write_out(typed, text)
+    except (ValueError, RecursionError):
         return text
-    made = write_out(typed, text)
     return text if made.data is typed or made.faults else writing.text(made.data)

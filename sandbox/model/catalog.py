@@ -1,5 +1,6 @@
 """The levels that come with the project: one JSON file each, in a folder a chapter."""
 
+import os
 from pathlib import Path
 
 from sandbox.model.did_you_mean import meant, suggestion
@@ -105,6 +106,8 @@ def find(level: str) -> Path:
     if name in known:
         return root() / f"{name}.json"
     if level.endswith(".json"):
+        if os.path.exists(level):  # a folder, say: who reads it says so
+            return Path(level)
         hint = meant(Path(level).stem, _endings(known))
         refuse(brief(level), Message("there is no such file{hint}", hint=hint))
     ending = [other for other in known if other.endswith(f"/{name}")]

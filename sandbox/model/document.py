@@ -2,6 +2,7 @@
 
 import json
 import re
+import sys
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from itertools import islice
@@ -15,6 +16,11 @@ from sandbox.model.message import Message
 from sandbox.model.origin import Origin
 
 _NOT_FINITE = frozenset({"NaN", "Infinity", "-Infinity"})
+_HALF = re.compile(r"\\u[dD][89a-fA-F]")
+"""What begins an escape for half of a character; two together are one."""
+
+DEEPEST = 100
+"""Brackets in each other, from which on a text that cannot be read is too deep. A level has ten."""
 
 
 def refuse(source: str, rule: Message, place: Position | None = None) -> NoReturn:
@@ -43,11 +49,13 @@ class Document(Origin):
         except json.JSONDecodeError as error:
             refuse(self.source, parse_messages.syntax(error.msg), (error.lineno, error.colno))
         except RecursionError:
-            refuse(self.source, Message("is nested too deeply"))
+            self.refuse_depth()
         except ValueError:
-            refuse(self.source, Message("holds a whole number of thousands of digits"))
-        if suspects:
-            self._raise(self._suspects())
+            at = json_positions.long_number(self.text, sys.get_int_max_str_digits())
+            self._refuse_at(at, Message("holds a whole number of thousands of digits"))
+        suspected = suspects or _HALF.search(self.text)
+        if suspected and (found := list(islice(self._suspects(), MAX_MISTAKES + 1))):
+            self._raise(found)
         return data
 
     def refuse(self, faults: Iterable[Fault]) -> NoReturn:
@@ -57,6 +65,17 @@ class Document(Origin):
         for mistake in map(self._mistake, found):
             once.setdefault((mistake.line, mistake.column, mistake.rule), mistake)
         self._raise(sorted(once.values(), key=lambda m: (m.line or 0, m.column or 0)))
+
+    def refuse_depth(self) -> NoReturn:
+        """Raise that brackets stand in brackets too often, at the first that does."""
+        at = json_positions.nested_beyond(self.text, DEEPEST)
+        rule = Message(
+            "is nested too deeply: more than {most} brackets in each other", most=DEEPEST
+        )
+        self._refuse_at(at, rule)
+
+    def _refuse_at(self, index: int, rule: Message) -> NoReturn:
+        refuse(self.source, rule, json_positions.position(self.text, index))
 
     def start(self, path: Path) -> int:
         """Return where in the text something stands, or what is around it if it is missing."""
@@ -79,6 +98,11 @@ class Document(Origin):
             if value.text in _NOT_FINITE:
                 rule = Message("{value} is not a number for a level", value=value.text)
                 yield self._at(value, value.path, rule)
+            if _halved(value):
+                rule = Message(
+                    "half of a character: \\ud800 to \\udbff need \\udc00 to \\udfff next"
+                )
+                yield self._at(value, value.path, rule)
 
     def _mistake(self, fault: Fault) -> Mistake:
         """Place a fault; where the text has nothing there, at what is around it."""
@@ -92,6 +116,13 @@ class Document(Origin):
         line, column = json_positions.position(self.text, value.start)
         shown = ".".join(brief(str(step)) for step in path)
         return Mistake(self.source, line, column, shown, rule)
+
+
+def _halved(value: Value) -> bool:
+    """Whether the key or the text of a value holds half of a character."""
+    texts = [str(step) for step in value.path[-1:]]
+    texts += [json.loads(value.text)] if value.text.startswith('"') else []
+    return any("\ud800" <= letter <= "\udfff" for text in texts for letter in text)
 
 
 def _says(fault: Fault, value: Value) -> bool:

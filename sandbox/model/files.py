@@ -178,12 +178,13 @@ def check_writable(path: Path) -> None:
         raise _refusal(path, Message("it is a folder"))
     if os.path.exists(target) and not os.path.isfile(target):
         raise _refusal(path, Message("it is not an ordinary file"))
+    shown = folder if os.path.islink(path) else path.parent
     if not os.path.exists(folder):
-        raise _refusal(path, Message("there is no folder {folder}", folder=path.parent))
+        raise _refusal(path, Message("there is no folder {folder}", folder=shown))
     if not os.path.isdir(folder):
-        raise _refusal(path, Message("{folder} is not a folder", folder=path.parent))
+        raise _refusal(path, Message("{folder} is not a folder", folder=shown))
     if not os.access(folder, os.W_OK | os.X_OK):
-        raise _refusal(path, Message("the folder {folder} is read-only", folder=path.parent))
+        raise _refusal(path, Message("the folder {folder} is read-only", folder=shown))
     if os.path.exists(target) and not os.access(target, os.W_OK):
         raise _refusal(path, Message("it is there and read-only"))
 
@@ -203,7 +204,10 @@ def make_folder(folder: Path) -> None:
         raise SandboxError(
             Message("cannot make the folder {folder}: {reason}", folder=folder, reason=reason)
         ) from error
-    check_writable(folder / "any")
+    if not os.access(folder, os.W_OK | os.X_OK):
+        raise SandboxError(
+            Message("cannot write into the folder {folder}: it is read-only", folder=folder)
+        )
 
 
 def _taken(path: Path) -> TakenError:

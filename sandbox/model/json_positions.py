@@ -76,6 +76,25 @@ def values(text: str) -> Iterator[Value]:
                 _advance(inner)
 
 
+def nested_beyond(text: str, depth: int) -> int:
+    """Return where the first bracket is that has more than so many around it; 0 if none has."""
+    around = 0
+    for match in TOKEN.finditer(text):
+        if match[0] in "{[":
+            if around >= depth:
+                return match.start()
+            around += 1
+        elif match[0] in "}]":
+            around -= 1
+    return 0
+
+
+def long_number(text: str, digits: int) -> int:
+    """Return where the first number is that is written with more digits; 0 if none is."""
+    long = (match for match in TOKEN.finditer(text) if len(match[0]) > digits)
+    return next((match.start() for match in long if not match[0].startswith('"')), 0)
+
+
 def _advance(inner: _Container | None) -> None:
     """Go on to the next member of the innermost container."""
     if inner:

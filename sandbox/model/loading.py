@@ -8,7 +8,7 @@ from functools import reduce
 from math import isfinite
 from operator import getitem
 from pathlib import Path
-from typing import Any
+from typing import Any, NoReturn
 
 import numpy as np
 from pydantic import ValidationError
@@ -133,7 +133,10 @@ def parse(text: str, source: str = "<text>") -> Level:
 def _parsed(text: str, source: str) -> Level:
     document = Document(text, source)
     typed = document.read()
-    data, *_ = made = write_out(typed, text)
+    try:
+        data, *_ = made = write_out(typed, text)
+    except RecursionError:
+        document.refuse_depth()
     if made.faults:
         document.refuse(made.faults)
     document.typed = made.place
@@ -149,8 +152,7 @@ def _parsed(text: str, source: str) -> Level:
     except ValidationError as error:
         details = error.errors(include_url=False)
         if details[0]["type"] == "json_invalid":  # the two readers of JSON differ here and there
-            rule, place = parse_messages.refused(details[0]["ctx"]["error"])
-            refuse(source, rule, place if data is typed else None)
+            _refuse_json(document, details[0]["ctx"]["error"], typed=data is typed)
         document.refuse(_faults(document, data, details))
     if found := faults.faults(level):
         document.refuse(made.hinted(fault, typed) for fault in found)
@@ -259,6 +261,14 @@ def _content(path: Path, source: str) -> bytes:
     if path.stat().st_size > MAX_BYTES:
         refuse(source, Message("the file is larger than {most} kB", most=MAX_BYTES // 1000))
     return path.read_bytes()
+
+
+def _refuse_json(document: Document, what: str, *, typed: bool) -> NoReturn:
+    """Raise what pydantic's reader says of a text that Python's has read, or of one made of it."""
+    if "recursion" in what:
+        document.refuse_depth()
+    rule, place = parse_messages.refused(what)
+    refuse(document.source, rule, place if typed else None)
 
 
 def _faults(document: Document, data: Any, details: list[ErrorDetails]) -> Iterator[Fault]:  # noqa: ANN401 (whatever JSON holds)

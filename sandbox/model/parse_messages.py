@@ -71,8 +71,6 @@ def refused(message: str) -> tuple[Message, Position | None]:
     what, _, place = message.rpartition(" at line ")
     found = [int(number) for number in re.findall(r"\d+", place)]
     rule = Message("is not JSON: {reason}", reason=what or message)
-    if "recursion" in message:
-        rule = Message("is nested too deeply")
     return rule, (found[0], found[1]) if len(found) == 2 else None
 
 
@@ -106,15 +104,15 @@ def _typical(kind: str, detail: ErrorDetails) -> Message:
     return _BOUNDS[kind].filled(**context) if kind in _BOUNDS else _TYPES[kind]
 
 
-def rule(detail: ErrorDetails) -> Message:
-    """Say an error of pydantic."""
+def rule(detail: ErrorDetails, whole: type = Level) -> Message:
+    """Say an error of pydantic about what is read as a level, or as another whole."""
     last = detail["loc"][-1] if detail["loc"] else ""
     match detail["type"]:
         case _ if last == "[key]":
             name = brief(str(detail["input"]))
             return Message("'{name}' is not a name: a letter, then letters, digits or _", name=name)
         case "extra_forbidden":
-            return _unknown(str(last), detail["loc"])
+            return _unknown(str(last), detail["loc"], whole)
         case "missing" if isinstance(last, int):
             return Message("is a list with too few entries")
         case "missing":
@@ -153,9 +151,9 @@ def _listed(expected: str) -> Message:
     return either([some, last] if some else [last])
 
 
-def _unknown(name: str, loc: tuple[int | str, ...]) -> Message:
+def _unknown(name: str, loc: tuple[int | str, ...], whole: type) -> Message:
     """Name an unknown key, and the key of the same place that was probably meant."""
-    part: Any = Level
+    part: Any = whole
     for step in loc[:-1]:
         part = _inside(part, step)
     models = (getattr(choice, "model_fields", {}) for choice in _alternatives(part))

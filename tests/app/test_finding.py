@@ -223,10 +223,34 @@ def test_a_row_is_made_when_it_comes_into_sight(player: Person) -> None:
     assert in_sight(row)
 
 
-def test_the_keyboard_gets_to_every_row(player: Person) -> None:
-    player.press(pygame.K_TAB, "\t")
+@pytest.mark.parametrize("direction", [1, -1])
+def test_the_keyboard_gets_to_every_row_and_few_are_there_at_a_time(
+    player: Person, direction: int
+) -> None:
+    panels, rows = player.window.panels, listed(player)
+    visited, most = dict[str, None](), 0
 
-    assert len(listed(player).rows) == len(catalog.names())
+    for _ in range(len(catalog.names()) + 60):
+        panels.go_on(direction)
+        player.wait()
+        at = panels.focus.element(panels.manager, panels.layout)
+        visited |= {level.title: None for level, row in rows.rows.items() if row is at}
+        most = max(most, len(rows.rows))
+
+    assert list(visited) == [level.title for level in rows.found][::direction]
+    assert most < 90
+
+
+def test_rows_that_are_far_out_of_sight_are_dropped(player: Person) -> None:
+    rows = listed(player)
+    begun = len(rows.rows)
+
+    for name in catalog.names():
+        rows.choose(catalog.find(name).resolve())
+        player.wait()
+
+    assert len(rows.rows) < 4 * begun
+    assert len({row.rect.y for row in rows.rows.values()}) == len(rows.rows)
 
 
 def test_where_a_search_ends_the_level_that_is_played_is_in_view(player: Person) -> None:

@@ -152,3 +152,11 @@ def test_the_words_of_forces_in_a_narrow_picture_keep_off_each_other(pen: Pen) -
     taken = labels._taken
     assert len(taken) > 4
     assert all(taken[i].collidelist(taken[:i]) < 0 for i in range(len(taken)))
+
+
+def test_a_line_that_ends_anywhere_is_looked_at_in_no_time() -> None:
+    labels = Labels(BOUNDS)
+    labels.mark((5, 15), (1e20, 15))
+    labels.mark((5, -1e30), (1e10, 1e39))
+
+    assert labels.find([BEST, SECOND]) == SECOND

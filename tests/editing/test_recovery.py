@@ -1,5 +1,6 @@
 """Recovery: a draft outlives the process that draws it, whole, and nothing else is kept."""
 
+import json
 import os
 import signal
 import subprocess
@@ -147,3 +148,16 @@ def test_a_process_killed_at_any_moment_leaves_files_whole(
             found.forget()
         assert not list(tmp_path.glob("drafts/*.json"))
     assert files.lives(os.getpid())
+
+
+@pytest.mark.parametrize("when", [-1.0, 1e300, float("nan"), float("inf")])
+def test_a_time_that_no_calendar_has_was_not_written_here(
+    monkeypatch: pytest.MonkeyPatch, own_folder: Path, when: float
+) -> None:
+    Recovery().keep(drawn())
+    [file] = own_folder.glob("drafts/*")
+    file.write_text(json.dumps({**json.loads(file.read_text()), "when": when}))
+    crash(monkeypatch)
+
+    assert recoverable() == []
+    assert file.exists()

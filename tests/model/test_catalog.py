@@ -6,6 +6,7 @@ import pytest
 
 from sandbox.model import catalog
 from sandbox.model.errors import LevelError
+from sandbox.model.loading import load
 from validation.case import textbook
 
 
@@ -71,6 +72,14 @@ def test_a_file_comes_before_a_level_of_the_same_name() -> None:
     Path("newton/atwood.json").write_text("{}")
 
     assert catalog.find("newton/atwood.json") == Path("newton/atwood.json")
+
+
+@pytest.mark.usefixtures("shelf")
+def test_what_is_there_but_no_file_is_told_by_whoever_reads_it() -> None:
+    Path("folder.json").mkdir()
+
+    with pytest.raises(LevelError, match="is a folder, not a file"):
+        load(catalog.find("folder.json"))
 
 
 @pytest.mark.parametrize(

@@ -5,7 +5,13 @@ import pytest
 
 from sandbox.model import files
 from sandbox.model.errors import SandboxError
-from sandbox.model.files import TakenError, check_writable, read_ordinary, write_atomically
+from sandbox.model.files import (
+    TakenError,
+    check_writable,
+    make_folder,
+    read_ordinary,
+    write_atomically,
+)
 from tests.elsewhere import python
 
 
@@ -119,6 +125,23 @@ def test_where_no_file_can_be_is_said(tmp_path: Path, name: str, reason: str) ->
 
     assert reason in str(caught.value).lower()
     assert [file.name for file in tmp_path.iterdir()] == ["plain"]
+
+
+@pytest.mark.skipif(os.name == "nt", reason="links need a privilege there")
+def test_of_a_link_that_leads_nowhere_the_folder_is_named_that_is_missing(tmp_path: Path) -> None:
+    (tmp_path / "link").symlink_to(tmp_path / "missing" / "file")
+
+    with pytest.raises(SandboxError, match=r"there is no folder .*missing$"):
+        write_atomically(tmp_path / "link", "")
+
+
+def test_a_folder_in_which_no_file_can_be_written_is_named(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(os, "access", lambda path, _: path != tmp_path)
+
+    with pytest.raises(SandboxError, match=f"into the folder {tmp_path}: it is read-only"):
+        make_folder(tmp_path)
 
 
 @pytest.mark.skipif(not os.path.exists("/dev/null"), reason="there are no devices there")

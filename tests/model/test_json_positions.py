@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from sandbox.model.json_positions import Path, position, values
+from sandbox.model.json_positions import Path, nested_beyond, position, values
 
 json_values = st.recursive(
     st.none() | st.booleans() | st.integers() | st.floats() | st.text(),
@@ -80,3 +80,10 @@ def test_a_position_is_the_line_and_column_of_an_editor(text: str, data: st.Data
 
     assert text.split("\n")[line - 1][column - 1 : column] == text[index].strip("\n")
     assert len("\n".join(text.split("\n")[: line - 1])) + (line > 1) + column - 1 == index
+
+
+def test_the_first_bracket_within_more_than_so_many_is_found() -> None:
+    text = '{"[[[": [1, [2]], "b": {"c": [3]}}'
+
+    assert nested_beyond(text, 2) == text.index("[2]")
+    assert nested_beyond(text, 3) == 0

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import typer
 
-from sandbox.model.files import check_writable, write_atomically
+from sandbox.model.files import check_writable, make_folder, write_atomically
 from sandbox.model.writing import text
 from sandbox.processes import spread
 from validation import output
@@ -69,7 +69,7 @@ def content(found: Sequence[Outcome]) -> dict[str, object]:
 
 def _save(failed: Sequence[Outcome], folder: Path) -> None:
     """Write the levels that fail, so that they can be played."""
-    folder.mkdir(parents=True, exist_ok=True)
+    make_folder(folder)
     for outcome in failed:
         write_atomically(folder / f"{outcome.name}.json", text(playable(outcome)))
     typer.echo(f"{len(failed)} levels written to {folder}.")

@@ -10,6 +10,8 @@ from sandbox.app.drawing.theme import Color
 from sandbox.model.shapes import XY
 
 FAR = 5_000.0  # px; what reaches further out is cut before it is drawn
+EDGE = FAR - 1  # px, where it is cut
+FARTHEST = 1e30  # px; what is further out is taken to be there, so that no difference overflows
 INNER = 0.45  # of the radius of a star, where its inner corners are
 
 
@@ -35,23 +37,32 @@ def star(center: XY, radius: float) -> list[XY]:
 
 
 def cut(corners: Sequence[XY]) -> list[XY]:
-    """Return the part of a polygon that is close enough to be drawn (Sutherland and Hodgman)."""
-    kept = list(corners)
+    """Return the part of a polygon that is close enough to be drawn (Sutherland and Hodgman).
+
+    Of a line, which has two corners, the first two are the ends of that part.
+    """
+    kept = [(_bounded(x), _bounded(y)) for x, y in corners]
     for axis in (0, 1):
         for side in (-1.0, 1.0):
             kept = _cut(kept, axis, side)
     return kept
 
 
+def _bounded(length: float) -> float:
+    return min(max(-FARTHEST, length), FARTHEST)  # in this order what is no number is bounded, too
+
+
 def _cut(corners: list[XY], axis: int, side: float) -> list[XY]:
+    """Return the part on one side of an edge; where it was cut it lies on that, to the last bit."""
     kept: list[XY] = []
     for p, q in zip(corners, [*corners[1:], *corners[:1]], strict=True):
-        inside, following = side * p[axis] <= FAR, side * q[axis] <= FAR
+        inside, following = side * p[axis] <= EDGE, side * q[axis] <= EDGE
         if inside:
             kept.append(p)
         if inside != following:
-            share = (side * FAR - p[axis]) / (q[axis] - p[axis])
-            kept.append((p[0] + (q[0] - p[0]) * share, p[1] + (q[1] - p[1]) * share))
+            share, other = (side * EDGE - p[axis]) / (q[axis] - p[axis]), 1 - axis
+            across = p[other] + (q[other] - p[other]) * share
+            kept.append((across, side * EDGE) if axis else (side * EDGE, across))
     return kept
 
 
@@ -67,10 +78,10 @@ def seen(surface: pygame.Surface, a: XY, b: XY) -> tuple[float, float]:
 def stroke(surface: pygame.Surface, color: Color, a: XY, b: XY, width: float) -> None:
     """Draw a straight line with smooth sides."""
     if not near((a, b)):
-        seen = pygame.FRect(-FAR, -FAR, 2 * FAR, 2 * FAR).clipline(a, b)
-        if not seen:
+        near_by = cut((a, b))[:2]
+        if len(near_by) < 2:
             return
-        a, b = seen
+        a, b = near_by
     pygame.draw.aaline(surface, color, a, b, max(round(width), 1))
 
 
@@ -97,8 +108,7 @@ def dashed(
     """Draw a dashed line through points, but not far outside of the surface."""
     if not near(points):
         for a, b in pairwise(points):
-            if seen := pygame.FRect(1 - FAR, 1 - FAR, 2 * FAR - 2, 2 * FAR - 2).clipline(a, b):
-                dashed(surface, color, seen, dash, gap)
+            dashed(surface, color, cut((a, b))[:2], dash, gap)
         return
     behind = 0.0  # how far into dash and gap the last corner was
     period = dash + gap

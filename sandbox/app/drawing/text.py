@@ -1,5 +1,6 @@
 """Text on surfaces, in the Noto Sans that pygame_gui brings; rendered text is kept for reuse."""
 
+from bisect import bisect_right
 from functools import cache, lru_cache
 from importlib.resources import files
 from itertools import groupby
@@ -130,9 +131,8 @@ class Pen:
         font, text = self.font(size, False), legible(text)
         if font.size(text)[0] <= width:
             return text
-        while text and font.size(f"{text}…")[0] > width:
-            text = text[:-1]
-        return f"{text.rstrip()}…"
+        fitting = bisect_right(range(len(text)), width, key=lambda n: font.size(f"{text[:n]}…")[0])
+        return f"{text[: max(fitting - 1, 0)].rstrip()}…"
 
     @staticmethod
     def _pieces(word: str, width: int, font: pygame.font.Font) -> list[str]:

@@ -7,7 +7,7 @@ from pydantic import TypeAdapter, ValidationError
 
 from sandbox.app.words.language import say
 from sandbox.model.errors import SandboxError
-from sandbox.model.files import read_ordinary, write_atomically
+from sandbox.model.files import make_folder, read_ordinary, write_atomically
 
 LARGEST = 1_000_000
 """The largest file that is read [bytes]; a larger one was not written by this program."""
@@ -26,7 +26,7 @@ def read(file: Path, kind: TypeAdapter[Value], otherwise: Value) -> Value:
 def keep(file: Path, kind: TypeAdapter[Value], value: Value) -> str:
     """Write a file, whole or not at all; return why that cannot be, if so."""
     try:
-        file.parent.mkdir(parents=True, exist_ok=True)
+        make_folder(file.parent)
         write_atomically(file, kind.dump_json(value, indent=1), follow=False)
     except (OSError, SandboxError, ValueError) as error:
         return say("{error}", error=error)

@@ -69,7 +69,8 @@ def _rank(title: str, text: str, words: Sequence[str]) -> tuple[int, int]:
 class LevelList:
     """A column of buttons, one a level, below a field that finds those with some words in them.
 
-    A button is made when its row comes into sight: to make all of them takes a tenth of a second.
+    A button is made when its row comes into sight, and goes when that is far: all of them take a
+    tenth of a second, and some 25 MB.
 
     Attributes
     ----------
@@ -78,7 +79,7 @@ class LevelList:
     field
         Where the words are typed.
     rows
-        The buttons that have been made.
+        The buttons that are there.
     """
 
     def __init__(
@@ -155,18 +156,31 @@ class LevelList:
             image.get_rect(x=self._px(MARGIN)), image, manager, container=self._container
         )
 
-    def update(self) -> None:
-        """Make the rows that have come into sight."""
+    def update(self, kept: UIElement | None = None) -> None:
+        """Make the rows that have come into sight, and drop those that are far; one is kept."""
         top, height = scrolled(self._container), self._container.rect.height
         if top == self._seen:
             return
         self._seen = top
-        above = top - self._px(ROW)
-        self._make(level for level, y in self._tops.items() if above < y < top + height)
+        self._make(self._between(top - self._px(ROW), top + height))
+        near = set(self._between(top - height, top + 2 * height))
+        for level in self.rows.keys() - near:
+            if self.rows[level] is not kept and not self.rows[level].hovered:
+                self.rows.pop(level).kill()  # type: ignore[no-untyped-call]
+
+    def reach(self, here: UIElement | None) -> None:
+        """Make the rows to which the keyboard may go from a widget: beside it, and at the ends."""
+        listed = list(self._tops)
+        at = next((listed.index(level) for level, row in self.rows.items() if row is here), 0)
+        self._make(listed[max(at - 1, 0) : at + 2] + listed[:1] + listed[-1:])
 
     def complete(self) -> None:
-        """Make all rows of the search result."""
+        """Make all rows of the search result; those out of sight go with the next scrolling."""
         self._make(self._tops)
+
+    def _between(self, above: float, below: float) -> list[Entry]:
+        """Return the levels whose rows begin between two heights [px]."""
+        return [level for level, y in self._tops.items() if above < y < below]
 
     def _make(self, levels: Iterable[Entry]) -> None:
         """Make the rows of some levels, as far as they are not there yet."""

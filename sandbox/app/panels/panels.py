@@ -163,7 +163,7 @@ class Panels:
         """Update all widgets after some time [s]."""
         self.manager.update(seconds)
         if self.list is not None:
-            self.list.update()
+            self.list.update(self.focus.element(self.manager, self.layout))
 
     def mark_stars(self) -> None:
         """Let the list show the stars that have been earned by now."""
@@ -179,7 +179,7 @@ class Panels:
     def go_on(self, direction: int) -> None:
         """Give the keyboard to the next widget, or to the one before: to rows out of sight, too."""
         if self.list is not None:
-            self.list.complete()
+            self.list.reach(self.focus.element(self.manager, self.layout))
         self.focus.go(self.manager, self.layout, direction)
 
     def seek(self) -> None:

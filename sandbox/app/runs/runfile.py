@@ -7,9 +7,11 @@ from pathlib import Path
 from typing import Annotated, Any, Literal
 
 from pydantic import Field, ValidationError
+from pydantic_core import ErrorDetails
 
 from sandbox.app.runs.actions import Action
 from sandbox.app.runs.session import Session
+from sandbox.model import parse_messages
 from sandbox.model.base import Model
 from sandbox.model.errors import SandboxError
 from sandbox.model.files import read_ordinary, write_atomically
@@ -17,6 +19,7 @@ from sandbox.model.level import Level
 from sandbox.model.level_parts import names_in
 from sandbox.model.loading import choose, parse
 from sandbox.model.message import Message
+from sandbox.model.rules.conditions.numbers import MAX_STEPS
 from sandbox.physics.state.snapshot import Snapshot
 
 SUFFIX = ".run.json"
@@ -35,7 +38,7 @@ class Run(Model):
     """the level that was played, whole, with the rate at which it was"""
     parameters: Mapping[str, Annotated[float, Field(strict=False, allow_inf_nan=False)]]
     """their values at the start"""
-    steps: Annotated[int, Field(ge=0)]
+    steps: Annotated[int, Field(ge=0, le=MAX_STEPS)]
     """after how many steps it stood"""
     actions: Annotated[tuple[Action, ...], Field(strict=False)] = ()
     """what was done to it, in order, also at steps later than that"""
@@ -136,16 +139,24 @@ def read(path: Path) -> Run:
     try:
         return Run.model_validate_json(content)
     except ValidationError as error:
-        first = error.errors(include_url=False)[0]
-        place = ".".join(str(step) for step in first["loc"]) or Message("the file")
+        place, reason = _told(error.errors(include_url=False)[0])
         raise SandboxError(
             Message(
                 "{path} is not the file of a run: {place}: {reason}",
                 path=path,
                 place=place,
-                reason=first["msg"],
+                reason=reason,
             )
         ) from error
+
+
+def _told(first: ErrorDetails) -> tuple[str, Message]:
+    """Return where a file has a mistake, and what it is."""
+    if first["type"] == "json_invalid":
+        rule, place = parse_messages.refused(first["ctx"]["error"])
+        return ":".join(map(str, place or ())) or Message("the file"), rule
+    inside = ".".join(str(step) for step in first["loc"])
+    return inside or Message("the file"), parse_messages.rule(first, Run)
 
 
 def fingerprint(snapshot: Snapshot) -> str:

@@ -51,4 +51,4 @@ class Labels:
 
     def _crosses(self, place: pygame.Rect) -> bool:
         """Whether a line goes through a place."""
-        return any(place.clipline(start, end) for start, end in self._crossed)
+        return any(pygame.FRect(place).clipline(line) for line in self._crossed)

@@ -76,6 +76,11 @@ def write_out(data: Any, text: str) -> WrittenOut:  # noqa: ANN401 (whatever JSO
         The content of the text.
     text
         That text.
+
+    Raises
+    ------
+    RecursionError
+        If it is nested too deeply.
     """
     if not any(key in text for key in _KEYS):
         return WrittenOut(data, {}, {}, [])
@@ -90,6 +95,4 @@ def write_out(data: Any, text: str) -> WrittenOut:  # noqa: ANN401 (whatever JSO
             most=MOST,
         )
         return WrittenOut(data, {}, {}, [Fault(error.args[0], rule)])
-    except RecursionError:
-        return WrittenOut(data, {}, {}, [Fault((), Message("is nested too deeply"))])
     return WrittenOut(made, notes.placed, notes.typed, notes.faults)

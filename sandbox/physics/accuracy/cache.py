@@ -20,7 +20,7 @@ from pydantic import TypeAdapter, ValidationError
 from sandbox import version
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Values
-from sandbox.model.files import read_ordinary, write_atomically
+from sandbox.model.files import make_folder, read_ordinary, write_atomically
 from sandbox.model.level import Level, Stepping
 from sandbox.model.loading import digest
 from sandbox.model.message import Message
@@ -106,7 +106,7 @@ def keep(
     key = _key(level, values, setting.target, also)
     path = _path(key)
     try:
-        path.parent.mkdir(parents=True, exist_ok=True)
+        make_folder(path.parent)
         if link := _link(path.parent):
             raise SandboxError(Message("{link} is a link, which may lead anywhere", link=link))
         entry = _ENTRY.dump_json((key, _hash(key, setting), setting))

@@ -3,6 +3,7 @@
 import json
 import sys
 from pathlib import Path
+from time import process_time
 
 import pygame
 import pytest
@@ -141,3 +142,23 @@ def test_every_character_can_be_written() -> None:
 def test_letters_keep_their_accents() -> None:
     assert legible("e\u0301x\u0302") == "éx\u0302"
     assert typed("e\u0301") == "é"
+
+
+def test_as_much_of_a_text_is_shown_as_fits(pen: Pen) -> None:
+    text = "a text that is too long for where it is to stand"
+    font = pen.font(14, False)
+
+    for width in range(20, 300, 7):
+        shown = pen.shorten(text, width)
+        one_more = text[: len(shown)].rstrip()
+        assert text.startswith(shown.removesuffix("…"))
+        assert font.size(shown)[0] <= width
+        assert shown.removesuffix("…") == one_more or font.size(f"{one_more}…")[0] > width
+
+
+def test_of_a_text_without_end_the_beginning_is_shown_at_once(pen: Pen) -> None:
+    """One as long took minutes, letter by letter."""
+    begun = process_time()
+
+    assert pen.shorten("ab" * 50_000, 100).startswith("abab")
+    assert process_time() - begun < 1

@@ -77,12 +77,20 @@ def test_parameters_and_changed_effects_belong_to_the_run() -> None:
     assert runfile.is_same(run, runfile.replay(run))
 
 
+RUN = b'{"format": 1, "level": {}, "parameters": {}, "state": "", %s}'
+
+
 @pytest.mark.parametrize(
     ("content", "told"),
     [
         (b"", "is not the file of a run"),
-        (b"{}", "format: Field required"),
-        (b'{"format": 2}', "format"),
+        (b"{}", "format: 'format' is missing"),
+        (b"[]", "the file: must be an object, {...}"),
+        (b'{"format": 2}', "format: must be 1"),
+        (b'{"format": 1,\n "level": }', "2:11: is not JSON: "),
+        (RUN % b'"steps": 1000000000000', "steps: must be at most 1e+07"),
+        (RUN % b'"steps": 1, "actions": [{"kind": "drag"}]', "actions.0.step: 'step' is missing"),
+        (RUN % b'"steps": 1, "acts": []', "unknown key 'acts'; did you mean 'actions'?"),
         (b"\xff", "is not the file of a run"),
     ],
 )

@@ -160,7 +160,7 @@ def test_a_folder_that_cannot_be_written_costs_only_the_memory(
     setting = calibrated(oscillator(), target=1e-3, tell=told.append)
 
     assert setting.chosen.error <= 1e-3
-    assert "not kept for the next time" in told[0]
+    assert "not kept for the next time: cannot make the folder" in told[0]
     assert calibrated(oscillator(), target=1e-3) == setting  # while the process lives
     assert len(counted) == len(told) == 1
 
