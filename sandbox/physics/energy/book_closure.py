@@ -21,6 +21,7 @@ import numpy as np
 
 from sandbox.physics.energy.ledger import Ledger
 from sandbox.physics.energy.step_record import Recorded
+from sandbox.physics.joints.exact.constraints import blur
 
 ROUNDING = 1e-11
 """The share of the turnover that rounding may make in a run;"""
@@ -53,6 +54,8 @@ class Closing(NamedTuple):
         What the scheme may leave unexplained.
     scale
         What could be stored in the scene, about.
+    rounding
+        The kinetic energy of velocities that round positions within a step; less is rest.
     """
 
     turned: float
@@ -60,6 +63,7 @@ class Closing(NamedTuple):
     overlaps: float
     bound: float
     scale: float
+    rounding: float = 0.0
 
     @property
     def closes(self) -> bool:
@@ -70,7 +74,7 @@ class Closing(NamedTuple):
     @property
     def _turns(self) -> bool:
         """Whether anything to speak of was turned over."""
-        return self.turned > NOTHING * self.scale
+        return self.turned > max(NOTHING * self.scale, self.rounding)
 
     @property
     def share(self) -> float:
@@ -105,6 +109,8 @@ class Closer:
         self._scale = sum(map(abs, self._stored.values())) + weight * float(
             np.ptp(place, axis=0).max()
         )
+        speed = blur(np.append(place, 0.0), start.dt)
+        self._rounding = float(self._inertia[:, 0].sum()) * speed**2
         self._bends = run.scene.joints.together is not None
         self._strain = self._slope = 0.0
         self._before = np.full_like(self._inertia, np.nan)
@@ -133,7 +139,8 @@ class Closer:
             strain = self._strain * (1 / 12 + self._bends / 4)
             bound += dt * self._slope / 6 + dt * dt * strain
         overlaps = self._ledger.balance.overlaps
-        return Closing(self._turned, self._unexplained, overlaps, bound, self._scale)
+        known = self._scale, self._rounding
+        return Closing(self._turned, self._unexplained, overlaps, bound, *known)
 
 
 def _percent(share: float) -> str:

@@ -5,7 +5,7 @@ import pytest
 from sandbox.model.level import Level
 from sandbox.physics.energy.book_closure import Closing
 from sandbox.physics.run import simulate
-from tests.physics.scenes import GRAVITY, atwood, box, disc, fixed, floor, level, orbit
+from tests.physics.scenes import GRAVITY, Spec, atwood, box, disc, fixed, floor, level, orbit
 
 
 def closing(scene: Level, duration: float = 1.0) -> Closing:
@@ -87,6 +87,23 @@ def test_what_rests_turns_nothing_over() -> None:
 
 
 @pytest.mark.sweep
+@pytest.mark.parametrize("far", [1.3, 1.7, 2.9])
+def test_what_rests_on_springs_turns_nothing_over_but_rounding(far: float) -> None:
+    """Springs hold it to 1e-16 m, so it trembles: 1e-28 J, all of them without a cause."""
+    bodies = {"one": disc((far, 0.3)), "other": disc((-0.7, far), mass=30)}
+    places = {"one": complex(far, 0.3), "other": complex(-0.7, far)}
+    ends = [["one", "other"], [[0, 0], "one"], [[0, 0], "other"]]
+    lengths = [abs(places["one"] - places["other"]), abs(places["one"]), abs(places["other"])]
+    joints: dict[str, Spec] = {
+        f"spring{i}": {"type": "spring", "ends": two, "stiffness": 100, "length": length}
+        for i, (two, length) in enumerate(zip(ends, lengths, strict=True))
+    }
+    found = closing(level(bodies, {}, joints=joints, stepping={"rate": 960}), 3.0)
+
+    assert found.closes
+    assert found.text == "nothing turned over"
+
+
 def test_a_load_that_hops_without_gaining_is_told_by_its_books() -> None:
     """Each landing takes what the hop gave: forces are wrong by far, and nothing diverges."""
     rods = {f"{name}_rod": {"type": "rod", "ends": [name, "top"]} for name in ("left", "right")}
