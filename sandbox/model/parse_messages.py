@@ -15,6 +15,7 @@ from sandbox.model.joints import ENDS
 from sandbox.model.json_positions import Path, Position
 from sandbox.model.level import Level
 from sandbox.model.message import NOTHING, Message, either
+from sandbox.model.shorthand.repeating import GROUPS
 
 _SYNTAX: Mapping[str, Message] = {
     "Expecting property name enclosed in double quotes": Message(
@@ -158,6 +159,8 @@ def _unknown(name: str, loc: tuple[int | str, ...], whole: type) -> Message:
         part = _inside(part, step)
     models = (getattr(choice, "model_fields", {}) for choice in _alternatives(part))
     known = [field.alias or key for fields in models for key, field in fields.items()]
+    if len(loc) == 1:
+        known.append(GROUPS)  # written out by now
     hint = _owners(name, loc) or (suggestion(name, known, most=20) if known else NOTHING)
     if loc[:-1] == ("effects",):
         return Message("unknown effect '{name}'{hint}", name=brief(name), hint=hint)

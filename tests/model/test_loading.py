@@ -223,6 +223,7 @@ def test_what_is_not_the_json_of_a_level_is_told(text: str, told: str) -> None:
         # names
         ("effects.gravty", {}, "unknown effect 'gravty'; did you mean 'gravity'?"),
         ("effects.gravity.acc", 1, "unknown key 'acc'; known: acceleration"),
+        ("group", {}, "unknown key 'group'; did you mean 'groups'?"),
         ("bodies.ball.mas", 1, "unknown key 'mas'; did you mean 'mass'?"),
         ("bodies.ball.shape.radus", 1, "bodies.ball.shape.radus: unknown key 'radus'; did you mean"),
         ("checks.0.formla", 1, "unknown key 'formla'; did you mean 'formula'?"),
