@@ -1,4 +1,4 @@
-"""Drifts in which bodies land: every landing is located, and is an impact at its own time.
+"""Drifts in which bodies land: each landing is located, and is an impact at its own time.
 
 Between two kicks leapfrog stands for a motion with the accelerations of the last kick: a parabola.
 Where bodies meet on it, the drift is cut. The kick before it is solved again for a drift that ends
@@ -7,7 +7,7 @@ another drift, in which what has met touches, or is on its way back. Thus nothin
 it has come down, or lifted out of what it has come down on. A corner that comes down beside another
 that touches already lands in the same way, if it does so faster than what acts in a step makes it.
 
-What has nothing to do with a landing goes on as it did.
+Bodies that take no part in a landing go on as they were.
 """
 
 from collections.abc import Sequence
@@ -40,30 +40,30 @@ from sandbox.physics.joints.exact.constraints import Coordinates, order
 from sandbox.physics.state.errors import JointFailure, NoForces
 
 MOST = 8
-"""Landings of one drift that are located, at the most: what lands later is met where it ends."""
+"""The most landings of one drift that are located; later ones are found at its end."""
 
 SOON = 1e-6
-"""The share of a drift at its start through which nothing is solved, and at its end in which
-nothing lands: it waits for the next one."""
+"""The share of a drift at its start for which no kick is solved, and at its end in which no landing
+is located: that waits for the next drift."""
 
 TOGETHER = 1e-9
-"""The share of a drift within which landings are one, and to which their time is found."""
+"""The share of a drift within which landings coincide, and the tolerance of their time."""
 
 REFINED = 6
-"""How often the time of a landing is refined, as joints bend the parabola that leads there."""
+"""The most refinements of a landing's time: the forces of joints depend on it."""
 
 
 class Met(NamedTuple):
-    """What meets first in a drift.
+    """The first landing of a drift.
 
     Attributes
     ----------
     time
-        How long after its start [s].
+        The time after the start of the drift [s].
     hits
-        Bodies that did not touch.
+        The impacts of bodies that did not touch before.
     corners
-        Corners of those that do.
+        The corners that land on a side of a body which theirs already touches.
     """
 
     time: float
@@ -72,7 +72,7 @@ class Met(NamedTuple):
 
     @property
     def pairs(self) -> list[Pair]:
-        """The bodies that did not touch."""
+        """The pairs of bodies that did not touch before."""
         return sorted({hit.bodies for hit in self.hits})
 
 
@@ -82,24 +82,24 @@ class Landings:
     Parameters
     ----------
     speculative
-        Knows what meets.
+        Finds the landings.
     build
-        Builds the rows of contacts and joints.
+        Builds the systems of kicks.
     laws
         (3 N,), the accelerations by gravity and force laws [m/s², rad/s²].
     until
         The time at the end of the drift [s].
     driven
-        Whether surfaces that run, or kinematic bodies, may give energy.
+        Whether running surfaces or kinematic bodies may add energy.
 
     Attributes
     ----------
     reached
-        (n,), which bodies have to do with landings.
+        (n,), which bodies take part in landings.
     pushed
-        (n,), the sizes of their impulses on each body, added up [N s].
+        (n,), the sums of the sizes of their impulses on each body [N s].
     met
-        Who landed on whom, without impulses.
+        The contacts of all landings, without impulses.
     """
 
     def __init__(
@@ -120,7 +120,7 @@ class Landings:
         self.met = NO_CONTACTS
 
     def follow(self, whole: Part) -> list[Part]:
-        """Return the parts of the drift after a kick: the same one, if nothing lands."""
+        """Return the parts of the drift after a kick: the drift itself if nothing lands."""
         parts = [whole]
         try:
             while len(parts) <= MOST and (found := self._cut(parts[-1])):
@@ -130,7 +130,7 @@ class Landings:
         return parts
 
     def _cut(self, part: Part) -> tuple[Part, Part] | None:
-        """Return a part up to its first landing, and the part after that; None if none comes."""
+        """Return a part up to its first landing, and the rest of it; None if nothing lands."""
         kick, known = part.kick, self.reached
         kick.joints.time(part.drift, part.drift)
         approaching = self._speculative.approaching
@@ -149,10 +149,10 @@ class Landings:
             return None
 
     def _until_it_meets(self, part: Part, met: Met) -> tuple[Part, Met]:
-        """Return a part that ends with a landing, whose time was found for the whole of it.
+        """Return a part that ends with its first landing, and that landing.
 
-        The time at which it meets is a function of the time that it is solved for: where the two
-        are one is found by secants.
+        The time of the landing depends on the length for which the part is solved. The secant
+        method finds where the two are equal.
         """
         shorter, known = part, (part.drift, part.drift - met.time)
         for _ in range(REFINED):
@@ -168,7 +168,7 @@ class Landings:
     def _meet(
         self, part: Part, longest: float, pairs: Sequence[Pair], corners: Sequence[Corner]
     ) -> Met | None:
-        """Return what meets first on the parabolas of a part, taken to be so long [s]."""
+        """Return the first landing on the parabolas of a part within a time `longest` [s]."""
         total = self._laws + part.pulls
         begun, place = part.moved - total * (part.drift / 2), part.kick.place.values
 
@@ -187,7 +187,7 @@ class Landings:
         return Met(first, [hit for hit in hits if hit.time <= last], down)
 
     def _around(self, kick: Kick, pairs: Sequence[Pair]) -> Booleans:
-        """Return which bodies hang together with those of some pairs: (n,)."""
+        """Return which bodies are in the islands of some pairs: (n,)."""
         reached = np.zeros(len(self.reached), dtype=bool)
         reached[[body for pair in pairs for body in pair]] = True
         reached &= kick.joints.inverse[self._order].any(axis=1)
@@ -198,7 +198,7 @@ class Landings:
         return reached
 
     def _shortened(self, part: Part, drift: float, near: Part) -> Part:
-        """Return the same part with a shorter drift [s], and one that is near it to begin with."""
+        """Return a part with a shorter drift [s]; Newton's method begins with a similar part."""
         lasts = part.lasts - (part.drift - drift) / 2
         if drift >= SOON * part.drift:
             return self._solved(part._replace(forces=near.forces, active=near.active), drift, lasts)
@@ -206,7 +206,7 @@ class Landings:
         return part._replace(drift=drift, lasts=lasts, moved=moved)
 
     def _land(self, shorter: Part, left: float, met: Met) -> Part:
-        """Return the part after a landing, which is so long [s]."""
+        """Return the part after a landing, of length `left` [s]."""
         place, joints = shorter.end, shorter.kick.joints
         down = self._speculative.contacts(met.corners, place, joints.origin, met.hits)
         joints.time(left, left)
@@ -224,7 +224,7 @@ class Landings:
     def _struck(self, part: Part, struck: Booleans) -> tuple[Array, tuple[Stage, ...]]:
         """Return the velocities after the impact at the end of a part, and its stages.
 
-        Its kick is that there, of whose gaps some are struck, (k,).
+        The part already has the rows there; `struck` tells which of its gaps land, (k,).
         """
         mine, others, drive = self._others(part)
         some = replace(part.kick, layout=part.kick.layout.around(mine))
@@ -239,16 +239,16 @@ class Landings:
         return begun, stages
 
     def _others(self, part: Part) -> tuple[Booleans, Array, Array]:
-        """Return which rows have to do with what is reached, the forces of the others, (r,) each.
+        """Return which rows act on `reached` bodies, and the forces of the others: (r,) each.
 
-        And the accelerations by these and by laws: (3 N,).
+        Also the accelerations by these forces and by laws, (3 N,).
         """
         mine = concerned(part.kick, self.reached)
         others = np.where(mine, 0.0, part.forces)
         return mine, others, self._laws + others @ part.kick.response
 
     def _solved(self, part: Part, drift: float, lasts: float) -> Part:
-        """Return a part that is so long after a kick that lasts so long [s]."""
+        """Return a part solved for given lengths of its drift and of its kick [s]."""
         joints, start = part.kick.joints, self._until - part.left
         joints.time(drift, drift)
         kick = part.kick.lasting(joints.lengths(start), joints.lengths(start + drift))
@@ -278,9 +278,9 @@ class Landings:
         )
 
     def closed(self, part: Part) -> Part:
-        """Return a part in which corners that come down gently close their gaps, and go no further.
+        """Return a part in which the gaps of slow corners close, and go no further.
 
-        Those that come down faster than what acts makes them are left to be located.
+        Corners that close faster than forces explain are located instead.
         """
         for _ in range(LOOKS):
             corners = self._speculative.corners(part.kick, part.moved)
@@ -303,7 +303,7 @@ class Landings:
 def _secant(
     first: tuple[float, float], second: tuple[float, float], other: float, most: float
 ) -> float:
-    """Return where a line through two points, (time, value), is 0; another time if it is beyond."""
+    """Return the zero of a line through two points, (time, value); else another time if outside."""
     (earlier, before), (later, after) = first, second
     if after == before:
         return other

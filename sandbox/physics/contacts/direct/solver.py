@@ -1,8 +1,8 @@
 """Contacts and exact joints, solved together in one step.
 
-pymunk drifts and finds the contacts. What it makes of them is put aside: the velocities before the
-kick are kicked anew, and the impulses λ at joints, contacts and friction are found together, so
-that after the next drift joints are as long as they were, no gap has shrunk, and nothing slips that
+pymunk drifts and finds the contacts. Its own impulses are discarded: the velocities before the kick
+are kicked anew, and the impulses λ of joints, contacts and friction are found together, so that
+after the next drift joints have kept their lengths, no gap has shrunk, and nothing slips that
 friction holds:
 
     q' = q + h v',    v' = v + L a + M⁻¹ Jᵀ λ,    C(q') = 0,    0 <= λ_n  ⊥  V(q') - V(q) >= 0, ...
@@ -10,11 +10,11 @@ friction holds:
 L is the length of the kick and h that of the drift. This is leapfrog under constraints (SHAKE) with
 the complementarity of contact (Moreau 1988; Stewart and Trinkle 1996; Anitescu and Potra 1997),
 solved by Newton's method over the problem in `complementarity`. A heavy body on a light one is as
-easy as any other: nothing takes turns.
+easy as any other, since everything is solved at once.
 
-A contact that approaches faster than its own step makes it do is an impact. Then the kick is taken
-in three parts: to the step, with what rests and what is joined; the impact, all at once and at the
-velocities, with Newton's law of restitution; and on from the step.
+A contact that approaches faster than the forces of one step explain is an impact. Then the kick is
+taken in three parts: up to the step, with resting contacts and joints; all impacts at once, at the
+level of velocities, with Newton's law of restitution; and the rest of the kick.
 """
 
 from functools import partial
@@ -49,35 +49,36 @@ class Direct:
     batch
         Reads and writes the bodies.
     joints
-        The exact ones; they may be none.
+        The exact joints, if any.
     surfaces
-        How bodies touch.
+        The contact properties of the bodies.
     inertia
-        (n, 3), masses, masses and moments; 0 of what nothing moves or turns [kg, kg m²].
+        (n, 3), masses twice and moments; 0 for bodies that do not move or turn [kg, kg m²].
     dt
         The time step [s].
     query
-        Finds what bodies touch that were moved.
+        Finds the contacts of bodies that were moved.
     strikes
-        Whether impacts are found here; else somebody else has seen to them.
+        Whether impacts are found here, and not by another stage.
 
     Attributes
     ----------
     last
-        What impacts did in it, with the impulses by which bodies came down in the drift before it.
+        The impacts of the last kick, with the impulses of landings in the drift before it.
     stages
-        Its parts, if there were impacts; else none.
+        Its stages, if it had impacts; else empty.
     kicked
-        (n, 3), the velocities that the kick ended with, if what meets in the drift after it has
-        changed them since; else None [m/s, rad/s].
+        (n, 3), the velocities after the kick, if landings in the drift after it have changed them;
+        else None [m/s, rad/s].
     divided
         The drift after the kick, if it is taken in parts; else None.
     drifted
-        The same of the drift before it.
+        The same for the drift before it.
     led
-        (n, 3), the mean velocities in that, if it was taken in parts; else None [m/s, rad/s].
+        (n, 3), the mean velocities in `drifted`, if that was taken in parts; else None [m/s,
+        rad/s].
     parted
-        Who met in it, and touched no longer at its end; without impulses.
+        The contacts that met in it and had parted at its end, without impulses.
     """
 
     def __init__(
@@ -119,7 +120,7 @@ class Direct:
 
     @property
     def contacts(self) -> Contacts:
-        """Those of the last kick; their impulses are found when somebody asks for them."""
+        """The contacts of the last kick; their impulses are computed on demand."""
         if self._pushed:
             kick, total = self._pushed
             self._build.contacts, self._pushed = kick.pushing(total), None
@@ -127,29 +128,29 @@ class Direct:
 
     @property
     def rows(self) -> int:
-        """How many rows the last kick had at the most, of joints, contacts and friction."""
+        """An upper bound of the number of rows in the last kick."""
         return len(self._joints.pulls_only) + 3 * len(self._build.contacts.bodies)
 
     def begin(self, acceleration: Array, *, start: bool) -> None:
-        """Take note of the velocities before a kick, and of what acts in it.
+        """Record the velocities before a kick, and the accelerations in it.
 
         Parameters
         ----------
         acceleration
             (n, 3), the accelerations by gravity and force laws [m/s², rad/s²].
         start
-            Whether this is the first kick, which begins with the velocities at its step.
+            Whether this is the first kick, which begins at its step.
         """
         self._begun, self._acceleration = self.velocity(), acceleration
         self._starts = start
         self._lead = 0.0 if start else self._joints.kick - self._dt / 2
 
     def velocity(self) -> Array:
-        """Return the velocities that a kick here begins with: (n, 3) [m/s, rad/s]."""
+        """Return the velocities before a kick: (n, 3) [m/s, rad/s]."""
         return self.divided.begun if self.divided else self._batch.velocity()
 
     def solve(self, until: float) -> None:
-        """Find the impulses of a kick, and give the bodies their velocities after it.
+        """Find the impulses of a kick, and set the velocities after it.
 
         Parameters
         ----------
@@ -159,7 +160,7 @@ class Direct:
         Raises
         ------
         JointFailure, NoForces
-            If there are none.
+            If there are no such impulses.
         """
         self._build.find_contacts(self._moved)
         self._pushed, self._until = None, until
@@ -190,7 +191,7 @@ class Direct:
             self.last = self.last._replace(impulse=given)
 
     def _moved(self) -> Array:
-        """Return how far their velocities took the bodies in the last step: (n, 3) [m, rad]."""
+        """Return the sizes of the bodies' displacements in the last step: (n, 3) [m, rad]."""
         return np.abs(self._begun) * self._dt
 
     def go_on(self, t: float) -> None:
@@ -198,18 +199,18 @@ class Direct:
         self._build.go_on(t)
 
     def standing(self, lengths: tuple[Array, Array]) -> Kick:
-        """Return the rows of all that touches or is joined where bodies are, between two steps.
+        """Return the system of all contacts and joints at present, between two steps.
 
         Parameters
         ----------
         lengths
-            What the joints keep before and after a drift from there, (m,) each [m, rad].
+            The lengths that joints keep before and after a drift from there, (m,) each [m, rad].
         """
         self.relay()
         return self._build.standing(lengths)
 
     def relay(self) -> None:
-        """Begin anew with other joints, where bodies are."""
+        """Begin anew with other joints, at the present positions."""
         self._build.relay()
         self._known.forget()
         self.divided = self._leads = None
@@ -225,8 +226,8 @@ class Direct:
         self._change = self._calm.jump
 
     def _solve_joints(self, until: float) -> None:
-        """Solve joints that nothing touches; ropes that come to no terms as contacts are."""
-        if self.drifted:  # pymunk knows only how far its parts led
+        """Solve joints without contacts; ropes that fail so are solved as contacts are."""
+        if self.drifted:  # pymunk knows only the mean velocities
             self._batch.set_velocity(self._begun + self._acceleration * self._joints.kick)
         velocity = self._batch.velocity()
         try:
@@ -256,9 +257,9 @@ class Direct:
         self._report(taken.kick, taken.total, taken.active)
 
     def _closed(self, taken: Taken, start: Beginning) -> Taken:
-        """Return a kick after which corners that come down gently close, and go no further.
+        """Return a kick after which the gaps of slow corners close, and go no further.
 
-        Those that come down faster than what acts makes them are located in the drift: see `_land`.
+        Corners that close faster than forces explain are located in the drift: see `_land`.
         """
         for _ in range(LOOKS):
             corners = self._speculative.corners(taken.kick, taken.moved)
@@ -273,16 +274,16 @@ class Direct:
             try:
                 taken = take(kick, start, self._known)
             except (JointFailure, NoForces):
-                break  # found where the drift ends it is in the way no longer
+                break  # at the end of the drift it will be found as a contact
         return taken
 
     @property
     def _locates(self) -> bool:
-        """Whether landings are located in the drift after this kick: it is a whole one."""
+        """Whether landings are located in the drift after this kick."""
         return self._lands and self._is_whole
 
     def _divides(self, kick: Kick) -> bool:
-        """Whether a drift can be taken in parts: nothing drives bodies, and it is a whole one."""
+        """Whether a drift can be taken in parts: it is a whole one, and nothing drives bodies."""
         return self._is_whole and not (self._driven() or np.count_nonzero(kick.joint_rates()))
 
     @property
@@ -292,7 +293,7 @@ class Direct:
         return not self._starts and joints.kick == joints.drift == self._dt
 
     def _divide(self, kick: Kick, start: Beginning) -> None:
-        """Take the drift after a kick in parts."""
+        """Take the drift after a kick in parts, and set its mean velocities."""
         takes = partial(take, start=start, known=self._known)
         found = through(kick, start.acceleration, self._until, takes)
         first = found.first
@@ -305,7 +306,7 @@ class Direct:
         self._report(first.kick, found.whole, first.active)
 
     def _land(self, until: float) -> Landed | None:
-        """Let come down what does within the drift after a kick, which ends at a time [s]."""
+        """Locate the landings in the drift after a kick, which ends at a time [s]."""
         if not self._locates:
             return None
         place, motion = self._joints.coordinates()
@@ -329,7 +330,7 @@ class Direct:
         return landed
 
     def _whole(self, place: Coordinates, moved: Array) -> Part:
-        """Return the drift after a kick as one part: from a place with velocities, (3 N,)."""
+        """Return the drift after a kick as one part, with velocities (3 N,)."""
         dt, joints = self._dt, self._joints
         if self._taken:
             return Part.after(self._taken, dt, moved)
@@ -338,33 +339,33 @@ class Direct:
         return Part(self._build.at(place), dt, dt, begun, dt, joints.tension, held, moved)
 
     def _beginning(self) -> Beginning:
-        """Return what this kick begins with."""
+        """Return the state and the forces at the beginning of this kick."""
         begun, acts, change = self._spread(self._begun, self._acceleration, self._change)
         lead, looks, driven = self._lead, self._strikes, self._driven()
         return Beginning(begun, acts, change, lead, self._dt, looks, driven)
 
     def _spread(self, *rates: Array) -> Array:
-        """Return s rates (n, 3) as rows have coordinates: (s, 3 N)."""
+        """Return s arrays of rates (n, 3) in the order of coordinates: (s, 3 N)."""
         values = np.zeros((len(rates), 3 * len(self._moves) + 3))
         values[:, self._order] = rates
         return values
 
     def _driven(self) -> bool:
-        """Whether surfaces that run, or kinematic bodies, may give energy."""
+        """Whether running surfaces or kinematic bodies may add energy."""
         return self._runs or bool(np.count_nonzero(self._begun[self._fixed]))
 
     def _report(self, kick: Kick, total: Array, active: Active) -> None:
-        """Tell joints and contacts the impulses of the whole kick, (r,), and what held."""
+        """Pass the impulses of the whole kick, (r,), and its active rows to joints and contacts."""
         joints = kick.layout.joints
         struck = bool(self.last.struck.any())
         self._joints.take(total[joints] / self._joints.kick, active.on[joints], struck=struck)
         self._solved = self._pushed = kick, total
 
     def wrenches(self, body: int) -> Array:
-        """Return what each of the contacts gave a body in the last kick: (2, k, 3) [N s, N m s].
+        """Return the impulses on a body by each contact in the last kick: (2, k, 3) [N s, N m s].
 
-        First what pushes, then friction. The torque, about the centre of mass, tells where between
-        two points a side rests on a side.
+        First the normal ones, then friction. The torque about the centre of mass shows where
+        between its two points a side bears.
         """
         if self._solved is None:
             return np.zeros((2, 0, 3))
@@ -372,7 +373,7 @@ class Direct:
 
 
 def _without(met: Contacts, others: Contacts) -> Contacts:
-    """Return those contacts of whose pairs none is among others."""
+    """Return the contacts whose pairs of bodies are not among others."""
     if not len(met.bodies):
         return met
     touch = set(pairs_of(others))
