@@ -77,7 +77,7 @@ def newton(
 def _with_settled(
     left: Layout, known: tuple[Array, Active], found: tuple[Array, Active]
 ) -> tuple[Array, Active]:
-    """Return what was found for the islands that are left, and what is known of the others."""
+    """Return the new solution of the islands that are left, and the known one of the others."""
     (impulse, active), (solved, held) = known, found
     some = np.zeros(len(impulse), dtype=bool)
     for island in left.islands:

@@ -1,7 +1,7 @@
 """The warm start of a kick: forces and active rows of the last ones.
 
-While the same rows hold, and their forces change smoothly, the next ones are expected on a
-parabola through the last three: Newton's method is then home with its first step.
+While the same rows are active and their forces change smoothly, the next forces are extrapolated by
+a parabola through the last three. Newton's method then converges in its first iteration.
 """
 
 from typing import NamedTuple
@@ -18,8 +18,8 @@ from sandbox.physics.engine.batch import Booleans, Integers
 from sandbox.physics.joints.exact.shake import parabola
 
 SMOOTH = 0.5
-"""The share of their last change by which forces may leave a straight line and still be smooth:
-what jumps to and fro would jump further on a parabola, and may lead to forces of another kind."""
+"""The largest second difference of forces, as a share of their last change, that counts as smooth.
+Forces that jump to and fro would be extrapolated further off, and may lead to another solution."""
 
 AT_REST = 1e-9
 """m/s, the largest slip velocity at which friction of a new contact sticks."""
