@@ -1,1 +1,1 @@
-"""What all reports share: how figures look, and how they stand in a page."""
+"""What all reports share: the style of figures, and their embedding in pages."""

@@ -4,7 +4,7 @@ from jinja2 import ChoiceLoader, Environment, PackageLoader, StrictUndefined
 
 
 def environment(package: str) -> Environment:
-    """Return what makes pages of a package's templates, and of those that all pages share."""
+    """Return the environment for a package's templates and those that all pages share."""
     return Environment(
         loader=ChoiceLoader([PackageLoader(package), PackageLoader("sandbox.reporting")]),
         autoescape=True,

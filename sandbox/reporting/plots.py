@@ -14,8 +14,8 @@ COLOURS = (
     "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#7f7f7f", "#aa4499",
     "#117733",
 )  # fmt: skip
-"""The colours of Okabe and Ito, which colour-blind people can tell apart, and a few more that stay
-apart from them."""
+"""Okabe and Ito's colours, which colour-blind people can tell apart, and a few more that remain
+distinguishable from them."""
 
 Form = Literal["png", "svg"]
 FORMS: tuple[Form, ...] = ("png", "svg")
@@ -30,7 +30,7 @@ _SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
 def style() -> AbstractContextManager[None]:
-    """Return the settings that figures are made and written with."""
+    """Return the settings under which figures are made and written."""
     return mpl.rc_context(
         {
             "font.size": 9,
@@ -50,7 +50,7 @@ def style() -> AbstractContextManager[None]:
 
 
 def logarithmic(axes: Axes) -> None:
-    """Let both axes be logarithmic, and end at the powers of ten around what is drawn."""
+    """Make both axes logarithmic, and end them at the powers of ten around what is drawn."""
     axes.set(xscale="log", yscale="log")
     limits = axes.dataLim
     for axis, (low, high), limit in (
@@ -66,9 +66,9 @@ def logarithmic(axes: Axes) -> None:
 
 
 def legend_below(figure: Figure, axes: Axes, columns: int = 4) -> None:
-    """Say what the curves of some axes are, each label once, if any has one.
+    """Add a legend of some axes below the figure, each label once, if there are any labels.
 
-    That stands under the figure, whose layout is constrained, and covers no curve.
+    The figure needs a constrained layout, so that the legend covers no curve.
     """
     handles, labels = axes.get_legend_handles_labels()
     unique = dict(zip(labels, handles, strict=True))
@@ -79,18 +79,18 @@ def legend_below(figure: Figure, axes: Axes, columns: int = 4) -> None:
 
 
 def power(value: float, _: object = None) -> str:
-    """Return a power of ten as text, such as 10⁻³; what is near 1 as it is."""
+    """Return a power of ten as text, such as 10⁻³; numbers near 1 are written out."""
     exponent = round(log10(value))
     return f"{value:g}" if -2 <= exponent <= 3 else "10" + superscript(exponent)
 
 
 def superscript(exponent: int) -> str:
-    """Return an exponent as it stands above the line."""
+    """Return an exponent in superscript digits."""
     return str(exponent).translate(_SUPERSCRIPTS)
 
 
 def written(figure: Figure, form: Form) -> bytes:
-    """Return a figure as the content of a file, the same for the same figure."""
+    """Return a figure as the content of a file, identical for identical figures."""
     image = BytesIO()
     salt = figure.get_suptitle() or "figure"
     with style(), mpl.rc_context({"svg.hashsalt": salt}):

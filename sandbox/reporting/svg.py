@@ -10,10 +10,10 @@ from sandbox.reporting import plots
 
 
 def inline(figure: Figure, label: str) -> Markup:
-    """Return a figure as an element of HTML, and in words what it shows.
+    """Return a figure as an HTML element, with a description of what it shows.
 
-    Several figures share a page, so that only names that are used stay, which are unlike those of
-    the others as long as their titles are.
+    Several figures share a page, so unused ids are dropped, and the others are unique as long as
+    the figures' titles are.
     """
     text = plots.written(figure, "svg").decode()
     text = text[text.index("<svg") :]
@@ -22,7 +22,7 @@ def inline(figure: Figure, label: str) -> Markup:
     text = text.replace("xlink:href", "href").replace("#000000", "currentColor")
     text = text.replace("fill: #ffffff", "fill: none")
     text = re.sub(r" transform=\"rotate\(-0 [^\"]*\"", "", text)
-    text = re.sub(r"<[^>]*>", lambda tag: _rounded(tag[0]), text)  # never what a label says
+    text = re.sub(r"<[^>]*>", lambda tag: _rounded(tag[0]), text)  # never the text of a label
     used = set(re.findall(r"#([mp][0-9a-f]{10})\b", text))
     text = re.sub(r" id=\"([^\"]*)\"", lambda name: name[0] if name[1] in used else "", text)
     text = re.sub(r">\s+<", "><", re.sub(r"\s*\n", " ", text))
@@ -31,7 +31,7 @@ def inline(figure: Figure, label: str) -> Markup:
 
 
 def _rounded(tag: str) -> str:
-    """Return an element's tag with places to a hundredth of a point."""
+    """Return an element's tag with coordinates rounded to a hundredth of a point."""
     return re.sub(r"-?\d+\.\d{3,}", lambda number: f"{float(number[0]):.2f}", tag)
 
 

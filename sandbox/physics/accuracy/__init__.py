@@ -1,4 +1,4 @@
-"""What a run's numerical error is, and which setting reaches a given accuracy.
+"""The numerical error of a run, and the setting that reaches a given accuracy.
 
-Nothing here knows a closed form: a run is held against itself with smaller steps.
+No closed form is used: a run is compared with itself at smaller steps.
 """

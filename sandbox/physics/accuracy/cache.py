@@ -1,7 +1,7 @@
-"""A cache of settings that were found, in the user's cache folder.
+"""A cache of calibrated settings, in the user's cache folder.
 
-What is kept is found again by a hash of all that it depends on: the level, its parameters, the
-accuracy, the sandbox's code and the versions of what it stands on. So nothing stale is ever used.
+The key of an entry is a hash of everything that the result depends on: the level, its parameters,
+the accuracy, the sandbox's code and the versions of its dependencies. No stale entry is ever used.
 """
 
 import platform
@@ -51,21 +51,21 @@ def calibrated(
     tell: Callable[[str], None] | None = None,
     also: Sequence[str] = (),
 ) -> Setting:
-    """Return the cheapest setting that reaches an accuracy, from memory if it is there.
+    """Return the cheapest setting that reaches an accuracy, from the cache if it is there.
 
     Parameters
     ----------
     level, values, target, progress, stop, also
         As for `calibrate`.
     tell
-        Is called with the reason if the setting cannot be stored.
+        Called with the reason if the setting cannot be stored.
 
     Raises
     ------
     AccuracyError
-        If the accuracy cannot be had, or there is nothing whose accuracy it could be.
+        If the accuracy cannot be reached, or the level has nothing to measure it by.
     Cancelled
-        If `stop` said so; then nothing is kept.
+        If `stop` returned true; then nothing is stored.
     SimulationError
         If the level does not run at all.
     """
@@ -80,7 +80,7 @@ def calibrated(
 def recalled(
     level: Level, values: Values, target: float, also: Sequence[str] = ()
 ) -> Setting | None:
-    """Return the setting that was found for an accuracy before; None if none was."""
+    """Return the setting that was found for an accuracy earlier; None if there is none."""
     key = _key(level, values, target, also)
     return _unkept.get(key) or _read(_path(key), key, level)
 
@@ -92,14 +92,14 @@ def keep(
     tell: Callable[[str], None] | None = None,
     also: Sequence[str] = (),
 ) -> None:
-    """Keep a setting that was found, for the next time or, if that cannot be, for this process.
+    """Store a setting on disk or, if that fails, in memory for the rest of this process.
 
     Parameters
     ----------
     level, values, setting
-        The run, and the setting that was found for it.
+        The run, and its calibrated setting.
     tell
-        Is called with the reason if it cannot be stored.
+        Called with the reason if the setting cannot be stored.
     also
         The other quantities that are as accurate.
     """
@@ -120,14 +120,14 @@ def keep(
 def resolved(
     level: Level, values: Values, stepping: Stepping, also: Sequence[str] = ()
 ) -> Stepping:
-    """Return the setting: the chosen one, or the one searched for where an accuracy is asked.
+    """Return the stepping of a level, calibrated if the level asks for an accuracy.
 
     Parameters
     ----------
     level, values, stepping
-        The run, and the setting that its level asks for.
+        The run, and the stepping that its level declares.
     also
-        Quantities that are to be so accurate, besides those of the checks and the motion.
+        Further quantities that must be as accurate, besides those of the checks and the motion.
     """
     if stepping.accuracy is None:
         return stepping
@@ -135,7 +135,7 @@ def resolved(
 
 
 def folder() -> Path:
-    """Return the folder in which settings are kept; it need not be there."""
+    """Return the folder of the cached settings, which may not exist."""
     return platformdirs.user_cache_path("mechanics-sandbox") / "accuracy"
 
 
@@ -158,7 +158,7 @@ def _read(path: Path, key: str, level: Level) -> Setting | None:
 
 
 def _link(entries: Path) -> Path | None:
-    """Return which of the sandbox's own folders is a link; None if none is."""
+    """Return whichever of the sandbox's own folders is a symbolic link; None if neither is."""
     own = entries, entries.parent
     return next((path for path in own if path.is_symlink()), None)
 

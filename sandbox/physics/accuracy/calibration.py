@@ -1,4 +1,4 @@
-"""Calibration: the cheapest setting that reaches an accuracy, or why there is none."""
+"""Calibration: the cheapest setting that reaches an accuracy, or the reason why there is none."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -15,7 +15,7 @@ from sandbox.physics.accuracy.refinement_search import Progress
 from sandbox.physics.measuring.grading import applies
 
 BUDGET = 1.0
-"""s, for all runs of a calibration, by their counted work."""
+"""The counted work of all runs of a calibration, at most [s]."""
 
 _ENERGY = Watched("system.energy")
 
@@ -31,16 +31,16 @@ class Setting:
     chosen
         The setting, its estimated error and its cost.
     judged_by
-        What the error is that of, in words.
+        The quantities by which the error is judged, in words.
     verified
-        Whether runs with smaller steps were seen to agree; else it is what the order promises.
+        Whether runs with smaller steps confirmed the error; else it is extrapolated by the order.
     in_real_time
-        The most accurate setting that can be had in real time, where the chosen one cannot.
+        The most accurate setting that runs in real time, if the chosen one does not.
     decided_by
-        The quantity with the largest error; empty if none is off.
+        The quantity with the largest error; empty if no quantity has any.
     onset
-        How far off a velocity may be at the one step in which a force sets in or ends, if that is
-        more than was asked for; else 0.
+        The error of a velocity at the one step in which a force sets in or ends, if it exceeds the
+        target; else 0.
     """
 
     target: float
@@ -53,7 +53,7 @@ class Setting:
 
     @property
     def playable(self) -> Offer:
-        """The setting for a run that somebody watches."""
+        """The setting for a run that is watched live."""
         return self.in_real_time or self.chosen
 
     def __str__(self) -> str:
@@ -87,18 +87,18 @@ def calibrate(
     level, values
         The run; the level's default values if left out.
     target, also
-        The largest error of the level's checks, of the moving bodies' positions and velocities, and
-        of some other quantities, such as those that are recorded.
+        The largest error allowed in the level's checks, in the positions and velocities of moving
+        bodies, and in further quantities, such as recorded ones.
     budget, progress, stop
-        How long the search may take, about [s]; what is told its progress, and what is asked
-        whether to give up.
+        The counted work of the search, about [s]; a callback for its progress; and a callback that
+        returns whether to give up.
 
     Raises
     ------
     AccuracyError
-        If the accuracy cannot be had, or there is nothing whose accuracy it could be.
+        If the accuracy cannot be reached, or there is nothing to judge it by.
     Cancelled
-        If `stop` said so.
+        If `stop` returned true.
     QuantityError, SimulationError
         If there is no such quantity, or the level does not run at all.
     """
@@ -138,7 +138,7 @@ def _judged_by_energy(chaos: Message, until: Message) -> Message:
 
 
 def _predictable(found: Found, target: float) -> Message:
-    """Say until when a run can be predicted to an accuracy."""
+    """Say up to what time a run can be predicted to an accuracy."""
     if known := foretold(found.offers.refinements, found.wanted, target):
         return Message("predictable until t = {t:.3g} s", t=known)
     return Message("not predictable at all")
@@ -155,7 +155,7 @@ def _setting(found: Found, judged_by: str) -> Setting:
 
 
 def _refused(found: Found, target: float, judged_by: Message, until: Message) -> AccuracyError:
-    """Say that an accuracy cannot be had, and what can."""
+    """Return the error for an accuracy that cannot be reached; it names the best setting."""
     if found.decided_by:
         judged_by = Message(
             "{judged_by}, of which {name} decided", judged_by=judged_by, name=found.decided_by
@@ -175,7 +175,7 @@ def _refused(found: Found, target: float, judged_by: Message, until: Message) ->
 def _judges(
     level: Level, values: Values, also: Sequence[str]
 ) -> tuple[tuple[Watched, ...], Message]:
-    """Return whose errors count, and what that is in words."""
+    """Return the quantities by which the error is judged, and their description."""
     wanted = watched(level, values, also)
     if not wanted:
         raise AccuracyError(Message("nothing moves freely, so there is nothing to be accurate"))

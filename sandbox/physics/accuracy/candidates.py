@@ -1,4 +1,4 @@
-"""The candidates for a setting that the refinements of a level offer, with errors and costs."""
+"""Candidate settings from the refinements of a level, with their errors and costs."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -13,27 +13,27 @@ from sandbox.physics.accuracy.refinement import PARTS, SLOWEST, Refinement, furt
 from sandbox.physics.measuring.recording import Trace
 
 REAL_TIME = 0.5
-"""s of computing per second of the scene; the rest is for drawing."""
+"""The computing time per second of the scene, at most [s]; the rest is for drawing."""
 
 CAUTION = 0.7
 """The share of the accuracy that a setting may use where its error is extrapolated."""
 
 NOT_SEEN = 1e-3
-"""The share by which an error counts as above the accuracy where too few finer runs exist."""
+"""The least share by which an unconfirmed error exceeds the target: too few finer runs exist."""
 
 
 @dataclass(frozen=True, slots=True)
 class Offer:
-    """What can be had: a setting, its estimated error, and its cost.
+    """A setting that is available, with its estimated error and its cost.
 
     Attributes
     ----------
     stepping
         The setting.
     error
-        The largest of the run, as a check's: relative, absolute where zero is expected.
+        The largest error of the run, as for a check: relative, absolute if zero is expected.
     cost
-        What a second of the scene takes to compute [s].
+        The computing time per second of the scene [s].
     """
 
     stepping: Stepping
@@ -66,27 +66,27 @@ class Candidate(NamedTuple):
 
     stepping: Stepping
     error: float
-    """the largest of the run that is expected"""
+    """the largest error that is expected of the run"""
     trace: Trace | None
-    """the run in which it was seen; None if it is what the order promises"""
+    """the run in which the error was measured; None if it is extrapolated by the order"""
     work: float
-    """of a second of the scene [s], as counted"""
+    """the counted work per second of the scene [s]"""
 
     def offer(self, step: float) -> Offer:
-        """Return it at the cost of a step [s]."""
+        """Return the offer for it, given the cost of a step [s]."""
         return Offer(self.stepping, self.error, step * self.stepping.rate)
 
 
 @dataclass(frozen=True, slots=True)
 class Offers:
-    """What can be had of the schemes that were tried.
+    """The settings that the refined schemes offer.
 
     Attributes
     ----------
     refinements
-        Their runs; first the one that the others are held against.
+        Refined runs; the first refinement is the reference for the others.
     work
-        How much a step of each is [s], as counted: by that they are chosen.
+        The counted work of a step of each [s], by which the cheapest is chosen.
     """
 
     refinements: Sequence[Refinement]
@@ -94,13 +94,13 @@ class Offers:
 
     @property
     def fine(self) -> Stepping:
-        """A setting that comes close to the best run, at half its cost."""
+        """A setting nearly as accurate as the best run, at half its cost."""
         return self.refinements[0].traces[-2].stepping
 
     def best(self, target: float) -> Candidate:
         """Return the cheapest setting that reaches a target.
 
-        Where none does, it is the most accurate.
+        If none does, the most accurate setting is returned.
         """
 
         def rank(found: Candidate) -> tuple[float, bool, float]:
@@ -116,11 +116,11 @@ class Offers:
         return min(found, key=lambda offer: offer.error, default=None)
 
     def decisive(self, found: Candidate, wanted: Sequence[Watched]) -> str:
-        """Return the quantity that is furthest off in a setting's run, or in the nearest to it."""
+        """Return the quantity with the largest error in a setting's run, or in the nearest run."""
         *_, before, best = self.refinements[0].traces
         trace = found.trace or self._nearest(found.stepping)
         late = lateness(best, wanted)
-        for run in (trace, before):  # the finest differs from itself in nothing
+        for run in (trace, before):  # the finest does not differ from itself
             worst = max(furthest(run, best, wanted), late, key=lambda off: off[0])
             if worst[1] is not None:
                 return worst[1].quantity
@@ -151,7 +151,7 @@ def _candidate(work: float, refinement: Refinement, target: float) -> Candidate:
 
 
 def _affordable(step: float, refinement: Refinement) -> Iterator[Offer]:
-    """Yield a ladder's settings that run in real time, at a cost a step [s]."""
+    """Yield a refinement's settings that run in real time, given the cost of a step [s]."""
     fastest = REAL_TIME / max(step, REAL_TIME / HIGHEST_RATE)
     for trace, error in zip(refinement.traces, refinement.errors, strict=True):
         if SLOWEST <= trace.stepping.rate <= fastest:

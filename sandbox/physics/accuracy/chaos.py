@@ -1,6 +1,6 @@
 """Whether a motion is chaotic, and how far ahead it can be predicted.
 
-Both are measured: how a change too small to be seen grows, and where two runs part.
+Both are measured: by the growth of a tiny disturbance, and by the time at which two runs separate.
 """
 
 from collections.abc import Sequence
@@ -21,31 +21,31 @@ from sandbox.physics.stepping.make_world import make_world
 from sandbox.physics.stepping.world import World
 
 NUDGE = 1e-9
-"""m, by which one body is moved at the start."""
+"""The initial displacement of one body [m]."""
 
 CHAOTIC = 1e4
-"""The least growth of a disturbance for it to be examined."""
+"""The growth of a disturbance from which it is examined for chaos."""
 
 STEADY = 0.75
-"""The largest share of the lost digits that may be lost in half of the time, if growth is
-exponential. A first touch loses more of them at once; growth in proportion to time loses hardly
-any in the second half."""
+"""The largest share of the lost digits that may be lost in one half of the time, if growth is
+exponential. A first contact loses more of them at once; linear growth loses hardly any in the
+second half."""
 
 
 def chaotic(level: Level, values: Values, stepping: Stepping, stop: Stop) -> Message:
-    """Return how a small change grows, in words, if it does so again and again; empty if not.
+    """Describe how a small change grows, if it grows repeatedly; return an empty message if not.
 
     Parameters
     ----------
     level, values, stepping
-        The run, which is taken twice.
+        The run, which is run twice.
     stop
-        Is called now and then, and returns whether to give up.
+        Called repeatedly; returns whether to give up.
 
     Raises
     ------
     Cancelled
-        If `stop` said so.
+        If `stop` returned true.
     """
     t, times = growth(level, values, stepping, stop)
     chaotic = np.flatnonzero(times >= CHAOTIC)
@@ -59,19 +59,19 @@ def chaotic(level: Level, values: Values, stepping: Stepping, stop: Stop) -> Mes
 
 
 def growth(level: Level, values: Values, stepping: Stepping, stop: Stop) -> tuple[Array, Array]:
-    """Return times [s], and how many times as large a small change of a place is then: (T,) each.
+    """Return times [s], and the growth factor of a small displacement until then: (T,) each.
 
     Parameters
     ----------
     level, values, stepping
-        The run, which is taken twice.
+        The run, which is run twice.
     stop
-        Is called now and then, and returns whether to give up.
+        Called repeatedly; returns whether to give up.
 
     Raises
     ------
     Cancelled
-        If `stop` said so.
+        If `stop` returned true.
     """
     name = next((n for n, body in level.bodies.items() if body.type == "dynamic"), None)
     nothing = np.zeros(0), np.zeros(0)
@@ -87,7 +87,7 @@ def growth(level: Level, values: Values, stepping: Stepping, stop: Stop) -> tupl
 
 
 def _parting(first: World, other: World, stop: Stop) -> tuple[Array, Array]:
-    """Return times [s], and how far two worlds are apart then, over what they were at the start."""
+    """Return times [s], and the distance of two worlds relative to the initial one: (T,) each."""
     left, t, apart = count_steps(first), [], []
     block = max(min(BLOCK, left // BLOCK), 1)
     while left:
@@ -104,7 +104,8 @@ def _parting(first: World, other: World, stop: Stop) -> tuple[Array, Array]:
 def foretold(refinements: Sequence[Refinement], wanted: Sequence[Watched], error: float) -> float:
     """Return until when the two finest runs of the best refinement agree on positions [s].
 
-    That is as long as they agree to an error, and nothing is found so late that it leaves a larger.
+    They agree to within an error, and no impact before that time is found late enough to cause a
+    larger one.
     """
     coarse, fine = refinements[0].traces[-2:]
     times = (departure(coarse, fine, item, error) for item in wanted)

@@ -1,9 +1,9 @@
 """The cheapest setting, found by short runs.
 
 Each scheme that the level can use runs at a sequence of rates, each twice the one before, until
-the cheapest run that is accurate enough is known. A rate between that run and the one before is
-tried next. If no run is accurate enough yet, the order of the scheme promises a rate. This rate is
-run, and a finer one beside it, unless that is too much work.
+the cheapest run that is accurate enough is known. Then a rate between that run and the one before
+is tried. If no run is accurate enough yet, a rate is extrapolated by the order of the scheme. A run
+at that rate and one at twice the rate confirm it, unless they are too much work.
 """
 
 from collections.abc import Iterator, Sequence
@@ -31,10 +31,10 @@ CONFIRMED = 2.0
 """The work of confirming a result, as a multiple of the work of the search."""
 
 FEW = 400
-"""The most steps of the first run: a long run begins with steps that no one would choose."""
+"""The most steps of the first run: a long run may begin at a rate that nobody would choose."""
 
 LONGEST = 4.0
-"""Hz, or up to twice that: the lowest first rate."""
+"""The first rate of a long run is halved until it is no higher than this [Hz]."""
 
 MORE_SWEEPS = 4
 """How many times as many solver iterations the reference runs have."""
@@ -42,7 +42,7 @@ MORE_SWEEPS = 4
 
 @dataclass(frozen=True, slots=True)
 class Found:
-    """The cheapest setting, or the most accurate, and the runs from which it follows."""
+    """The cheapest setting or, if none will do, the most accurate, and the runs behind it."""
 
     level: Level
     values: Values
@@ -53,14 +53,14 @@ class Found:
 
     @property
     def decided_by(self) -> str:
-        """The quantity with the largest error; empty if none is off."""
+        """The quantity with the largest error; empty if no quantity has any."""
         return self.offers.decisive(self.chosen, self.wanted)
 
     @property
     def onset(self) -> float:
-        """How far off a velocity may be where a force sets in or ends.
+        """The error of a velocity at the step in which a force sets in or ends.
 
-        0 if that is as little as asked for, or all steps were looked at.
+        0 if it is within the target, or if every step is observed.
         """
         best, rate = self.offers.refinements[0].traces[-1], self.chosen.stepping.rate
         if stride(rate) == 1:
@@ -69,7 +69,7 @@ class Found:
         return off if off > self.target else 0.0
 
     def timed(self) -> Offer:
-        """Return the setting at its cost, which is measured."""
+        """Return the setting with its cost, which is timed."""
         return self.chosen.offer(*step_durations(self.level, self.values, self.chosen.stepping))
 
     def in_real_time(self) -> Offer | None:
@@ -80,7 +80,7 @@ class Found:
 
 @dataclass(frozen=True, slots=True)
 class Seeker:
-    """Looks for the cheapest setting of a level; what it takes is as for `calibrate`."""
+    """A search for the cheapest setting of a level; the parameters are those of `calibrate`."""
 
     level: Level
     values: Values
@@ -90,14 +90,14 @@ class Seeker:
     stop: Stop
 
     def found(self, wanted: Sequence[Watched]) -> Found:
-        """Return the cheapest setting that is seen to do, or else the most accurate.
+        """Return the cheapest setting that reaches the target, or else the most accurate.
 
         Raises
         ------
         AccuracyError
             If the level takes too long to run.
         Cancelled
-            If `stop` said so.
+            If `stop` returned true.
         SimulationError
             If it does not run at all.
         """
@@ -125,7 +125,7 @@ class Seeker:
         return record(self.level, self.values, stepping, wanted, self.stop)
 
     def _refined(self, chosen: Candidate, offers: Offers, wanted: Sequence[Watched]) -> Candidate:
-        """Return a setting at a rate between the chosen run and the one before, if that will do."""
+        """Return a setting at a rate between the chosen run and the one before, if it will do."""
         best = offers.refinements[0]
         refinement = next(found for found in offers.refinements if chosen.trace in found.traces)
         rate = refinement.between(self.target)
@@ -140,12 +140,12 @@ class Seeker:
         return chosen
 
     def _confirmed(self, chosen: Candidate, wanted: Sequence[Watched]) -> Candidate:
-        """Return what the order promises, and how far it is off if a finer run is not too much.
+        """Return an extrapolated setting with its measured error, unless that is too much work.
 
         Raises
         ------
         Cancelled
-            If `stop` said so.
+            If `stop` returned true.
         """
         rate, work = chosen.stepping.rate, 3 * chosen.work * self.level.duration(self.values)
         if work > CONFIRMED * self.budget or 2 * rate > HIGHEST_RATE:
@@ -161,12 +161,12 @@ class Seeker:
 def with_scales(
     level: Level, values: Values, wanted: Sequence[Watched], stop: Stop = never
 ) -> Sequence[Watched]:
-    """Return what is watched with the scales of a run at the level's own rate.
+    """Return the watched quantities with scales from a run at the level's own rate.
 
     Raises
     ------
     Cancelled
-        If `stop` said so.
+        If `stop` returned true.
     """
     solver: Literal["direct"] | None = "direct" if _may_pile(level) else level.stepping.solver
     said = level.stepping
@@ -177,9 +177,9 @@ def with_scales(
 
 
 def _candidates(level: Level, values: Values) -> Iterator[Stepping]:
-    """Yield what is tried, from its lowest rate on; the best judge of the others first.
+    """Yield the steppings to try, each at its lowest rate; the best reference comes first.
 
-    Where all is smooth it is below the lowest that is chosen, to see by how much that is better.
+    For a smooth level it begins below the lowest rate that may be chosen, so as to show its order.
     """
     rate = foot(level.stepping.rate) / (1 if level.effects.contact else 2)
     while rate * level.duration(values) > FEW and rate > LONGEST:
@@ -196,17 +196,17 @@ def _candidates(level: Level, values: Values) -> Iterator[Stepping]:
             yield start.model_copy(update={"solver": "direct"})
         judge = start.model_copy(update={"iterations": min(MORE_SWEEPS * start.iterations, 1000)})
         yield judge
-        if contact.located or level.effects.in_sequence:  # which has a cost, too
-            naive = judge if level.effects.in_sequence else start  # rows at once are for sweeps
+        if contact.located or level.effects.in_sequence:  # locating and sequences cost time
+            naive = judge if level.effects.in_sequence else start  # at once only sweeps
             yield naive.model_copy(update={"scheme": "symplectic-euler", "rate": lowest})
     yield start
 
 
 def _may_pile(level: Level) -> bool:
-    """Whether bodies may rest on others, and contacts might as well be solved directly.
+    """Whether bodies may rest on others, so that a direct contact solver is worth trying.
 
-    What bounces off several others at once parts in another way there, and a single body that
-    rests on what does not move needs no more than some sweeps.
+    Bodies that hit several others at once rebound differently with it, and a single body that rests
+    on immovable ones needs only a few sweeps.
     """
     if is_direct(level) or not may_be_direct(level):
         return False
@@ -216,10 +216,10 @@ def _may_pile(level: Level) -> bool:
 
 
 def _floor(level: Level, values: Values) -> float:
-    """Return the rate that the start asks for [Hz]: runs below it can agree on what is wrong.
+    """Return the rate that the beginning needs [Hz]: runs below it can agree on a wrong result.
 
-    It is that after the shortest step, of a scheme that does not wait for piles to settle; 0 where
-    there is no such step.
+    It follows from the state after the shortest step, with a scheme that does not wait for piles to
+    settle; 0 if that step is impossible.
     """
     try:
         world = make_world(level, values, Stepping(rate=HIGHEST_RATE, scheme="symplectic-euler"))

@@ -17,19 +17,19 @@ from sandbox.physics.measuring.recording import Recorder, Trace, count_steps, ne
 from sandbox.physics.stepping.make_world import make_world
 
 Stop = Callable[[], bool]
-"""Returns whether to give up."""
+"""A callback that returns whether to give up."""
 
 BLOCK = 50
-"""The observations of a run between two calls of `Stop`."""
+"""The number of observations of a run between two calls of `Stop`."""
 
 SEEN = 240.0
-"""Hz, or up to twice that, how often a run is observed: an observation costs more than a step."""
+"""The rate of observations, up to twice this [Hz]: an observation costs more than a step."""
 
 FADING = 0.5
-"""The largest share that is left of an error that vanishes as the step is halved."""
+"""The largest ratio of successive errors, as the step is halved, for an error that vanishes."""
 
 ROUNDING = 1e-12
-"""Changes below this share of the largest value are no jumps."""
+"""The smallest change that counts as a jump, as a share of the largest value."""
 
 SAME = 1e-9
 """Times that differ by less than this share are the same."""
@@ -38,7 +38,7 @@ LITTLE = 1e-2
 """Small coordinates or velocities are compared relative to this share of the scene's largest."""
 
 JUMPS = 5.0
-"""How many times the change around it a velocity's change must be to count as a jump."""
+"""The least ratio of a jump to the changes around it."""
 
 
 RATES = {
@@ -58,10 +58,10 @@ class Watched:
     Attributes
     ----------
     quantity, at, scale
-        What, when, and relative to what at the least.
+        The quantity, its instant (None for every step), and the least scale of its error.
     motion
-        Whether it is watched because its body moves. Where such a velocity jumps, as in an impact,
-        two runs are not compared: how late it jumps is seen in the places.
+        Whether it is watched as part of its body's motion. Such a velocity is not compared where it
+        jumps, as in an impact: the positions show how late it jumps.
     """
 
     quantity: str
@@ -71,7 +71,7 @@ class Watched:
 
     @property
     def rates(self) -> tuple[str, str] | None:
-        """How a coordinate changes, and how that does; None if it is none that is followed."""
+        """The first and second derivative of a coordinate; None for any other quantity."""
         subject, _, rest = self.quantity.partition(".")
         if self.at is not None or rest not in RATES:
             return None
@@ -80,14 +80,14 @@ class Watched:
 
 
 def watched(level: Level, values: Values, also: Iterable[str] = ()) -> tuple[Watched, ...]:
-    """Return what is judged: what the checks that apply measure, what else, and all motion.
+    """Return the quantities of the checks that apply, the additional ones, and all motion.
 
     Parameters
     ----------
     level, values
         The run.
     also
-        Other quantities, such as those that are recorded.
+        Further quantities, such as recorded ones.
     """
     named = tuple(dict.fromkeys((*checked(level, values), *(Watched(name) for name in also))))
     throughout = {item.quantity for item in named if item.at is None}
@@ -95,15 +95,15 @@ def watched(level: Level, values: Values, also: Iterable[str] = ()) -> tuple[Wat
 
 
 def checked(level: Level, values: Values) -> tuple[Watched, ...]:
-    """Return what the checks that apply measure."""
+    """Return the quantities of the checks that apply."""
     found = (by_check(check, values) for check in level.checks if applies(check, values))
     return tuple(dict.fromkeys(found))
 
 
 def scaled(wanted: Sequence[Watched], trace: Trace) -> tuple[Watched, ...]:
-    """Return what is watched, of motion only what moves in a run, and with its least scale.
+    """Return the watched quantities with scales, leaving out motion that does not occur in a run.
 
-    A coordinate that stays small beside the others of the scene is relative to a share of these.
+    A coordinate that stays small is compared relative to a share of the scene's largest one.
     """
     largest: dict[str, float] = {}
     for item in wanted:
@@ -118,18 +118,18 @@ def scaled(wanted: Sequence[Watched], trace: Trace) -> tuple[Watched, ...]:
 
 
 def _kind(item: Watched) -> str:
-    """Return what sort of motion it is: position, velocity, angle or angular_velocity."""
+    """Return the kind of motion: position, velocity, angle or angular_velocity."""
     *_, before, last = item.quantity.rsplit(".", 2)
     return before if last in ("x", "y") else last
 
 
 def by_check(check: Check, values: Values) -> Watched:
-    """Return what a check looks at."""
+    """Return the quantity of a check."""
     return Watched(check.quantity, check.at, least_scale(check, values))
 
 
 def motion(level: Level) -> Iterator[Watched]:
-    """Yield the places and velocities of the bodies that move freely."""
+    """Yield the positions and velocities of the dynamic bodies."""
     parts = ["position.x", "position.y", "velocity.x", "velocity.y"]
     parts += ["angle", "angular_velocity"] if level.effects.rotation else []
     for name, body in level.bodies.items():
@@ -138,14 +138,14 @@ def motion(level: Level) -> Iterator[Watched]:
 
 
 def lasting(level: Level, values: Values, duration: float | None) -> Level:
-    """Return a level that lasts as long as it is run [s], if that is longer than its own."""
+    """Return a level with at least a given duration [s]."""
     if duration is None or duration <= level.duration(values):
         return level
     return level.model_copy(update={"duration": Duration(duration)})
 
 
 def never() -> bool:
-    """Return that there is no need to give up."""
+    """Return False: never give up."""
     return False
 
 
@@ -157,7 +157,7 @@ def record(
     stop: Stop = never,
     seen: float = SEEN,
 ) -> Trace:
-    """Run a level for its duration and record what is watched.
+    """Run a level for its duration and record the watched quantities.
 
     Parameters
     ----------
@@ -166,15 +166,15 @@ def record(
     wanted
         The watched quantities.
     stop
-        Is called now and then, and returns whether to give up.
+        Called repeatedly; returns whether to give up.
     seen
-        How often it is looked at, or up to twice that [Hz]; at every step if that is less often, or
-        if what is watched depends on every step.
+        The rate of observations, or up to twice that [Hz]; every step is observed if the run is
+        slower than that, or if a watched quantity depends on every step.
 
     Raises
     ------
     Cancelled
-        If `stop` says so.
+        If `stop` returned true.
     SimulationError
         If the run had to stop.
     """
@@ -183,22 +183,22 @@ def record(
     recorder = Recorder(world, names)
     all_ = any(_needs_all(level, item) for item in wanted)
     steps = 1 if all_ else stride(stepping.rate, seen)
-    for look in range(-(-count_steps(world) // steps)):  # to the end at the least:
+    for look in range(-(-count_steps(world) // steps)):  # rounded up, to reach the end
         if look % BLOCK == 0 and stop():
             raise Cancelled
-        world.advance(steps)  # instants are read off samples at equal steps
+        world.advance(steps)  # instants need samples at equal intervals
         recorder.note()
     return recorder.trace
 
 
 def _needed(item: Watched) -> Iterator[str]:
-    """Yield what is recorded: of places also how they change."""
+    """Yield the quantities to record: the quantity itself, and a coordinate's derivatives."""
     yield from needed_at(item.quantity, item.at)
     yield from item.rates or ()
 
 
 def stride(rate: float, seen: float = SEEN) -> int:
-    """Return how many steps go from look to look, at rates of both [Hz].
+    """Return the number of steps between observations, given both rates [Hz].
 
     It is a power of two, so that runs share instants.
     """
@@ -206,15 +206,15 @@ def stride(rate: float, seen: float = SEEN) -> int:
 
 
 def _needs_all(level: Level, item: Watched) -> bool:
-    """Whether what is watched depends on every step; books miss none."""
+    """Whether a quantity depends on every step."""
     known = quantity(item.quantity, level)
     return isinstance(item.at, ContactEvent | SeparationEvent) or not known.momentary
 
 
 def apart(one: Trace, other: Trace, item: Watched) -> float | None:
-    """Return the largest difference of two runs in a quantity, at the times they share [its unit].
+    """Return the largest difference of a quantity between two runs, at shared times [its unit].
 
-    None if an instant came in neither, infinite if in one of them only.
+    None if the instant occurs in neither run, infinite if it occurs in only one.
     """
     found, wanted = (samples(trace, item.quantity, item.at) for trace in (one, other))
     if found is None or wanted is None:
@@ -230,9 +230,9 @@ def apart(one: Trace, other: Trace, item: Watched) -> float | None:
 
 
 def departure(one: Trace, other: Trace, item: Watched, error: float) -> float | None:
-    """Return until when two runs agree in where things are, to a relative error [s].
+    """Return until when two runs agree on a coordinate, to a relative error [s].
 
-    None if they do to the end, or if it is no place that is watched.
+    None if they agree to the end, or if the quantity is a velocity or has an instant.
     """
     if item.at is not None or (item.motion and "velocity" in _kind(item)):
         return None
@@ -244,14 +244,14 @@ def departure(one: Trace, other: Trace, item: Watched, error: float) -> float | 
 
 
 def shared_times(t: Array, times: Array) -> tuple[Integers, Integers]:
-    """Return which of some times are among others, and where there."""
+    """Return the indices of times that are among others, and their indices there."""
     places = np.searchsorted(times, t * (1 - SAME)).clip(max=len(times) - 1)
     shared = np.flatnonzero(np.abs(times[places] - t) <= SAME * t)
     return shared, places[shared]
 
 
 def _jumping(one: tuple[Array, Array], other: tuple[Array, Array], at: Array) -> Integers:
-    """Return which of some times are beside a jump of one of two runs, each (times, values)."""
+    """Return the indices of times near a jump in either of two runs, each (times, values)."""
     found = np.concatenate([_jumps(*run) for run in (one, other)])
     if not len(found):
         return np.empty(0, dtype=np.intp)
@@ -261,46 +261,46 @@ def _jumping(one: tuple[Array, Array], other: tuple[Array, Array], at: Array) ->
 
 
 def _jumps(t: Array, values: Array) -> Array:
-    """Return when values jump."""
+    """Return the times at which values jump."""
     sharp = jumps(values)
     return (t[:-1][sharp] + t[1:][sharp]) / 2
 
 
 def jumps(values: Array) -> Array:
-    """Return between which looks values jump for good, by far more than around them: (T - 1,)."""
+    """Return the intervals in which values jump permanently, (T - 1,), unlike around them."""
     change = np.abs(np.diff(values))
     padded = np.concatenate(([0.0, 0.0], change, [0.0, 0.0]))
     around = np.maximum(padded[:-4], padded[4:])
-    apart = np.abs(values[2:] - values[:-2])  # what returns at once is no jump
+    apart = np.abs(values[2:] - values[:-2])  # a spike is not a jump
     stays = np.minimum(np.append(apart, np.inf), np.append(np.inf, apart))
     sharp = (change > JUMPS * around) & (stays > change / 2)
     return np.asarray(sharp & (change > ROUNDING * np.abs(values).max(initial=0.0)))
 
 
 def size(trace: Trace, item: Watched) -> float:
-    """Return the scale of a quantity's errors: its largest value, or a given scale.
+    """Return the scale of a quantity's errors in its unit: its largest value, or a given scale.
 
-    In its unit; 0 if it has neither.
+    0 if it has neither.
     """
     found = samples(trace, item.quantity, item.at)
     return max(_largest(found[1]) if found else 0.0, item.scale)
 
 
 def unit(traces: Sequence[Trace], item: Watched, error: float) -> float:
-    """Return what an error of the last of some runs is relative to, each finer than that before.
+    """Return the scale of the last run's error; each of the runs is finer than the one before.
 
-    Where the value itself fades as the step does, it is nothing but an error of zero: 1.
+    1 if the value itself vanishes with the step: then zero is expected, and the error is absolute.
     """
     before, last = (size(trace, item) for trace in traces[-2:])
     return 1.0 if last < FADING * before else scale(last, error)
 
 
 def scale(size: float, error: float) -> float:
-    """Return what an error is relative to: 1 where nothing is there but the error itself."""
+    """Return the scale of an error: the quantity's size, or 1 if that is not above the error."""
     return size if max(ZERO, error) < size < np.inf else 1.0
 
 
 def _largest(values: Array) -> float:
-    """Return the largest size, infinite if a value is none."""
+    """Return the largest absolute value; infinite if a value is not finite."""
     worst = float(np.abs(values).max(initial=0.0))
     return worst if np.isfinite(worst) else np.inf

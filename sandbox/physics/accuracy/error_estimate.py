@@ -13,21 +13,21 @@ from sandbox.physics.measuring.recording import Trace
 
 @dataclass(frozen=True, slots=True)
 class Estimate:
-    """What a run owes to its step, in one quantity.
+    """The numerical error of a run in one quantity.
 
     Attributes
     ----------
     quantity, at
         The quantity, at an instant or the largest error over the run.
     unit
-        Of `difference`.
+        The unit of `difference`.
     error
-        Relative to the largest value, as a check's; absolute where that is zero. Infinite where an
-        instant comes in some of the runs only.
+        The error relative to the largest value, as for a check; absolute if that is zero. Infinite
+        if the instant occurs in only some of the runs.
     difference
-        The same in the unit.
+        The error in that unit.
     order
-        The power of the step with which it falls; None if it is rounding, or shows none.
+        The power of the step with which it falls; None if it is rounding, or no order shows.
     """
 
     quantity: str
@@ -45,28 +45,28 @@ def estimate(
     wanted: Sequence[Watched] | None = None,
     stop: Stop = never,
 ) -> tuple[Estimate | None, ...]:
-    """Estimate the numerical error of a run, which is that of its step and its solver.
+    """Estimate the numerical error of a run, due to its step and its solver.
 
-    Three runs are taken, seven times the work of the one: at the rate, twice and four times that.
+    It takes three runs, at the rate, twice and four times the rate: seven times the work of one.
 
     Parameters
     ----------
     level, values, stepping
-        The run; the level's defaults and its own setting if left out.
+        The run; the level's default values and its own stepping if left out.
     wanted
-        The quantities; those of the level's checks that apply if left out, or if there are none the
-        places and velocities of the bodies.
+        The quantities. If left out, those of the level's checks that apply or, without any, the
+        positions and velocities of the bodies.
     stop
-        Is called now and then, and returns whether to give up.
+        Called repeatedly; returns whether to give up.
 
     Returns
     -------
-    For each quantity its estimate; None where it is measured at an instant that never comes.
+    The estimate for each quantity; None if its instant never occurs.
 
     Raises
     ------
     Cancelled
-        If `stop` said so.
+        If `stop` returned true.
     SimulationError
         If a run had to stop.
     """

@@ -5,7 +5,7 @@ from sandbox.model.message import Message
 
 
 class AccuracyError(SandboxError):
-    """An accuracy that cannot be had, or cannot be judged."""
+    """An accuracy that cannot be reached, or cannot be judged."""
 
 
 class Cancelled(SandboxError):  # noqa: N818 (a wish rather than an error)

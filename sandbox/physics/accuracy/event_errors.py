@@ -1,12 +1,12 @@
 """Errors from sudden events between two steps: impacts, and forces that set in or end.
 
 An impact that is not located is found at a step, up to one step late. A run with half the step may
-find it at the same instant. Then both are wrong by the same amount, and their difference does not
-show it; every other time a third run, with half of that step, agrees with them. So an instant is
-known to a step of the finest run, however well the runs agree.
+find it at the same instant: both are wrong by the same amount, and their difference does not show
+it. Half of the time a third run, with half of that step, agrees with them as well. The time of such
+an impact is therefore known to one step of the finest run, however well the runs agree.
 
-Where a force sets in or ends, the velocity that is read at that one step is the mean of two between
-which it changed.
+At the step in which a force sets in or ends, the recorded velocity is the mean of two velocities
+between which it changed.
 """
 
 from collections.abc import Iterator, Sequence
@@ -19,31 +19,31 @@ from sandbox.physics.accuracy.compared_runs import Watched, jumps, scale, size
 from sandbox.physics.measuring.recording import Trace
 
 BY_CHANCE = 0.1
-"""The share by which a force may do more between two observations without an event."""
+"""The tolerance for changes by forces between two observations without an event, as a share."""
 
 ROUNDING = 1e-12
-"""Changes below this share of the largest velocity are no jumps."""
+"""The smallest change that counts as a jump, as a share of the largest velocity."""
 
 
 class Off(NamedTuple):
-    """How far off something may be, relative, and what; None if nothing is."""
+    """A relative error and its quantity; None if there is no error."""
 
     error: float = 0.0
     item: Watched | None = None
 
 
 def lateness(trace: Trace, wanted: Sequence[Watched]) -> Off:
-    """Return how far off a run may be for what it finds a step too late.
+    """Return the error of a run due to impacts that are found up to one step late.
 
-    A body that an impact turns back a step too late is off by what that changes of its velocity,
-    times the step. Impacts that are located are not late, and where nothing touches there are none.
+    A body whose impact is found one step late is displaced by the change of its velocity times the
+    step. Located impacts are not late, and a level without contacts has none.
     """
     late = _found_late(trace, wanted)
     return _worst(trace, ((item, float(motion.jumps.max(initial=0.0))) for item, motion in late))
 
 
 def timely(trace: Trace, wanted: Sequence[Watched], error: float) -> float:
-    """Return until when nothing is found so late that a run is off by more than an error [s]."""
+    """Return until when no impact is found late enough to cause more than a given error [s]."""
     until, step = float(trace.t[-1]), 1 / trace.stepping.rate
     for item, motion in _found_late(trace, wanted):
         late = motion.jumps * step > error * scale(size(trace, item), 0.0)
@@ -52,9 +52,9 @@ def timely(trace: Trace, wanted: Sequence[Watched], error: float) -> float:
 
 
 def onset(trace: Trace, wanted: Sequence[Watched], rate: float) -> Off:
-    """Return how far off a velocity may be at a step in which a force sets in or ends.
+    """Return the error of a velocity at a step in which a force sets in or ends.
 
-    That is half of a step of the change, at a rate [Hz], as it is seen in a finer run.
+    It is half of the change of the acceleration, seen in a finer run, times a step at a rate [Hz].
     """
     velocities = {item.quantity: item for item in wanted if item.at is None}
     found = _motions(trace, wanted)
@@ -64,9 +64,9 @@ def onset(trace: Trace, wanted: Sequence[Watched], rate: float) -> Off:
 
 
 def _found_late(trace: Trace, wanted: Sequence[Watched]) -> Iterator[tuple[Watched, "_Motion"]]:
-    """Yield the coordinates of bodies that may have impacts which are not located in time.
+    """Yield the coordinates of bodies whose impacts are not located in time.
 
-    A joint that goes taut is none: it holds at the end of the step in which it does.
+    A joint that becomes taut is not an impact: it holds at the end of the same step.
     """
     if contact := trace.level.effects.contact:
         exact = contact.located or ()
@@ -74,7 +74,7 @@ def _found_late(trace: Trace, wanted: Sequence[Watched]) -> Iterator[tuple[Watch
 
 
 def _worst(trace: Trace, found: Iterator[tuple[Watched, float]], rate: float = 0.0) -> Off:
-    """Return what is furthest off, of changes a second, in a step of a run or of another rate."""
+    """Return the largest error by changes per second, in a step of the run or at a rate [Hz]."""
     step, worst = 1 / (rate or trace.stepping.rate), Off()
     for item, change in found:
         off = change * step
@@ -83,7 +83,7 @@ def _worst(trace: Trace, found: Iterator[tuple[Watched, float]], rate: float = 0
 
 
 class _Motion(NamedTuple):
-    """The motion of a coordinate, sampled now and then: (T,) each."""
+    """The motion of a coordinate at the observations: (T,) each."""
 
     t: Array
     velocity: Array
@@ -91,35 +91,35 @@ class _Motion(NamedTuple):
 
     @property
     def jumps(self) -> Array:
-        """By how much the velocity changes at once, from look to look."""
+        """The sudden changes of the velocity between observations."""
         return np.where(self._at_once, self._beyond, 0.0)
 
     @property
     def change(self) -> float:
-        """By how much the acceleration does, where the velocity does not."""
+        """The largest jump of the acceleration where the velocity does not jump."""
         sharp = np.logical_and(jumps(self.acceleration), np.logical_not(self._at_once))
         return float(np.abs(np.diff(self.acceleration))[sharp].max(initial=0.0))
 
     @property
     def _pushed(self) -> Array:
-        """By how much forces change the velocity from look to look."""
+        """The change of the velocity by forces between observations."""
         return (self.acceleration[1:] + self.acceleration[:-1]) / 2 * np.diff(self.t)
 
     @property
     def _beyond(self) -> Array:
-        """By how much it changes beyond that."""
+        """The change of the velocity that forces do not explain."""
         return np.abs(np.diff(self.velocity) - self._pushed)
 
     @property
     def _at_once(self) -> Array:
-        """Between which looks that is more than forces can do that change between them."""
+        """The intervals in which that change exceeds what varying forces can cause."""
         changing = np.abs(np.diff(self.acceleration)) / 2 * np.diff(self.t)
         rounding = ROUNDING * np.abs(self.velocity).max(initial=0.0)
         return self._beyond > changing + BY_CHANCE * np.abs(self._pushed) + rounding
 
 
 def _motions(trace: Trace, wanted: Sequence[Watched]) -> Iterator[tuple[Watched, _Motion]]:
-    """Yield the coordinates that are watched, and how they change."""
+    """Yield the coordinates that are watched, with their motion."""
     for item in wanted:
         if item.rates:
             yield item, _Motion(trace.t, *(trace.columns[name] for name in item.rates))

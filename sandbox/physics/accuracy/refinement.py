@@ -1,4 +1,4 @@
-"""Step refinement: runs of one scheme with smaller and smaller steps, and what they predict."""
+"""Step refinement: runs of one scheme with smaller and smaller steps, and their extrapolation."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -15,7 +15,7 @@ from sandbox.physics.measuring.step_timing import brief_costs
 from sandbox.physics.stepping.make_world import make_world
 
 NEARLY = 0.75
-"""The share of its order that a scheme must show where its steps are small enough."""
+"""The share of its order that a scheme must show to count as converging."""
 
 PARTS = 4
 """The number of rates per octave: rates in ratios of small whole numbers share many instants, at
@@ -29,20 +29,20 @@ RUNS = 4
 """The least number of runs that show an order."""
 
 COUNTS = 0.1
-"""The share of the largest error from which an error must show the order."""
+"""The share of the largest error above which an error must show the order."""
 
 ROUNDING = 1e-12
-"""The share by which a rate may be lower and count as equal."""
+"""The relative tolerance within which rates count as equal."""
 
 SPARE = 0.8
-"""The share of the accuracy that a rate between two runs is meant to use."""
+"""The share of the target error that a rate between two runs aims at."""
 
 SLOWEST = 30.0
-"""Hz, the lowest rate that is chosen: fewer steps look like none."""
+"""The lowest rate that is chosen [Hz]; a motion in fewer steps would look jerky."""
 
 
 def foot(rate: float) -> float:
-    """Return the rate from which doubling leads to a level's own: the lowest not below `SLOWEST`.
+    """Return the rate from which doubling reaches a level's own: the lowest not below `SLOWEST`.
 
     >>> foot(1000.0)
     31.25
@@ -59,12 +59,12 @@ class Refinement:
     traces
         The runs.
     errors
-        (r,), the largest relative error of each of them.
+        (r,), the largest relative error of each run.
     growth
-        For each quantity the error of the last run and the power of the step by which it goes on:
-        less than zero where it is rounding, which grows with the rate.
+        For each quantity the error of the last run, and the power of the step with which it
+        continues: negative for rounding, which grows with the rate.
     seen
-        How many of the runs, from the first, are seen to be as accurate as is told.
+        The number of runs, from the first, whose errors are confirmed by finer runs.
     """
 
     traces: tuple[Trace, ...]
@@ -73,15 +73,15 @@ class Refinement:
     seen: int = 0
 
     def cheapest(self, error: float) -> tuple[Trace, float] | None:
-        """Return the first run that is seen to have no larger error, and that."""
+        """Return the first run with a confirmed error that is small enough, and that error."""
         runs = zip(self.traces[: self.seen], self.errors, strict=False)
         return next((r for r in runs if r[1] <= error and r[0].stepping.rate >= SLOWEST), None)
 
     def between(self, error: float) -> float | None:
-        """Return a rate below the first run that will do, at which one might do as well [Hz].
+        """Return a rate below the first sufficient run at which the error may still suffice [Hz].
 
-        It is on the power of the rate through that run and the one before, and parts an octave in
-        the ratio of small numbers; None if there is none.
+        It is interpolated by a power law through that run and the one before, and divides an octave
+        in a ratio of small integers; None if there is none.
         """
         found = self.cheapest(error)
         if not found or found[0] is self.traces[0]:
@@ -101,17 +101,17 @@ class Refinement:
         return ORDERS[self.traces[-1].stepping.scheme]
 
     def believable(self, target: float) -> bool:
-        """Whether it shows how much finer the step must be for an error.
+        """Whether the runs allow extrapolation to a smaller error.
 
-        It has to show the order of its scheme: a lower one would ask for far too many steps.
+        They have to show the order of the scheme: a lower order would ask for far too many steps.
         """
         shown = NEARLY * self._order
         return all(order >= shown for off, order in self.growth if off > target)
 
     def rate_for(self, error: float) -> float:
-        """Return the rate from which on no error is expected to be larger [Hz]; infinite if none.
+        """Return the rate from which no error is expected to be larger [Hz]; infinite if none.
 
-        What stock pymunk makes of impacts is a matter of chance, and nothing follows from it.
+        Nothing can be extrapolated for stock pymunk, whose impacts are a matter of chance.
         """
         if self.traces[-1].stepping.is_stock:
             return inf
@@ -132,12 +132,12 @@ class Refinement:
 
 
 def step_durations(level: Level, values: Values, *steppings: Stepping) -> tuple[float, ...]:
-    """Return what a step of some settings takes [s], timed in turn."""
+    """Return the time of a step with each stepping [s], measured in turn."""
     return brief_costs(*(partial(make_world, level, values, stepping) for stepping in steppings))
 
 
 def judged(traces: Sequence[Trace], wanted: Sequence[Watched]) -> Refinement:
-    """Return runs with their errors, as far as these follow from the runs."""
+    """Return runs with their errors, estimated from the runs themselves."""
     parts = [errors for item in wanted if (errors := extrapolated(traces, item))]
     late = lateness(traces[-1], wanted).error
     worst = tuple(
@@ -155,10 +155,10 @@ def judged(traces: Sequence[Trace], wanted: Sequence[Watched]) -> Refinement:
 def held_against(
     refinement: Refinement, better: Refinement, wanted: Sequence[Watched]
 ) -> Refinement:
-    """Return a refinement with its errors against the last run of a better one.
+    """Return a refinement with its errors relative to the last run of a better one.
 
-    All its runs are seen to have them if the other is of another scheme; else those that have at
-    least twice the step twice over.
+    The errors of all its runs are confirmed if the other scheme differs; else only those of runs
+    with at least four times the step of that last run.
     """
     last, own = better.traces[-1], better.errors[-1]
     errors = tuple(max(furthest(trace, last, wanted)[0] + own, own) for trace in refinement.traces)
@@ -169,7 +169,7 @@ def held_against(
 
 
 def furthest(trace: Trace, best: Trace, wanted: Sequence[Watched]) -> tuple[float, Watched | None]:
-    """Return the largest relative difference of two runs, and the quantity that it is in."""
+    """Return the largest relative difference between two runs, and the quantity that has it."""
     worst: tuple[float, Watched | None] = 0.0, None
     for item in wanted:
         difference = apart(trace, best, item)
@@ -180,9 +180,9 @@ def furthest(trace: Trace, best: Trace, wanted: Sequence[Watched]) -> tuple[floa
 
 
 def in_step(rate: float, with_: float, parts: int = PARTS) -> float:
-    """Return the least rate not below one [Hz] that is in step with another.
+    """Return the lowest rate that is not below one [Hz] and shares many instants with another.
 
-    It is that rate doubled or halved again and again, and on by so many parts of an octave.
+    It is the other rate, doubled or halved repeatedly, plus a number of equal parts of an octave.
 
     >>> in_step(100.0, 30.0)
     105.0

@@ -1,8 +1,8 @@
-"""The search over schemes and steps: which run comes next, as far as the work allows.
+"""The search over schemes and steps: which run comes next, within the work allowed.
 
-The next run is always the one that is the least work, so that no scheme spends the time of the
-others. A scheme that cannot be the cheapest any more is dropped. Work is counted, so the same
-request takes the same runs; a clock ends only what takes far longer than its count.
+The next run is always the one with the least work, so that no scheme uses up the time of the
+others. A scheme that can no longer be the cheapest is dropped. Work is counted, so that the same
+request takes the same runs; a clock only ends runs that take far longer than counted.
 """
 
 from collections.abc import Callable, Sequence
@@ -19,36 +19,36 @@ from sandbox.physics.measuring.recording import Trace
 from sandbox.physics.state.errors import SimulationError
 
 Progress = Callable[[float, str], None]
-"""Is called with the share of the time that is spent, and what comes next."""
+"""A callback with the share of the time that is spent, and a description of the next step."""
 
 FEWEST = 3
-"""The runs of a scheme before its remaining work is estimated."""
+"""The number of runs of a scheme before its remaining work is estimated."""
 
 DEARER = 2.0
-"""A scheme is dropped if it needs this many times the work of another."""
+"""The ratio of work to that of another scheme from which a scheme is dropped."""
 
 PATIENCE = 6.0
-"""How many times the counted work the runs may actually take."""
+"""The longest time that the runs may actually take, as a multiple of the counted work."""
 
 
 @dataclass(slots=True)
 class Refiner:
-    """Runs a level at a rate, and at twice that again and again.
+    """Runs a level at a rate, and at twice the rate each next time.
 
-    A run that has to stop, for its steps are too long, counts for nothing.
+    A run that has to stop because its steps are too long does not count.
 
     Attributes
     ----------
     level, values, wanted, target
-        The run, the watched quantities, and the largest error they may have.
+        The run, the watched quantities, and the largest error allowed.
     stepping
         The stepping of the next run.
     refinement
-        The runs so far; None if there are no two.
+        The runs so far; None if there are fewer than two.
     failure
-        Why the last one had to stop; None if it did not.
+        Why the last run had to stop; None if it did not.
     step
-        How much work a step is [s], as counted.
+        The counted work of a step [s].
     """
 
     level: Level
@@ -70,7 +70,7 @@ class Refiner:
         Raises
         ------
         Cancelled
-            If `stop` said so.
+            If `stop` returned true.
         """
         self.failure = None
         try:
@@ -82,18 +82,18 @@ class Refiner:
         self.stepping = self.stepping.model_copy(update={"rate": 2 * self.stepping.rate})
 
     def work(self, rate: float) -> float:
-        """Return how much work a run at a rate is [s], as counted."""
+        """Return the counted work of a run at a rate [s]."""
         looks = min(rate, 2 * SEEN)
         return self.level.duration(self.values) * (rate * self.step + looks * LOOK)
 
     @property
     def over(self) -> bool:
-        """Whether there is no higher rate."""
+        """Whether the highest rate has been passed."""
         return self.stepping.rate > HIGHEST_RATE
 
     @property
     def needed(self) -> float:
-        """The rate from which its errors are small enough, as far as it shows [Hz]."""
+        """The rate from which its errors are small enough [Hz]; infinite if not known."""
         refinement = self.refinement
         if not refinement or len(self._traces) < FEWEST:
             return inf
@@ -101,30 +101,30 @@ class Refiner:
         return max(rate, SLOWEST) if rate <= HIGHEST_RATE else inf
 
     def lags(self, enough: float) -> bool:
-        """Whether its remaining work is still unknown, and may be less than some work [s]."""
+        """Whether its remaining work is still unknown, and may be within some work [s]."""
         return self.needed == inf and self.step * self.stepping.rate <= enough
 
     @property
     def promised(self) -> float:
-        """What a second of the scene is expected to take that will do [s], as counted."""
+        """The counted work per second of the scene at the rate that is needed [s]."""
         return self.step * self.needed
 
 
 def refine(
     refiners: Sequence[Refiner], seconds: float, stop: Stop, progress: Progress | None = None
 ) -> list[Refinement]:
-    """Take runs in turn, until the cheapest that will do is seen, or the work is done.
+    """Run the schemes in turn until the cheapest sufficient run is known, or the work is spent.
 
-    Where bodies touch, the first is the judge of the others.
+    For a level with contacts, the first refiner is the reference for the others.
 
     Returns
     -------
-    The refinements, each with errors held against the best, in the order of those that have any.
+    The refinements, each with errors relative to the best, which comes first.
 
     Raises
     ------
     Cancelled
-        If `stop` said so.
+        If `stop` returned true.
     """
     spent, begun = 0.0, thread_time()
     refinements: list[Refinement] = []
@@ -142,16 +142,16 @@ def refine(
 
 
 def held(refiners: Sequence[Refiner]) -> list[Refinement]:
-    """Return all refinements with their errors against the best, the best first.
+    """Return all refinements with errors relative to the best, the best first.
 
-    None as long as there is but stock pymunk, which agrees with itself on what is wrong.
+    Empty if there is only stock pymunk, whose runs may agree on a wrong result.
     """
     found = [refiner.refinement for refiner in refiners if refiner.refinement]
     judges = [refinement for refinement in found if not refinement.traces[0].stepping.is_stock]
     if not judges:
         return []
     best = min(judges, key=lambda refinement: refinement.errors[-1])
-    if refiners[0].level.effects.contact:  # what sweeps still owe, only more of them show, or none
+    if refiners[0].level.effects.contact:  # only more sweeps, or none, show the error of sweeps
         plain = refiners[-1].stepping.at(HIGHEST_RATE)
         able = [found for found in judges if found.traces[0].stepping.at(HIGHEST_RATE) != plain]
         best = min(able or judges, key=lambda refinement: refinement.errors[-1])
@@ -163,16 +163,16 @@ def held(refiners: Sequence[Refiner]) -> list[Refinement]:
 
 
 def cost(refiners: Sequence[Refiner], refinement: Refinement) -> float:
-    """Return how much work a step of a refinement is [s], as counted."""
+    """Return the counted work of a step of a refinement [s]."""
     return next(
         c.step for c in refiners if c.refinement and c.refinement.traces is refinement.traces
     )
 
 
 def _worthwhile(refiners: Sequence[Refiner], refinements: Sequence[Refinement]) -> list[Refiner]:
-    """Return those that may still find something cheaper than what is seen to do.
+    """Return the refiners that may still find something cheaper than the best sufficient run.
 
-    A run is as cheap as any finer one is not: it must be below what was found already.
+    Finer runs only cost more, so the next run of a refiner must be below that run's work.
     """
     left = [refiner for refiner in refiners if not refiner.over]
     target = refiners[0].target

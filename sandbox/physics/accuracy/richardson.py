@@ -1,4 +1,4 @@
-"""The errors of runs with smaller and smaller steps, by Richardson's extrapolation."""
+"""The errors of runs with smaller and smaller steps, by Richardson extrapolation."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -9,32 +9,32 @@ from sandbox.physics.accuracy.compared_runs import Watched, apart, size, unit
 from sandbox.physics.measuring.recording import Trace
 
 LEAST_ORDER = 0.5
-"""Differences that fall more slowly than this power of the step show no order."""
+"""The least power of the step with which differences must fall to show an order."""
 
 ORDERS = {"leapfrog": 2, "fourth-order": 4, "symplectic-euler": 1, "explicit-euler": 1}
 """The orders of the schemes; errors are not expected to fall faster."""
 
 ROUGHLY = 2.0
-"""The error of two runs without an order, as a multiple of their difference: rounding is random."""
+"""The error without an order, as a multiple of the last difference: rounding is random."""
 
 ROUNDING = 1e-15
-"""Differences below this share of the quantity mean nothing."""
+"""The largest relative difference that counts as rounding."""
 
 
 @dataclass(frozen=True, slots=True)
 class Errors:
-    """The errors of some runs in a quantity, each of half the step of the one before [unit].
+    """The errors of runs in a quantity, each run with half the step of the one before [its unit].
 
     Attributes
     ----------
     of
-        The errors.
+        The errors of the runs.
     order
         The power of the step with which they fall; None if there is none.
     unit
-        The scale to which they are relative; 1 where the value itself is zero.
+        The scale of relative errors; 1 where the value itself is zero.
     rise
-        The power of the rate with which they grow, if they are rounding; else 0.
+        The power of the rate with which they grow, if they are due to rounding; else 0.
     """
 
     of: tuple[float, ...]
@@ -44,18 +44,18 @@ class Errors:
 
     @property
     def relative(self) -> tuple[float, ...]:
-        """The errors as a check's."""
+        """The relative errors, as for a check."""
         return tuple(error / self.unit for error in self.of)
 
 
 def extrapolated(traces: Sequence[Trace], item: Watched) -> Errors | None:
-    """Return the errors of at least two runs in what is watched, by the differences between them.
+    """Return the errors of at least two runs in a quantity, from the differences between them.
 
-    e_n = (y_n − y_{n−1}) / (2^p − 1) is that of the last, with the order p by which the differences
-    fall, but not more than the scheme's; each other's is its difference from the last, and that.
-    Where no order shows, the error of the last counts as twice the difference.
+    The error of the last run is e_n = |y_n − y_{n−1}| / (2^p − 1), where p is the order with which
+    the differences fall, at most that of the scheme. The error of any other run is its difference
+    from the last, plus e_n. Without an order, e_n is taken as twice the difference.
 
-    None if an instant comes in none of the runs.
+    None if the instant occurs in none of the runs.
     """
     steps = [apart(a, b, item) for a, b in pairwise(traces)]
     if all(step is None for step in steps):
@@ -71,9 +71,9 @@ def extrapolated(traces: Sequence[Trace], item: Watched) -> Errors | None:
 
 
 def _rise(differences: Sequence[float]) -> float:
-    """Return by which power of the rate differences grow, if they do each time.
+    """Return the power of the rate with which differences grow; 0 if they do not grow every time.
 
-    No more than 2, that of an acceleration: the rounding of places over the square of the step.
+    At most 2, as for an acceleration: the rounding of positions over the square of the step.
     """
     last = differences[-3:]
     grows = len(last) > 1 and last[0] > 0 and all(a < b < inf for a, b in pairwise(last))
@@ -81,11 +81,11 @@ def _rise(differences: Sequence[float]) -> float:
 
 
 def _order(differences: Sequence[float], floor: float, most: int) -> tuple[float | None, float]:
-    """Return the order by which differences fall, and the last of them.
+    """Return the order with which differences fall, and the last difference.
 
-    Impacts are found at steps, and how late each comes is a matter of chance: what falls now more
-    and now less is of first order at the best, and the larger of the last two counts. Two runs may
-    agree by chance, too: no difference counts for less than the one before and the order allow.
+    Impacts are found at steps, and how late is a matter of chance: differences that fall
+    irregularly are of first order at best, and the larger of the last two counts. Two runs may also
+    agree by chance, so no difference counts for less than the one before over 2^p.
     """
     last = differences[-1]
     if len(differences) > 1 and floor < differences[-2] / 2**most < inf:

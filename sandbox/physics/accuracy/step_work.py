@@ -1,7 +1,7 @@
-"""The work of a step, counted and not timed: the same on every machine, however busy.
+"""The work of a step, counted instead of timed: the same on every machine under any load.
 
-What a search finds depends on what runs cost. If that were timed, the same request could have
-different answers.
+The result of a search depends on the cost of runs. If that were timed, the same request could have
+different results.
 """
 
 import sys
@@ -16,36 +16,36 @@ from sandbox.physics.stepping.make_world import make_world
 from sandbox.physics.stepping.world import World
 
 STEPS = 20
-"""How many steps are counted, after as many that are not."""
+"""The number of steps counted, after as many uncounted ones."""
 
 CALL = 0.3e-6
-"""s, about, per Python call within a step; measured: 0.2 to 0.9 µs."""
+"""The time per Python call within a step, about [s]; measured: 0.2 to 0.9 µs."""
 
 BODY = 0.1e-6
-"""s, about, per body and pymunk step."""
+"""The time per body and pymunk step, about [s]."""
 
 TOUCH = 0.05e-6
-"""s, about, per contact and iteration of pymunk's solver."""
+"""The time per contact and iteration of pymunk's solver, about [s]."""
 
 LOOK = 40e-6
-"""s, about, per observation of a run."""
+"""The time per observation of a run, about [s]."""
 
 
 def step_work(level: Level, values: Values, stepping: Stepping) -> float:
-    """Return the counted work of a step [s]; 0 if there is none.
+    """Return the counted work of a step [s]; 0 if no step is possible.
 
     Parameters
     ----------
     level, values, stepping
-        The run, of which the beginning is counted.
+        The run, whose first steps are counted.
     """
-    rate = max(stepping.rate, level.stepping.rate)  # at a lower one it may not run
+    rate = max(stepping.rate, level.stepping.rate)  # it may not run at a lower one
     try:
         world = make_world(level, values, stepping.model_copy(update={"rate": rate}))
         before = min(STEPS, count_steps(world) // 2)
         if before:
             world.advance(before)
-        with ThreadPoolExecutor(1) as thread:  # of its own: one that is profiled stays so
+        with ThreadPoolExecutor(1) as thread:  # a thread of its own, to keep any other profiler
             calls = thread.submit(_calls, world, STEPS).result() / STEPS
         world.advance()
         touches = len(world.contacts.bodies)
@@ -58,7 +58,7 @@ def step_work(level: Level, values: Values, stepping: Stepping) -> float:
 
 
 def _calls(world: World, steps: int) -> int:
-    """Return how many calls some steps make in Python."""
+    """Return the number of Python calls in some steps."""
     count = 0
 
     def note(_frame: FrameType, event: str, _arg: object) -> None:

@@ -1,6 +1,6 @@
-"""A study of a level's accuracy: how large the error is, what causes it, what less would cost.
+"""A study of a level's accuracy: the size of the error, its causes, and the cost of a smaller one.
 
-A study is a row of findings, each told as soon as it is known, for somebody who looks on.
+A study yields findings as soon as they are known, so that they can be shown live.
 """
 
 from collections.abc import Iterable, Iterator, Sequence
@@ -43,20 +43,20 @@ from sandbox.physics.scene.schemes import usable
 from sandbox.physics.stepping.make_world import make_world
 
 REFINING = 2.0
-"""s, for the runs of one scheme; a run in progress is not cut short."""
+"""The counted work of the runs of one scheme [s]; a run in progress is not interrupted."""
 
 SEARCH = 4.0
-"""s, for the runs that look for a cheaper setting."""
+"""The counted work of the search for a cheaper setting [s]."""
 
 FINEST = 1e-10
-"""No scheme is refined beyond this error: the rest is rounding."""
+"""The smallest error to which a scheme is refined; below it is rounding."""
 
 EXACT = 1e-10
-"""A formula that is off by less at a small step is exact, and no approximation."""
+"""The error at a small step below which a formula counts as exact."""
 
 
 MANY = 200
-"""For how many quantities the trusted digits are determined, at most."""
+"""The most quantities whose trusted digits are determined."""
 
 
 Stage = Literal[
@@ -66,7 +66,7 @@ Stage = Literal[
 
 @dataclass(frozen=True, slots=True)
 class Progress:
-    """Which share is done, and what comes next, with `{scheme}` for the scheme that is tried."""
+    """The share that is done, and the next step, with `{scheme}` for the scheme that is tried."""
 
     share: float
     stage: Stage
@@ -75,7 +75,7 @@ class Progress:
 
 @dataclass(frozen=True, slots=True)
 class Point:
-    """A setting, its largest numerical error, and what a second of the scene costs [s]."""
+    """A setting, its largest numerical error, and its cost per second of the scene [s]."""
 
     scheme: Scheme
     rate: float
@@ -90,23 +90,23 @@ class Here(Point):
 
 @dataclass(frozen=True, slots=True)
 class Split:
-    """What the error of a check is made of; relative as a check's error is.
+    """The parts of a check's error, relative as a check's error is.
 
     Attributes
     ----------
     check
         The index of the check in the level.
     off
-        By how much the measured number may be off for the step [its unit].
+        The numerical error of the measured value [its unit].
     total
-        The check's error; None where its formula does not hold, or its instant never comes.
+        The check's error; None where its formula does not apply, or its instant never occurs.
     model
-        What stays of it as the step goes to zero: the formula's own approximation. 0 if none is
-        seen, None where the formula does not hold.
+        The error that remains as the step goes to zero: the approximation in the formula. 0 if
+        there is none, None where the formula does not apply.
     numerical
-        What halving the step says of it.
+        The error due to the step, from halving it.
     remaining
-        What neither explains, such as rounding.
+        The rest, such as rounding.
     """
 
     check: int
@@ -119,7 +119,7 @@ class Split:
 
 @dataclass(frozen=True, slots=True)
 class Failed:
-    """Why there is no more to be found."""
+    """The reason why the study cannot continue."""
 
     reason: Message
 
@@ -128,7 +128,7 @@ Finding = Progress | Point | Here | Split | Trust | Setting | Failed
 
 
 def study(level: Level, values: Values) -> Iterator[Finding]:
-    """Yield what other settings err and cost, then what the error of the run is made of."""
+    """Yield the errors and costs of other settings, then the parts of the run's error."""
     try:
         yield from _others(level, values)
         yield from _own(level, values)
@@ -137,7 +137,7 @@ def study(level: Level, values: Values) -> Iterator[Finding]:
 
 
 def split(level: Level, values: Values) -> Iterator[Finding]:
-    """Yield what the error of the run is made of."""
+    """Yield the parts of the run's error."""
     try:
         yield from _own(level, values)
     except SandboxError as error:
@@ -145,7 +145,7 @@ def split(level: Level, values: Values) -> Iterator[Finding]:
 
 
 def seek(level: Level, values: Values, target: float, seconds: float = SEARCH) -> Iterator[Finding]:
-    """Yield the cheapest setting that reaches an accuracy, looked for that long [s]."""
+    """Yield the cheapest setting that reaches an accuracy, within a work of about [s]."""
     try:
         yield Progress(0.1, "looking for the cheapest setting")
         yield calibrate(level, values, target, seconds)
@@ -159,17 +159,17 @@ def trusted(level: Level, values: Values, names: Iterable[str]) -> tuple[Trust, 
     Raises
     ------
     SimulationError
-        If it does not run, or not with half of its step.
+        If it does not run at its own step, or at half of that.
     """
     items = [Watched(name) for name in names]
     return tuple(trusts(list(_halved(level, values, items)), items))
 
 
 def _own(level: Level, values: Values) -> Iterator[Finding]:
-    """Run at half the level's own rate, at that, and at twice that.
+    """Run at half the level's own rate, at that rate, and at twice that.
 
-    The error of the run is that of its checks and of all motion: a check may hold at instants at
-    which nothing moves.
+    The error of the run is that of its checks and of all motion, since a check may hold only at
+    instants at which nothing moves.
     """
     yield Progress(0.9, "halving the step")
     items = [by_check(check, values) for check in level.checks]
@@ -194,9 +194,9 @@ def _error(traces: Sequence[Trace], wanted: Sequence[Watched]) -> float:
 
 
 def _halved(level: Level, values: Values, items: Sequence[Watched]) -> Iterator[Trace]:
-    """Yield a run with twice the step, if that can be, with the level's own, and with half of it.
+    """Yield a run with twice the step, if possible, one with the level's own, and one with half.
 
-    The first only shows by which power of the step the error falls.
+    The first only serves to find the order with which the error falls.
     """
     rate = level.stepping.rate
     with suppress(SandboxError):
@@ -209,7 +209,7 @@ def _halved(level: Level, values: Values, items: Sequence[Watched]) -> Iterator[
 def _split(
     index: int, results: tuple[Result, Result], off: float, numerical: float, rest: float
 ) -> Split:
-    """Split a check's error, from how it came out at the step and at half of it."""
+    """Split a check's error, given its results at the step and at half of it."""
     coarse, fine = results
     if coarse.error is None or fine.error is None:
         return Split(index, off, None, None, numerical, None)
@@ -219,7 +219,7 @@ def _split(
 
 
 def _others(level: Level, values: Values) -> Iterator[Finding]:
-    """Refine the step of each scheme, and hold all against the best."""
+    """Refine the step of each scheme, and compare all with the best."""
     starts = list(_starts(level))
     wanted = with_scales(level, values, watched(level, values))
     refinements: list[Refinement] = []
@@ -240,7 +240,7 @@ def _others(level: Level, values: Values) -> Iterator[Finding]:
 
 
 def _doubt(refinement: Refinement) -> tuple[bool, float]:
-    """Return what makes a refinement a worse judge: pymunk's impacts agree by chance."""
+    """Return a key that ranks a worse reference higher: pymunk's impacts agree by chance."""
     last = refinement.traces[-1]
     naive = last.stepping.is_stock and last.level.effects.contact is not None
     return naive, refinement.errors[-1]

@@ -10,10 +10,10 @@ from sandbox.physics.accuracy.richardson import extrapolated
 from sandbox.physics.measuring.recording import Trace
 
 SEEN = 1e-2
-"""The share of its largest value from which an error of a quantity is visible in a graph."""
+"""The relative error of a quantity from which it is visible in a graph."""
 
 MOST_DIGITS = 8
-"""The most digits for which a column of numbers has room."""
+"""The most digits that a column of numbers has room for."""
 
 USUAL_DIGITS = 5
 """The digits of a number whose error is unknown."""
@@ -30,7 +30,7 @@ class Trust:
     size, off
         The largest value and the largest numerical error, in the quantity's unit.
     until
-        When half of the step makes a difference that is seen in a graph [s]; None if it never does.
+        When halving the step makes a visible difference in a graph [s]; None if it never does.
     """
 
     quantity: str
@@ -40,15 +40,15 @@ class Trust:
 
     @property
     def digits(self) -> int:
-        """How many of its digits hold throughout."""
+        """The number of its digits that hold throughout."""
         return surviving(self.size, self.off)
 
 
 def surviving(value: float, off: float) -> int:
     """Return how many significant digits of a value are certain, given its error.
 
-    Half a unit of the last of them is no less than that; none survives in a value that is no
-    larger.
+    The error is at most half a unit of the last of these digits; no digit is certain in a value
+    that is not larger than its error.
 
     >>> surviving(3.14159, 2e-4), surviving(3.14159, 9e-4), surviving(0.02, 0.1)
     (4, 3, 0)
@@ -80,7 +80,7 @@ def trusts(traces: Sequence[Trace], items: Iterable[Watched]) -> Iterator[Trust]
 
 
 def least_known(found: Iterable[Trust]) -> Trust | None:
-    """Return the place that can be trusted least; what hardly leaves zero is none."""
+    """Return the position that can be trusted least, ignoring those that hardly leave zero."""
     places = [trust for trust in found if ".position." in trust.quantity]
     largest = max((place.size for place in places), default=0.0)
     far = [place for place in places if place.size > LITTLE * largest]
