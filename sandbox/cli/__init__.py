@@ -1,4 +1,4 @@
-"""The command line: `commands` says what there is, and each command's work is a module beside it.
+"""The command line: `commands` declares the commands, and modules beside it do their work.
 
-That work is imported when its command runs, so that no command waits for what it does not need.
+A command's work is imported when it runs, so that no command waits for what it does not need.
 """

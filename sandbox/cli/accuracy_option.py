@@ -1,4 +1,4 @@
-"""`--accuracy`: finds the setting that reaches an accuracy, and reports it."""
+"""`--accuracy`: the setting that reaches an accuracy is searched for and printed."""
 
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple
@@ -13,7 +13,7 @@ from sandbox.model.level import Level, Stepping
 
 
 class Choice(NamedTuple):
-    """What of a setting is chosen; None is what the level says."""
+    """Settings chosen on the command line; None for those of the level."""
 
     rate: float | None = None
     """Hz"""
@@ -23,7 +23,7 @@ class Choice(NamedTuple):
 
     @property
     def given(self) -> dict[str, float | str]:
-        """What is chosen, by the names of its options."""
+        """The chosen settings, by the names of their options."""
         return {name: value for name, value in self._asdict().items() if value is not None}
 
 
@@ -45,7 +45,7 @@ def settled(level: Level, values: Values, choice: Choice, also: Sequence[str] = 
     if not choice.given:
         return find_out(level, values, also)
     own = level.stepping
-    _stepping(choice.given)  # a mistake is that of what was chosen
+    _stepping(choice.given)  # so that a mistake is reported for the options
     return _stepping({**own.at(own.rate).model_dump(), **choice.given})
 
 
@@ -61,18 +61,18 @@ def _stepping(given: Mapping[str, float | str]) -> Stepping:
 
 
 def find_out(level: Level, values: Values, also: Sequence[str] = ()) -> Stepping:
-    """Return how a level is run; where it asks for an accuracy, say what that takes.
+    """Return the stepping of a level; if it asks for an accuracy, print the search and its result.
 
-    It is that of the motion, of the checks, and of what else is recorded.
+    The accuracy is that of the motion, the checks, and other recorded quantities.
 
     Raises
     ------
     AccuracyError
-        If it cannot be had.
+        If it cannot be reached.
     """
     if level.stepping.accuracy is None:
         return level.stepping
-    from rich.console import Console  # few need this
+    from rich.console import Console  # rarely needed
 
     from sandbox.physics.accuracy.cache import calibrated
 

@@ -1,4 +1,4 @@
-"""Arguments of the command line: how they are read, and why they are refused."""
+"""Arguments of the command line: reading and validation."""
 
 from collections.abc import Sequence
 from math import isfinite
@@ -17,7 +17,7 @@ from sandbox.model.rules.conditions.numbers import MAX_STEPS
 
 
 class UsageError(SandboxError):
-    """An argument of the command line that makes no sense; its message is English only."""
+    """An invalid argument of the command line; its message is English only."""
 
     def __init__(self, message: str) -> None:
         super().__init__(Message("{message}", message=message))
@@ -31,7 +31,7 @@ MISUSES = (UsageError, TakenError, QuantityError, ValueRangeError, EffectError, 
 
 
 def open_level(argument: str) -> tuple[str, Level]:
-    """Return a level and its name: that in the catalog, or its path.
+    """Return a level and its name: its name in the catalog, or its path.
 
     Raises
     ------
@@ -46,7 +46,7 @@ def open_level(argument: str) -> tuple[str, Level]:
 
 
 def settings(pairs: Sequence[str]) -> dict[str, float]:
-    """Return the parameters that are set, each once, as NAME=VALUE."""
+    """Return the parameters given as NAME=VALUE, each at most once."""
     found: dict[str, float] = {}
     for pair in pairs:
         name, equals, value = pair.partition("=")
@@ -74,14 +74,14 @@ def positive(value: float, option: str) -> None:
 
 
 def payable(seconds: float, stepping: Stepping, option: str) -> None:
-    """Refuse the value of an option for which a run would practically never end."""
+    """Refuse an option value for which a run would practically never end."""
     if (steps := seconds * stepping.rate) > MAX_STEPS:
         rule = f"that takes {steps:.1g} steps at {stepping.rate:g} Hz; {MAX_STEPS:,} are allowed"
         raise UsageError(f"{option} {seconds:g}: {rule}")
 
 
 def output_file(path: Path) -> None:
-    """Refuse a path at which no file can be written, before any work is done."""
+    """Refuse a path that cannot be written, before any work is done."""
     try:
         check_writable(path)
     except SandboxError as error:
@@ -89,7 +89,7 @@ def output_file(path: Path) -> None:
 
 
 def output_folder(path: Path) -> Path:
-    """Return a folder, made if it is missing."""
+    """Return a folder, made if missing."""
     try:
         make_folder(path)
     except SandboxError as error:

@@ -1,4 +1,4 @@
-"""`bench`: how long the window takes to begin, to change levels, and for each frame."""
+"""`bench`: the time of the window's start, of a change of level, and of each frame."""
 
 import json
 import re
@@ -32,7 +32,7 @@ _HEADER = (
 
 
 def measure(names: Sequence[str], size: str, seconds: float, json_file: Path | None) -> int:
-    """Measure levels, show the table, write it if asked to, and return the exit status."""
+    """Measure levels, print the table, write it if asked to, and return the exit status."""
     window = _size(size)
     if json_file is not None:
         argument_parsing.output_file(json_file)
@@ -63,7 +63,7 @@ def _size(text: str) -> tuple[int, int]:
 
 
 def _counts(found: "Timing") -> bool:
-    """Whether a level runs in real time, so that its frames must be in time, too."""
+    """Whether a level runs in real time, so that the bound on its frames applies."""
     return found.speed >= HELD
 
 
@@ -84,5 +84,5 @@ def _rows(found: "Sequence[Timing]") -> Iterator[tuple[str, ...]]:
 
 
 def _mark(found: "Timing", name: str) -> str:
-    """Return what stands behind a figure: a mark if it is beyond its bound."""
+    """Return the mark after a figure: `!` if it exceeds its bound."""
     return " !" if name in found.beyond else ""

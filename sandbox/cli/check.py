@@ -16,11 +16,11 @@ from sandbox.model.schemes import bounds_the_rate
 from sandbox.processes import spread
 
 FEW = 30
-"""Up to so many joints are never too many for a step."""
+"""The number of joints up to which a step is never too expensive."""
 
 
 class Finding(NamedTuple):
-    """What is to be said of a level, and whether it cannot be used."""
+    """A message about a level, and whether the level is unusable."""
 
     messages: list[str]
     refused: bool
@@ -34,14 +34,14 @@ def keep_checking(arguments: Sequence[str], jobs: int = 1) -> NoReturn:
     Raises
     ------
     LevelError
-        If there is no such level at the beginning; a file that goes later may come back.
+        If there is no such level at the beginning; a file that is deleted later may come back.
     """
     paths = [catalog.find(argument) for argument in arguments]
     watch = Watch(paths)
     check(arguments, jobs)
     while True:
         time.sleep(PAUSE)
-        changed = watch.changed()  # what changes while it is checked is checked once more
+        changed = watch.changed()  # a file that changes during its check is checked again
         if changed:
             names = (a for a, path in zip(arguments, paths, strict=True) if path in changed)
             typer.echo(f"\n{', '.join(names)} at {time.strftime('%H:%M:%S')}:")
@@ -67,11 +67,11 @@ def check(arguments: Sequence[str], jobs: int = 1) -> int:
 
 
 def _findings(arguments: Sequence[str], jobs: int) -> Iterator[Finding]:
-    """Yield what is found about each level, in their order."""
+    """Yield the findings about each level, in their order."""
     if jobs == 1:
         yield from map(_finding, arguments)
         return
-    early: dict[int, Finding] = {}  # those that came before one that was begun earlier
+    early: dict[int, Finding] = {}  # finished before an earlier level
     due = 0
     for number, finding in spread(_finding, arguments, jobs):
         early[number] = finding
@@ -91,9 +91,9 @@ def _finding(argument: str) -> Finding:
 
 
 def _check_start(level: Level) -> None:
-    """Refuse a level with too low a rate, with bodies that overlap, or too much for a step.
+    """Refuse a level with too low a rate, with overlapping bodies, or with too expensive a step.
 
-    Only where either could be, the engine is needed.
+    The engine is needed only for levels where one of these is possible.
     """
     crowded = level.effects.contact or len(level.joints) > FEW
     if bounds_the_rate(level) or crowded:

@@ -13,7 +13,7 @@ _HEADER = ("quantity", "measured", "expected", "error", "tolerance", "verdict")
 
 
 def failed(result: Result, *, complete: bool) -> bool:
-    """Whether a check failed; in a complete run its moment must have come, too."""
+    """Whether a check failed; in a complete run also if its instant never came."""
     return result.verdict == "failed" or (complete and result.verdict == "waiting")
 
 
@@ -24,7 +24,7 @@ def lines(results: Sequence[Result], *, complete: bool) -> Iterator[str]:
 
 
 def challenge_lines(trace: Trace) -> Iterator[str]:
-    """Yield how the level's challenge stands after a run: its goals, then its stars."""
+    """Yield the state of the level's challenge after a run: its goals, then its stars."""
     found = attempt(trace.until(trace.level.duration(trace.values)))
     if found is None:
         return
@@ -68,7 +68,7 @@ def _value(value: float | None, unit: str) -> str:
 
 
 def _occasion(result: Result) -> str:
-    """Return what distinguishes checks of the same quantity."""
+    """Return what distinguishes this check from others of the same quantity."""
     at = result.check.at
     when = "" if at is None else "at a time" if isinstance(at, Expression) else f"at {at.event}"
     about = ", ".join(part for part in (result.check.label, when) if part)

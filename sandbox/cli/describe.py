@@ -15,7 +15,7 @@ from sandbox.physics.run import build
 
 
 def describe(argument: str, pairs: Sequence[str], at: float, *, with_forces: bool) -> None:
-    """Say what is on the stage of a level at a time [s], for a terminal or a screen reader."""
+    """Print the scene of a level at a time [s], for a terminal or a screen reader."""
     settings = argument_parsing.settings(pairs)
     if not (isfinite(at) and at >= 0):
         raise argument_parsing.UsageError(f"--at {at:g}: must be a finite time, at least 0")
@@ -23,7 +23,7 @@ def describe(argument: str, pairs: Sequence[str], at: float, *, with_forces: boo
     world = build(level, choose(level, settings))
     if at:
         argument_parsing.payable(at, world.stepping, "--at")
-    with np.errstate(all="ignore"):  # what is not finite is told by name
+    with np.errstate(all="ignore"):  # values that are not finite are named
         recorder = Recorder(world, needed(level))
         for _ in range(count_steps(world, at)):
             world.advance()

@@ -18,7 +18,7 @@ _HEADER = ("quantity", "as declared", "changed", "difference")
 
 
 class Varied(NamedTuple):
-    """A level with effects less or more."""
+    """A level with some effects switched off or on."""
 
     level: Level
     change: Change
@@ -28,16 +28,16 @@ class Varied(NamedTuple):
 def vary(
     level: Level, off: Sequence[str], on: Sequence[str], stepping: Stepping | None = None
 ) -> Varied | None:
-    """Return a level with some effects switched off, then others on; None if nothing is asked for.
+    """Return a level with some effects switched off, then others on; None if none are given.
 
-    It is run with the stepping, if one is given: with another scheme, other effects are possible.
+    The level gets the stepping, if one is given: other schemes allow other effects.
 
     Raises
     ------
     EffectError
-        If that makes no sense.
+        If the effects do not fit the level.
     UsageError
-        If it cannot be meant.
+        If an option is invalid.
     """
     if not (off or on):
         return None
@@ -54,7 +54,7 @@ def vary(
 
 
 def _settings(texts: Sequence[str]) -> dict[str, dict[str, object]]:
-    """Return the effects to switch on, each with its settings, from NAME or NAME.FIELD=VALUE."""
+    """Return the settings of the effects to switch on, from NAME or NAME.FIELD=VALUE."""
     found: dict[str, dict[str, object]] = {}
     for text in texts:
         place, equals, value = text.partition("=")
@@ -71,7 +71,7 @@ def _settings(texts: Sequence[str]) -> dict[str, dict[str, object]]:
 
 
 def _value(text: str) -> object:
-    """Return a setting as it would stand in a file; what is not JSON is an expression or a name."""
+    """Return a setting as in a level file; a text that is not JSON is an expression or a name."""
     try:
         return json.loads(text)
     except ValueError:
@@ -79,12 +79,12 @@ def _value(text: str) -> object:
 
 
 def differences(found: Sequence[Difference]) -> Iterator[str]:
-    """Yield a header and one line a difference, in columns."""
+    """Yield a header and one line per difference, in columns."""
     yield from aligned([_HEADER, *(row(difference) for difference in found)])
 
 
 def row(difference: Difference) -> tuple[str, ...]:
-    """Return what differs, the two values, and the difference."""
+    """Return the quantity, the two values, and their difference."""
     values = (_number(v, difference.unit) for v in (difference.before, difference.after))
     return (about(difference), *values, formatting.difference(difference))
 
@@ -94,6 +94,6 @@ def _number(value: float | None, unit: str) -> str:
 
 
 def about(difference: Difference) -> str:
-    """Return what differs."""
+    """Return the quantity of a difference, with its instant."""
     label, quantity = difference.label, difference.quantity
     return f"{quantity} ({label})" if label else quantity

@@ -1,4 +1,4 @@
-"""`effects`: what each effect of a level changes, and what it costs."""
+"""`effects`: what each effect of a level changes, and its cost."""
 
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
@@ -22,26 +22,26 @@ _HEADER = ("effect", "changes most", "with it", "without it", "difference", "cos
 
 
 class Weight(NamedTuple):
-    """What an effect does in a level."""
+    """The influence of an effect on a level."""
 
     effect: str
     gone: tuple[str, ...] = ()
-    """the effects that cannot be without it"""
+    """the effects that depend on it"""
     worst: Difference | None = None
-    """what it changes most; None if the level cannot be run without it"""
+    """the largest change; None if the level cannot run without the effect"""
     cost: float = 0.0
     """s a step"""
     error: str = ""
-    """why the level cannot be run without it"""
+    """why the level cannot run without the effect"""
 
     @property
     def share(self) -> float:
-        """How much it changes."""
+        """The size of the largest change."""
         return float("inf") if self.worst is None else self.worst.share
 
 
 def weigh(argument: str, pairs: Sequence[str]) -> None:
-    """Switch each effect off in turn, and say what that changes: the largest change first."""
+    """Switch each effect off in turn, and print the changes, the largest first."""
     source, level = argument_parsing.open_level(argument)
     values = choose(level, argument_parsing.settings(pairs))
     declared = level.effects.declared
@@ -81,7 +81,7 @@ def _row(weight: Weight) -> tuple[str, ...]:
 
 
 def _remarks(weights: Sequence[Weight]) -> Iterator[str]:
-    """Say what the table has no room for."""
+    """Yield the remarks that do not fit into the table."""
     for weight in weights:
         if weight.error:
             yield f"without {weight.effect}: {weight.error}"

@@ -28,18 +28,18 @@ if TYPE_CHECKING:
 
 
 class Asked(NamedTuple):
-    """What was typed."""
+    """The experiment as typed."""
 
     argument: str
     vary: Sequence[str]
     measure: Sequence[str]
     set: Sequence[str]
     others: Mapping[str, Any]
-    """draws, method, seed, duration, until, rate and scheme, as far as they are given"""
+    """draws, method, seed, duration, until, rate and scheme, if given"""
 
 
 def experiment(asked: Asked, output: Path, jobs: int | None, address: str | None) -> None:
-    """Run an experiment, keep it in a folder, and write its page."""
+    """Run an experiment, store it in a folder, and write its report."""
     if jobs is not None and not 1 <= jobs <= 1024:
         raise UsageError(f"--jobs {jobs}: must be from 1 to 1024")
     if jobs is not None and address is not None:
@@ -65,7 +65,7 @@ def experiment(asked: Asked, output: Path, jobs: int | None, address: str | None
 
 
 def _run(plan: "Plan", store: "Store", missing: int, jobs: int | None, address: str | None) -> None:
-    """Run the missing rows of a plan; however that ends, say what is kept."""
+    """Run the missing rows of a plan; however that ends, print what is kept."""
     from sandbox.experiments.batch_scheduling import conduct
 
     done = 0
@@ -158,7 +158,7 @@ def _pairs(texts: Sequence[str]) -> dict[str, str]:
 
 
 def _message(fault: Fault, given: Mapping[str, object]) -> str:
-    """Say a fault at the option that it is in."""
+    """Return the message of a fault, with the option that has it."""
     name, *inside = fault.path or ("vary",)
     where = f"--{name}"
     part = given.get(str(name))

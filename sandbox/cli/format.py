@@ -1,4 +1,4 @@
-"""`format`: the text of levels, laid out as people write it by hand."""
+"""`format`: level files, laid out as people write them by hand."""
 
 from collections.abc import Sequence
 
@@ -33,7 +33,7 @@ def format_levels(arguments: Sequence[str], *, write: bool) -> int:
 
 
 def _format(argument: str, *, write: bool) -> bool:
-    """Return whether the text of a level is not in its layout, and mend that if asked to."""
+    """Return whether the text of a level differs from its layout, and correct it if asked to."""
     path = catalog.find(argument)
     typed = read(path)
     parse(typed, str(path))

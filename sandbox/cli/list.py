@@ -1,4 +1,4 @@
-"""`list`: which levels there are."""
+"""`list`: the levels that exist."""
 
 from typing import Any, NamedTuple
 
@@ -12,7 +12,7 @@ from sandbox.model import catalog
 
 
 class _Head(BaseModel):
-    """What the list needs of a level; that all of it is well formed is for `check` to find out."""
+    """The parts of a level that the list shows; `check` validates the rest."""
 
     title: str
     summary: str = ""

@@ -1,4 +1,4 @@
-"""The way in from the shell and out again: every error becomes a message and an exit status."""
+"""The entry point of the command line: each error becomes a message and an exit status."""
 
 import io
 import sys
@@ -12,9 +12,9 @@ FAILED, MISUSED = 1, 2
 
 
 def main() -> None:
-    """Run the command line and leave the process with its exit status.
+    """Run the command line and exit with its status.
 
-    0 all well, 1 a check or level failed, 2 wrong usage.
+    0: all is well, 1: a check or level failed, 2: wrong usage.
     """
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper):

@@ -17,7 +17,7 @@ NEWEST = 1
 
 
 def migrate(arguments: Sequence[str]) -> int:
-    """Say of each level which version it has, and return the exit status."""
+    """Print the version of each level, and return the exit status."""
     bad = 0
     for argument in arguments:
         try:
@@ -33,12 +33,12 @@ def migrate(arguments: Sequence[str]) -> int:
 
 
 def _version(argument: str) -> int:
-    """Return the version of a level's file, whatever else is in it.
+    """Return the format version of a level's file, ignoring everything else in it.
 
     Raises
     ------
     LevelError
-        If the file has none, or one that does not exist.
+        If the file has none, or an unknown one.
     """
     path = catalog.find(argument)
     document = Document(read(path), str(path))
@@ -53,7 +53,7 @@ def _version(argument: str) -> int:
             ),
         )
     version = data["format"]
-    if type(version) is not int or version < 1:  # true is equal to 1
+    if type(version) is not int or version < 1:  # True equals 1
         document.refuse(
             [
                 Fault(

@@ -17,14 +17,14 @@ _ENDING = ".json"
 
 
 def new(name: str, template: str) -> None:
-    """Write the file of a new level that begins as a template or another level does.
+    """Write the file of a new level, a copy of a template or of another level.
 
     Raises
     ------
     UsageError
         If the file cannot be written, or there is no such template.
     TakenError
-        If it is there already.
+        If the file already exists.
     LevelError
         If the other level has mistakes.
     """
@@ -40,18 +40,18 @@ def new(name: str, template: str) -> None:
 
 
 def _target(name: str) -> Path:
-    """Return the path that a new level is written at."""
+    """Return the path of a new level."""
     stem = name.removesuffix(_ENDING)
     if not stem or stem.endswith((os.sep, "/", ".")):
         raise argument_parsing.UsageError(f"'{brief(name)}' is no name of a file; such as my-level")
     path = Path(stem + _ENDING)
-    if not os.path.lexists(path):  # told by what writes it
+    if not os.path.lexists(path):  # the writer reports an existing file
         argument_parsing.output_file(path)
     return path
 
 
 def _source(template: str) -> Path:
-    """Return the file of a template, or of a level."""
+    """Return the file of a template or of a level."""
     known = templates.names()
     if template in known:
         return templates.path(template)
@@ -65,7 +65,7 @@ def _source(template: str) -> Path:
 
 
 def _schema(target: Path) -> str:
-    """Return where the schema is, as seen from a level's file: relative within a checkout."""
+    """Return the path of the schema as seen from a level's file: relative within a checkout."""
     schema, folder = catalog.root() / catalog.SCHEMA, target.resolve().parent
     if folder.is_relative_to(schema.parent.parent):
         return Path(os.path.relpath(schema, folder)).as_posix()

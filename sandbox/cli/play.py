@@ -19,11 +19,11 @@ TOUR = Path("out", "tour")
 
 
 class DisplayError(SandboxError):
-    """There is nowhere to open a window."""
+    """No display on which to open a window."""
 
 
 def open_sandbox() -> int:
-    """Open the window on the choice of levels, or take the tour if there is no display."""
+    """Open the window with the choice of levels, or make the tour if there is no display."""
     _quiet()
     from sandbox.app.main import has_display, run
 
@@ -45,10 +45,10 @@ def play(
     racing: bool = False,
     once: bool = False,
 ) -> None:
-    """Open the window on a level; if once, only until its first picture, and print when it came."""
+    """Open the window on a level; with `once` only until its first frame, whose time is printed."""
     settings = argument_parsing.settings(pairs)
     _, level = argument_parsing.open_level(argument)
-    values = choose(level, settings)  # a mistake is better told here than in a window
+    values = choose(level, settings)  # report a mistake before a window opens
     find_out(asking(level, accuracy), values)
     _quiet()
     from sandbox.app.main import first_picture, has_display, run
@@ -70,6 +70,6 @@ def play(
 
 
 def _quiet() -> None:
-    """Nothing here makes a sound, so none is set up; and pygame need not greet anybody."""
+    """Set up no sound, since the sandbox makes none, and suppress pygame's greeting."""
     os.environ.setdefault("SDL_AUDIODRIVER", "dummy")
     os.environ["PYGAME_HIDE_SUPPORT_PROMPT"] = "1"

@@ -1,6 +1,6 @@
-"""Writes the reference pages of the documents from what the code declares.
+"""Generates the reference pages of the documentation from the code's declarations.
 
-`python -m sandbox.cli.reference` writes it to `docs/reference`.
+`python -m sandbox.cli.reference` writes them to `docs/reference`.
 """
 
 import json
@@ -67,14 +67,14 @@ SAMPLE = """{
     "box": {"shape": {"type": "box", "width": 1, "height": 1}, "mass": 1, "position": [5, 0]}
   }
 }"""
-"""A level in which everything about bodies can be measured."""
+"""A level that has every quantity of bodies."""
 
 SHORTHAND = ("Each", "Repeat")
 """Definitions that may stand anywhere in a level, and are described only once."""
 
 
 def level_format() -> str:
-    """Return the page about every key of a level, from the schema that editors use."""
+    """Return the page about every key of a level, from the JSON Schema for editors."""
     whole = schema()
     parts = ((name, part) for name, part in whole["$defs"].items() if name not in SHORTHAND)
     sections = (["", f"## {name}", "", _meaning(part), "", *_keys(part)] for name, part in parts)
@@ -114,7 +114,7 @@ def _meaning(part: Schema) -> str:
 
 
 def _type(value: Schema) -> str:
-    """Return what may stand there."""
+    """Return the type of a value, in words."""
     if name := value.get("$ref", "").rpartition("/")[2]:
         return "" if name in SHORTHAND else f"[{name}](#{name.lower()})"
     if "const" in value:
@@ -127,7 +127,7 @@ def _type(value: Schema) -> str:
 
 
 def _of_json(value: Schema) -> str:
-    """Return what a type of JSON is called here."""
+    """Return the project's name for a JSON type."""
     kind = value.get("type", "")
     if isinstance(kind, list):
         return "number or formula"
@@ -147,7 +147,7 @@ def _literal(default: object) -> str:
 
 
 def _plain(value: object) -> object:
-    """Return what JSON holds, whole numbers without a point."""
+    """Return a JSON value, with whole numbers as integers."""
     if isinstance(value, dict):
         return {key: _plain(one) for key, one in value.items()}
     if isinstance(value, list):
@@ -156,7 +156,7 @@ def _plain(value: object) -> object:
 
 
 def all_quantities() -> str:
-    """Return the page about everything that can be measured."""
+    """Return the page about all quantities."""
     of_joints = (
         (name, ", ".join(f"`joint.{what}` [{unit}]" for what, unit in kind.quantities.items()))
         for name, kind in joints.KINDS.items()
@@ -193,20 +193,20 @@ def _account(book: str, name: str) -> str:
 
 
 def commands() -> str:
-    """Return the page about every command, from the declarations that its help is made of."""
+    """Return the page about every command, from the declarations of its help."""
     found = getattr(typer.main.get_command(app), "commands", {})
     return _page(COMMANDS, *chain.from_iterable(_command(*item) for item in found.items()))
 
 
 def _command(name: str, command: Any) -> Iterator[str]:  # noqa: ANN401 (typer names no type for it)
-    """Yield what a command does, and its arguments."""
+    """Yield the description of a command, and of its arguments."""
     yield from ("", f"## {name}", "", *(command.help or "").strip().splitlines())
     if rows := [_argument(given) for given in command.params if given.name != "help"]:
         yield from ("", *_table(("argument", "meaning"), rows))
 
 
 def _argument(given: Any) -> tuple[str, str]:  # noqa: ANN401 (the same)
-    """Return an argument, or an option with what it takes, and what that means."""
+    """Return an argument, or an option with its value, and its meaning."""
     if given.param_type_name == "argument":
         written = given.metavar or given.name.upper()
     else:
@@ -216,11 +216,11 @@ def _argument(given: Any) -> tuple[str, str]:  # noqa: ANN401 (the same)
 
 
 PAGES = {"level-format.md": level_format, "quantities.md": all_quantities, "commands.md": commands}
-"""What writes each page, by the page's file name."""
+"""The function that generates each page, by file name."""
 
 
 def main() -> int:
-    """Write the pages, say where, and return the exit status."""
+    """Write the pages, print their paths, and return the exit status."""
     return generate(_write)
 
 

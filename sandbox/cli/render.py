@@ -14,7 +14,7 @@ from sandbox.model.loading import choose
 
 
 def go_headless() -> None:
-    """Let pygame draw without a display, without sound, and without greeting anybody."""
+    """Let pygame draw without a display, sound or greeting."""
     os.environ["SDL_VIDEODRIVER"] = "dummy"
     os.environ["SDL_AUDIODRIVER"] = "dummy"
     os.environ["PYGAME_HIDE_SUPPORT_PROMPT"] = "1"
@@ -31,7 +31,7 @@ def render(
     *,
     racing: bool = False,
 ) -> None:
-    """Draw a level as it is at a time; with effects switched off or on, over the level as it is."""
+    """Draw a level at a time; with effects switched off or on, over the unchanged level."""
     if racing and (off or on):
         raise argument_parsing.UsageError(
             "--race: the race is of the level as it is, without --with and such"

@@ -10,7 +10,7 @@ from sandbox.physics.measuring.grading import grade
 
 
 def replay(path: Path) -> int:
-    """Take a run again, say whether it is the same to the last bit, and return the exit status."""
+    """Repeat a run, print whether it is identical bit by bit, and return the exit status."""
     if not path.is_file():
         raise argument_parsing.UsageError(f"{path}: there is no such file")
     run = runfile.read(path)

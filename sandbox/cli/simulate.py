@@ -36,9 +36,9 @@ def simulate(
     on: Sequence[str] = (),
     accuracy: float | None = None,
 ) -> int:
-    """Run a level, write it, say what its checks found, and return the exit status.
+    """Run a level, write it, print the results of its checks, and return the exit status.
 
-    With effects switched off or on, that run is written, and held against the level as it is.
+    With effects switched off or on, that run is written, and compared with the unchanged level.
     """
     settings = argument_parsing.settings(pairs)
     argument_parsing.output_file(output)
@@ -91,7 +91,7 @@ def _say(output: Path, source: str, trace: Trace, names: Sequence[str]) -> None:
 
 
 def _close(trace: Trace) -> None:
-    """Say how the books of the run's energy closed, and whether a pile may have leant."""
+    """Print the run's energy balance, and whether a pile may have leant."""
     if trace.leans:
         typer.echo(f"contacts: {leaning(trace.level, trace.values, trace.stepping)}")
     if trace.closing:
@@ -99,7 +99,7 @@ def _close(trace: Trace) -> None:
 
 
 def _compare(varied: Varied, found: Sequence[Difference], cost: float) -> None:
-    """Say what a change of the effects makes of the quantities that the checks name."""
+    """Print the changes that effects make to the quantities of the checks, and their cost."""
     if found:
         for line in effect_options.differences(found):
             typer.echo(line)
@@ -124,17 +124,17 @@ def chosen(level: Level, record: Sequence[str]) -> list[str]:
 
 
 def _motion(level: Level) -> list[str]:
-    """Return where the dynamic bodies are and how they move."""
+    """Return the names of the dynamic bodies' positions and velocities."""
     dynamic = [name for name, body in level.bodies.items() if body.type == "dynamic"]
     vectors = [f"{name}.{vector}" for name in dynamic for vector in ("position", "velocity")]
     return [f"{vector}.{component}" for vector in vectors for component in ("x", "y")]
 
 
 def report(trace: Trace) -> int:
-    """Say what the checks found in a run, and return the exit status.
+    """Print the results of a run's checks, and return the exit status.
 
-    The checks are made for the level's own duration: what goes beyond it is not graded, and a run
-    that ends before is graded as far as it goes.
+    Checks apply to the level's own duration: anything later is not graded, and a shorter run is
+    graded as far as it goes.
     """
     for line in check_verdicts.challenge_lines(trace):
         typer.echo(line)

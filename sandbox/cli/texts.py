@@ -1,6 +1,6 @@
-"""Updates the catalogues of translations with the texts of code and levels.
+"""Updates the translation catalogues with the texts of the code and the levels.
 
-`python -m sandbox.cli.texts` does so. It needs Babel, which the extra `test` brings.
+Run it as `python -m sandbox.cli.texts`. It needs Babel, which the extra `test` installs.
 """
 
 import sys
@@ -26,14 +26,14 @@ FOLDER = Path("sandbox") / "app"
 """The folder of the window, within a checkout."""
 
 UNSAID = frozenset({"cli", "reporting"})
-"""The packages whose messages the window never shows."""
+"""The packages whose messages never appear in the window."""
 
 KEYWORDS = {"say": None, "later": None, "plural": (1, 2), "say_in": ((1, "c"), 2), "Message": None}
-"""The functions that take a message, with the positions of their message arguments."""
+"""The functions that take a message, with the positions of the message arguments."""
 
 
 def main() -> int:
-    """Write the catalogues, say where, and return the exit status."""
+    """Write the catalogues, print their paths, and return the exit status."""
     return generate(_write)
 
 
@@ -55,13 +55,13 @@ def _write() -> Iterator[Path]:
 
 
 def path_of(domain: language.Domain, name: str) -> Path:
-    """Return the catalogue that people edit, from the project's sources."""
+    """Return the path of the editable catalogue, within the project's sources."""
     languages = FOLDER / "languages"
     return (languages if domain == "window" else languages / domain) / f"{name}.po"
 
 
 def of_the_window() -> "Catalog":
-    """Return all that the window says, in English, with the modules that say it."""
+    """Return all English texts of the window, with the modules that contain them."""
     from babel.messages.catalog import Catalog
     from babel.messages.extract import extract
 
@@ -82,13 +82,13 @@ def of_the_window() -> "Catalog":
 
 
 def said_in(sandbox: Path) -> list[Path]:
-    """Return the modules whose messages the window shows."""
+    """Return the modules whose messages appear in the window."""
     every = (path.relative_to(sandbox) for path in sandbox.rglob("*.py"))
     return [sandbox / path for path in sorted(every) if path.parts[0] not in UNSAID]
 
 
 def of_the_levels() -> "Catalog":
-    """Return all that the levels say, with their files: the fields that are marked as prose."""
+    """Return all English texts of the levels, with their files: the fields marked as prose."""
     from babel.messages.catalog import Catalog
 
     found = Catalog()
@@ -103,13 +103,13 @@ SAID: Mapping[language.Domain, Callable[[], "Catalog"]] = {
     "window": of_the_window,
     "levels": of_the_levels,
 }
-"""For each domain, what collects its English texts."""
+"""The function that collects the English texts of each domain."""
 
 
 def merged(path: Path, name: str, template: "Catalog") -> "Catalog":
-    """Return a catalogue with all messages of a template, as far as they are translated there.
+    """Return a catalogue with all messages of a template, and their existing translations.
 
-    One that resembles a message which is gone has that one's translation, marked as `fuzzy`.
+    A new message that resembles a removed one gets its translation, marked as `fuzzy`.
     """
     from babel.messages.catalog import Catalog
     from babel.messages.pofile import read_po
@@ -121,7 +121,7 @@ def merged(path: Path, name: str, template: "Catalog") -> "Catalog":
             translated = read_po(file, locale=name)
     translated.update(template, update_creation_date=False)
     for message in translated:
-        message.flags.discard("python-format")  # a per cent sign is one, and no place for a value
+        message.flags.discard("python-format")  # a per cent sign is no placeholder
     return translated
 
 

@@ -22,7 +22,7 @@ INDEX = "index.html"
 
 
 def tour(folder: Path) -> int:
-    """Visit every level, leave pictures and a page in a folder, and return the exit status."""
+    """Run every level, write pictures and a page into a folder, and return the exit status."""
     argument_parsing.output_folder(folder)
     go_headless()
     from sandbox.cli.tour_page import page
@@ -31,7 +31,7 @@ def tour(folder: Path) -> int:
     progress = Console(stderr=True)
     with Progress(console=progress, transient=True, disable=not progress.is_terminal) as bar:
         visits = [visit(name, folder) for name in bar.track(catalog.names(), description="Tour")]
-    unwritten = _write(folder / INDEX, page(visits))  # first: whoever reads may have gone
+    unwritten = _write(folder / INDEX, page(visits))  # first: the reader of the output may be gone
     Console(highlight=False).print(_table(visits))
     for visited in visits:
         _explain(visited)
@@ -44,7 +44,7 @@ def tour(folder: Path) -> int:
 
 
 def _write(path: Path, text: str) -> SandboxError | None:
-    """Write a page, or return why that failed; the results are printed all the same."""
+    """Write a page, or return the error, so that the results are printed in any case."""
     try:
         write_atomically(path, text)
     except SandboxError as error:
@@ -72,14 +72,14 @@ def _table(visits: "list[Visit]") -> Table:
 
 
 def _energy(visited: "Visit") -> Text:
-    """Return the share of the energy that is unexplained, in colour if the books do not close."""
+    """Return the unexplained share of the energy, coloured if it is too large."""
     if visited.closing is None:
         return Text("-")
     return Text(f"{visited.closing.share:.1g}", "" if visited.closing.closes else "yellow")
 
 
 def _explain(visited: "Visit") -> None:
-    """Say in what way a level failed, and whether its books do not close."""
+    """Print why a level failed, and whether its energy balance is off."""
     if visited.closing and not visited.closing.closes:
         typer.echo(f"{visited.name}: energy: {visited.closing.text}")
     if visited.error:

@@ -1,4 +1,4 @@
-"""The page that shows the results of a tour."""
+"""The page with the results of a tour."""
 
 from collections.abc import Iterable
 from html import escape
@@ -17,7 +17,7 @@ pre { overflow-x: auto; font-size: 13px; padding: .6rem; background: #f6f8fa }
 
 
 def page(visits: Iterable[Visit]) -> str:
-    """Return the page, which needs nothing but the pictures beside it."""
+    """Return the page, which needs no files but the pictures beside it."""
     articles = "\n".join(_article(visit) for visit in visits)
     return (
         '<!doctype html>\n<html lang="en">\n<meta charset="utf-8">\n'

@@ -20,7 +20,7 @@ from sandbox.physics.state.errors import SimulationError
 
 @dataclass(slots=True)
 class Visit:
-    """What was found of a level.
+    """The results of one level.
 
     Attributes
     ----------
@@ -29,13 +29,13 @@ class Visit:
     level
         None if it could not be read.
     results
-        Of its checks.
+        The results of its checks.
     seconds
-        How long the run took, drawing not included [s].
+        The time of the run, without drawing [s].
     picture
-        The name of its file; None if it could not be drawn.
+        The file name of its picture; None if it could not be drawn.
     closing
-        How the books of its energy closed; None if it did not run to its end.
+        The balance of its energy; None if it did not run to its end.
     error
         Why the level could not be read, run or drawn; empty if it could.
     """
@@ -60,7 +60,7 @@ class Visit:
 
 
 def visit(name: str, folder: Path) -> Visit:
-    """Run a level as it is, grade it, and leave a picture of it in a folder."""
+    """Run and grade a level, and draw its picture into a folder."""
     found = Visit(name)
     try:
         _fill(found, folder)
@@ -82,7 +82,7 @@ def _fill(found: Visit, folder: Path) -> None:
 
 
 def _run(level: Level) -> Trace:
-    """Run a level with books; if it has to stop, print the remedies."""
+    """Run a level with its energy balance; if it has to stop, print the remedies."""
     try:
         return simulate(level, books=True)
     except SimulationError as error:

@@ -1,5 +1,5 @@
-"""Experiments: many runs of a level over its parameters, measured, kept and drawn.
+"""Experiments: many runs of a level over its parameters, measured, stored and plotted.
 
-`plan` says what is run, `running` runs some of it, `executors` say where, `storage` keeps what
-comes of it, `analysis` and `report` make something of that.
+`plan` defines the runs, `running` executes some of them, `executors` decide where, `storage` keeps
+the results, `analysis` and `report` evaluate them.
 """

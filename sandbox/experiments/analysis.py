@@ -19,20 +19,20 @@ QUANTILES = (0.025, 0.5, 0.975)
 
 @dataclass(frozen=True, slots=True)
 class Summary:
-    """The distribution of an outcome over the examined rows.
+    """The distribution of an outcome over the rows that were read.
 
     Attributes
     ----------
     measure, unit
-        The outcome.
+        The outcome and its unit.
     count, missing
-        In how many rows there is a number, and in how many there is none.
+        The number of rows with a value, and of those without one.
     mean, deviation, least, most
-        Of the numbers; not numbers where there are none.
+        Statistics of the values; NaN if there are none.
     quantiles
-        Below which 2.5 %, half and 97.5 % of them lie.
+        The 2.5 %, 50 % and 97.5 % quantiles.
     error
-        The largest error against the closed form; None if it has none.
+        The largest error relative to the closed form; None if there is no closed form.
     """
 
     measure: str
@@ -49,18 +49,18 @@ class Summary:
 
 @dataclass(frozen=True, slots=True)
 class Sensitivity:
-    """Sobol's indices of an outcome: which share of its variance comes from what is drawn.
+    """Sobol's indices of an outcome: the shares of its variance due to each random input.
 
     Attributes
     ----------
     measure
         The outcome.
     names
-        (d,), what is drawn.
+        (d,), the random inputs.
     first, total
-        (d,), from each by itself, and together with all others.
+        (d,), the effect of each input alone, and including its interactions with the others.
     first_error, total_error
-        (d,), their standard errors, from resampled rows.
+        (d,), their standard errors, by bootstrapping the rows.
     """
 
     measure: str
@@ -97,12 +97,12 @@ def _summary(found: Results, measure: str, unit: str) -> Summary:
 
 
 def sensitivities(plan: Plan, path: Path) -> list[Sensitivity]:
-    """Return Sobol's indices of each measure, from the rows of Saltelli's scheme.
+    """Return Sobol's indices of each measure, from rows in Saltelli's scheme.
 
     Raises
     ------
     SandboxError
-        If a row has no number: without it there are no indices.
+        If a row has no value: the indices need all of them.
     """
     names = tuple(plan.drawn)
     texts = [measure.text for measure in plan.measures]
@@ -115,12 +115,12 @@ def sensitivities(plan: Plan, path: Path) -> list[Sensitivity]:
 
 
 def sensitivity(measure: str, column: Array, names: Sequence[str]) -> Sensitivity:
-    """Return Sobol's indices of an outcome, (R,), from the rows of Saltelli's scheme.
+    """Return Sobol's indices of an outcome, (R,), from rows in Saltelli's scheme.
 
     Raises
     ------
     SandboxError
-        If a row has no number, or all have the same.
+        If a row has no value, or all values are equal.
     """
     from scipy.stats import sobol_indices
 

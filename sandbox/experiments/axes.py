@@ -1,11 +1,11 @@
 """The axes of an experiment: the values of a grid, or a distribution to draw from.
 
-0:90:91          a grid: from, to, and how many values
+0:90:91          a grid: from, to, and the number of values
 1:1000:31:log    the same with equal ratios
-1, 2, 5          these values
-0..1             drawn, all of them as likely as each other
-1..100:log       the same for their logarithms
-1.00±0.01        drawn from the normal distribution: mean and standard deviation (or 1.00+-0.01)
+1, 2, 5          a list of values
+0..1             random, with a uniform distribution
+1..100:log       random, with a uniform distribution of the logarithm
+1.00±0.01        random, with a normal distribution: mean and standard deviation (or 1.00+-0.01)
 """
 
 import re
@@ -20,10 +20,10 @@ from sandbox.model.expressions import Array
 from sandbox.model.message import Message
 
 MOST_LISTED = 10_000
-"""How many values may be listed one by one."""
+"""The most values in a list."""
 
 SPELT = 20
-"""Up to how many listed values are written out in messages."""
+"""The most listed values that are written out in messages."""
 
 FORMS = Message(
     "must be FROM:TO:COUNT, FROM:TO:COUNT:log, a list with commas, LOW..HIGH, LOW..HIGH:log or"
@@ -34,12 +34,12 @@ Scale = Literal["linear", "log"]
 
 
 class AxisError(SandboxError):
-    """A text that says no values; its own is fit to be shown."""
+    """A text that describes no values; the message is fit to be shown."""
 
 
 @dataclass(frozen=True, slots=True)
 class Grid:
-    """Values from one to another, at equal distances or with equal ratios."""
+    """Values from a first to a last, at equal distances or in equal ratios."""
 
     low: float
     high: float
@@ -47,7 +47,7 @@ class Grid:
     scale: Scale = "linear"
 
     def at(self, index: int) -> float:
-        """Return one of the values, from 0."""
+        """Return the value of an index, from 0."""
         if index in (0, self.count - 1):
             return self.high if index else self.low
         share = index / (self.count - 1)
@@ -61,7 +61,7 @@ class Grid:
         return self.low, self.high
 
     def described(self, unit: str) -> str:
-        """Return in words which values these are."""
+        """Return a description of the values."""
         values = "one value" if self.count == 1 else f"{self.count:,} values"
         ratios = ", with equal ratios" if self.scale == "log" else ""
         return f"{self.low:g} to {self.high:g}{_in(unit)}, {values}{ratios}"
@@ -69,21 +69,21 @@ class Grid:
 
 @dataclass(frozen=True, slots=True)
 class Listed:
-    """Values one by one: numbers or names."""
+    """A list of values: numbers or names."""
 
     values: tuple[float, ...] | tuple[str, ...]
 
     @property
     def count(self) -> int:
-        """How many they are."""
+        """The number of values."""
         return len(self.values)
 
     def at(self, index: int) -> float | str:
-        """Return one of the values, from 0."""
+        """Return the value of an index, from 0."""
         return self.values[index]
 
     def described(self, unit: str) -> str:
-        """Return in words which values these are; of many only the ends."""
+        """Return a description of the values; of many only the first and the last."""
         named = [v if isinstance(v, str) else f"{v:g}" for v in self.values]
         if len(named) > SPELT:
             named = [named[0], named[1], "…", f"{named[-1]}{_in(unit)}"]
@@ -93,14 +93,14 @@ class Listed:
 
 @dataclass(frozen=True, slots=True)
 class Uniform:
-    """Values with a uniform distribution, or whose logarithms have one."""
+    """Random values with a uniform distribution, of themselves or of their logarithms."""
 
     low: float
     high: float
     scale: Scale = "linear"
 
     def drawn(self, share: Array) -> Array:
-        """Return the values below which shares of all lie."""
+        """Return the quantiles of given probabilities."""
         if self.scale == "log":
             low, high = log(self.low), log(self.high)
             return np.array([exp(low + (high - low) * s) for s in share.tolist()])
@@ -112,7 +112,7 @@ class Uniform:
         return self.low, self.high
 
     def described(self, unit: str) -> str:
-        """Return in words how values are drawn."""
+        """Return a description of the distribution."""
         likely = "logarithm" if self.scale == "log" else "value"
         return (
             f"drawn from {self.low:g} to {self.high:g}{_in(unit)}, each {likely} as likely as any"
@@ -122,30 +122,30 @@ class Uniform:
 
 @dataclass(frozen=True, slots=True)
 class Normal:
-    """Values with a normal distribution, as those of a measured one with its uncertainty."""
+    """Random values with a normal distribution, as of a measured value with its uncertainty."""
 
     mean: float
     deviation: float
 
     def drawn(self, share: Array) -> Array:
-        """Return the values below which shares of all lie."""
+        """Return the quantiles of given probabilities."""
         from scipy.special import ndtri
 
         return np.asarray(self.mean + self.deviation * ndtri(share))
 
     @property
     def ends(self) -> tuple[float, float]:
-        """Values that are not rare."""
+        """The ends of the range of likely values: one standard deviation about the mean."""
         return self.mean - self.deviation, self.mean + self.deviation
 
     def described(self, unit: str) -> str:
-        """Return in words how values are drawn."""
+        """Return a description of the distribution."""
         spread = f"{self.mean:g} ± {self.deviation:g}"
         return f"drawn from a normal distribution, {f'({spread}) {unit}' if unit else spread}"
 
 
 def _in(unit: str) -> str:
-    """Return a unit as it stands behind a number."""
+    """Return a unit as it is written after a number."""
     return f" {unit}" if unit else ""
 
 
@@ -155,12 +155,12 @@ Range = TypeVar("Range", Grid, Uniform)
 
 
 def parse(text: str) -> Axis:
-    """Return the values of a number that a text describes.
+    """Return the numeric axis that a text describes.
 
     Raises
     ------
     AxisError
-        If it says nothing of the kind.
+        If the text describes none.
     """
     text = text.strip()
     for sign in ("±", "+-"):
@@ -177,7 +177,7 @@ def parse(text: str) -> Axis:
 
 
 def parse_names(text: str) -> Listed:
-    """Return what a text lists of names.
+    """Return the names that a text lists.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""Conducting an experiment: batches sized by their cost, results stored as they come."""
+"""Running an experiment: batches sized by their cost, results stored as they arrive."""
 
 from collections.abc import Callable, Iterable, Iterator
 from time import perf_counter
@@ -15,40 +15,41 @@ SHARES = 8
 """The least number of first batches per process, if there are enough rows."""
 
 GROWTH = 8
-"""How many times as many rows a batch may have as one whose cost is known."""
+"""The most rows of a batch, as a multiple of the rows of a batch whose cost is known."""
 
 LAST = 0.05
-"""s, the length of the last batches, so that all processes end at about the same time."""
+"""The length of the last batches [s], so that all processes end at about the same time."""
 
 SHORTEST, LONGEST = 0.5, 20.0
-"""s, the length of a batch at the beginning, and after a quarter of an hour. A batch in progress is
-lost if everything is stopped."""
+"""The length of a batch at the beginning, and after a quarter of an hour [s]. A batch in progress
+is lost if the experiment is stopped."""
 
 SHARE = 50
-"""The length of a batch: the time so far over this."""
+"""The time so far, as a multiple of the length of the next batch."""
 
 MOST = 65_536
-"""The most rows of a batch."""
+"""The most rows in a batch."""
 
 Tell = Callable[[int], None]
-"""Is called with the number of rows that are done, of those that were missing."""
+"""Called with the number of rows that are done, out of those that were missing."""
 
 
 class Pace:
-    """How many rows a batch has.
+    """The number of rows in each batch.
 
-    They become smaller towards the end, in proportion to what is left (C. D. Polychronopoulos and
-    D. J. Kuck, "Guided self-scheduling", 1987). Runs that go together cost as much in a small batch
-    as in a large one: their batches are all of a size, as few as the processes can share evenly.
+    Batches become smaller towards the end, in proportion to what is left (C. D. Polychronopoulos
+    and D. J. Kuck, "Guided self-scheduling", 1987). Runs in one batch of arrays cost as much in a
+    small batch as in a large one: their batches are all of one size, as few as the processes share
+    evenly.
 
     Parameters
     ----------
     jobs
-        How many batches are worked on at a time.
+        The number of batches that are worked on at a time.
     rows
-        How many rows there are.
+        The number of rows.
     together
-        How many runs go together; 1 where each runs alone.
+        The number of runs in one batch of arrays; 1 if each runs alone.
     """
 
     def __init__(self, jobs: int, rows: int, together: int = 1) -> None:
@@ -58,14 +59,14 @@ class Pace:
         self._even = -(-rows // (jobs * rounds)) if together > 1 and rows else 0
 
     def note(self, done: Done) -> None:
-        """Note the cost of a batch."""
+        """Record the cost of a batch."""
         rows = done.stop - done.start
         cost = max(done.seconds / rows, 1e-9)
         self._cost = cost if rows > 2 * self._largest else (self._cost + cost) / 2
         self._largest = max(self._largest, rows)
 
     def rows(self) -> int:
-        """Return how many rows the next batch has, of those that are left."""
+        """Return the number of rows in the next batch, given how many are left."""
         if not self._largest:
             return self._even or max(min(FIRST, self._left // (SHARES * self._jobs)), 1)
         if self._even:
@@ -75,7 +76,7 @@ class Pace:
         return max(min(int(length / self._cost), GROWTH * self._largest, share, MOST), 1)
 
     def tasks(self, plan: Plan, missing: Iterable[tuple[int, int]]) -> Iterator[Task]:
-        """Yield what is missing of a plan, each as large as it may be when it is asked for."""
+        """Yield tasks for the missing rows of a plan, each sized when it is asked for."""
         packed = pack(plan)
         for start, stop in missing:
             while start < stop:
@@ -86,12 +87,12 @@ class Pace:
 
 
 def conduct(plan: Plan, store: Store, executor: Executor, tell: Tell) -> None:
-    """Run all rows that are missing, and put all together.
+    """Run all missing rows, and write the finished table.
 
     Raises
     ------
     SandboxError
-        If it cannot go on; what was done is kept.
+        If it cannot continue; the results so far are kept.
     """
     if store.complete:
         return

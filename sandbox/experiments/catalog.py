@@ -17,13 +17,13 @@ SCHEMA = "experiment.schema.json"
 
 
 def root() -> Path:
-    """Return their folder: inside an installed package, beside the levels in a checkout."""
+    """Return the folder of the experiments: inside an installed package, else beside the levels."""
     installed = Path(__file__).resolve().parent / "shipped"
     return installed if installed.is_dir() else catalog.root().parent / "experiments"
 
 
 def names() -> list[str]:
-    """Return the names of all, such as `flip-map`."""
+    """Return the names of all experiments, such as `flip-map`."""
     return sorted(path.stem for path in root().glob("*.json") if path.name != SCHEMA)
 
 
@@ -33,7 +33,7 @@ def find(experiment: str) -> Path:
     Raises
     ------
     LevelError
-        If there is none; the message says what was probably meant.
+        If there is none; the message suggests what was probably meant.
     """
     if experiment in names():
         return root() / f"{experiment}.json"
@@ -54,7 +54,7 @@ def open_plan(path: Path) -> Plan:
     Raises
     ------
     LevelError
-        If it has mistakes: all of them, with their places.
+        If it has mistakes; the error lists all of them with their places.
     """
     experiment, document = read(path)
     try:
@@ -68,7 +68,7 @@ def open_plan(path: Path) -> Plan:
 
 
 def _level(experiment: Experiment, folder: Path) -> tuple[str, Path]:
-    """Return what the level is called, and its file, which may stand beside the experiment's."""
+    """Return the name and file of the level, whose path may be relative to the experiment's."""
     beside = folder / experiment.level
     path = beside if beside.is_file() else catalog.find(experiment.level)
     if path.resolve().parent.parent == catalog.root():

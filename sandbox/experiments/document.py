@@ -1,6 +1,6 @@
-"""The format of an experiment's JSON file, and how a file is read.
+"""The format of an experiment's JSON file, and reading one.
 
-The texts of `vary` and `measure` are those of the command line, which makes the same experiment.
+The texts of `vary` and `measure` are those of the command line, which defines the same experiment.
 """
 
 import json
@@ -25,7 +25,7 @@ from sandbox.model.message import Message
 from sandbox.model.naming import Name
 
 MAX_BYTES = 1_000_000
-"""The largest file that is read."""
+"""The largest file that is read [bytes]."""
 
 Text = Annotated[str, Field(min_length=1, max_length=MAX_LENGTH)]
 
@@ -79,13 +79,13 @@ def load(path: Path) -> Experiment:
     Raises
     ------
     LevelError
-        If it cannot be read, or has mistakes: all of them.
+        If it cannot be read or has mistakes; the error lists all of them.
     """
     return read(path)[0]
 
 
 def read(path: Path) -> tuple[Experiment, Document]:
-    """Return an experiment and its text, in which mistakes have their places; see `load`."""
+    """Return an experiment and its text, which locates mistakes; see `load`."""
     source = str(path)
     try:
         content = read_ordinary(path, MAX_BYTES)
@@ -111,7 +111,7 @@ def read(path: Path) -> tuple[Experiment, Document]:
 
 
 def made(given: Mapping[str, object]) -> tuple[Experiment | None, list[Fault]]:
-    """Return the experiment that was put together elsewhere, or all that is wrong with it."""
+    """Return the experiment with the given fields, or all mistakes in them."""
     try:
         return Experiment.model_validate_json(json.dumps(given)), []
     except ValidationError as error:

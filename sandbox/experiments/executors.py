@@ -1,6 +1,6 @@
-"""Where an experiment runs: on the cores of this machine or on a cluster, with the same bits.
+"""Where an experiment runs: on the cores of this machine or on a cluster, with identical results.
 
-Dask's part is imported where a cluster is asked for.
+Dask is imported only if a cluster is asked for.
 """
 
 from collections.abc import Callable, Iterable, Iterator
@@ -21,46 +21,46 @@ Item = TypeVar("Item")
 Result = TypeVar("Result")
 
 PATIENCE = 10
-"""s, how long a scheduler may take to answer."""
+"""The longest time to wait for a scheduler's answer [s]."""
 
 
 class Executor(Protocol):
-    """What does work somewhere."""
+    """Runs work items somewhere."""
 
     @property
     def jobs(self) -> int:
-        """How much is worked on at a time."""
+        """The number of items that are worked on at a time."""
         ...
 
     def results(self, work: Callable[[Item], Result], items: Iterable[Item]) -> Iterator[Result]:
-        """Yield what comes of each item, as it comes.
+        """Yield the result of each item, in the order in which they are finished.
 
         Raises
         ------
         SandboxError
-            If it cannot go on.
+            If it cannot continue.
         """
         ...
 
 
 class Here:
-    """The process itself, which does one thing after the other."""
+    """This process, which runs one item after the other."""
 
     jobs = 1
 
     def results(self, work: Callable[[Item], Result], items: Iterable[Item]) -> Iterator[Result]:
-        """Yield what comes of each item, one after the other."""
+        """Yield the result of each item, one after the other."""
         return map(work, items)
 
 
 class Cores:
-    """Processes on this machine, none of which outlives this one."""
+    """Processes on this machine; none outlives this one."""
 
     def __init__(self, jobs: int) -> None:
         self.jobs = jobs
 
     def results(self, work: Callable[[Item], Result], items: Iterable[Item]) -> Iterator[Result]:
-        """Yield what comes of each item, as it comes."""
+        """Yield the result of each item, in the order in which they are finished."""
         for _, result in spread(work, items, self.jobs):
             yield result
 
@@ -82,7 +82,7 @@ class Cluster:
         self._refuse_others()
 
     def results(self, work: Callable[[Item], Result], items: Iterable[Item]) -> Iterator[Result]:
-        """Yield what comes of each item, as it comes; a worker that is lost is replaced."""
+        """Yield the result of each item as it is finished; lost workers are replaced."""
         from distributed import as_completed
 
         coming = iter(items)
@@ -108,7 +108,7 @@ class Cluster:
         return self._client.submit(work, item, pure=False)
 
     def _refuse_others(self) -> None:
-        """Refuse workers of another version: they would come to other bits."""
+        """Refuse workers of another version, whose results might differ."""
         try:
             found = self._client.run(_versions)
         except Exception as error:
@@ -151,14 +151,14 @@ def cluster(address: str, workers: int = 1) -> Iterator[Cluster]:
     Parameters
     ----------
     address
-        Of its scheduler, such as `tcp://127.0.0.1:8786`.
+        The address of its scheduler, such as `tcp://127.0.0.1:8786`.
     workers
-        How many workers are waited for, as long as a scheduler may take to answer.
+        The number of workers to wait for, for at most as long as a scheduler may take to answer.
 
     Raises
     ------
     SandboxError
-        If nobody answers there.
+        If no scheduler answers at the address.
     """
     with needed_for("--cluster", "cluster"):
         from distributed import Client

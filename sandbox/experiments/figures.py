@@ -18,24 +18,24 @@ from sandbox.model.expressions import Array
 from sandbox.reporting.plots import COLOURS, FRAME, MARKERS, legend_below, style
 
 FAMILY = 8
-"""How many curves fit in one picture; more become a heat map."""
+"""The most curves in one figure; more become a heat map."""
 
 MARKED = 120
-"""Up to how many points a curve shows each of them."""
+"""The most points of a curve that has a marker at each."""
 
 BINS = 60
 CLOUD = 4000
-"""How many points of a cloud are drawn."""
+"""The number of points that are drawn of a scatter plot."""
 
 
 @dataclass(frozen=True, slots=True)
 class Picture:
-    """A figure, and in words what it shows.
+    """A figure, with a description of what it shows.
 
     Attributes
     ----------
     name
-        Of the file that it may be written to.
+        The name of its file, without the ending.
     """
 
     name: str
@@ -44,7 +44,7 @@ class Picture:
 
 
 def pictures(plan: Plan, found: Results) -> Iterator[Picture]:
-    """Yield a picture of each measure."""
+    """Yield a figure of each measure."""
     grids = [name for name, axis in plan.grids.items() if axis.count > 1]
     for i, measure in enumerate(plan.measures, 1):
         drawn = _drawn(plan, found, measure, grids)
@@ -72,7 +72,7 @@ def _drawn(
 
 
 def _roles(plan: Plan, grids: Sequence[str]) -> tuple[str, list[str]]:
-    """Return what is drawn along, the axis of numbers with most values, and the others."""
+    """Return the axis along which to plot, the numeric one with most values, and the other axes."""
 
     def weight(name: str) -> tuple[bool, int]:
         axis = plan.grids[name]
@@ -83,7 +83,7 @@ def _roles(plan: Plan, grids: Sequence[str]) -> tuple[str, list[str]]:
 
 
 def _first_of(plan: Plan, found: Results, names: Sequence[str]) -> Array:
-    """Return which rows have the first value of some axes: (R,)."""
+    """Return the rows with the first value of each of some axes: (R,)."""
     here = np.ones(len(found.numbers), dtype=bool)
     for name in names:
         here &= found.columns[name] == plan.grids[name].at(0)
@@ -171,7 +171,7 @@ def _cells(value: Array, at: Sequence[NDArray[np.intp]], shape: tuple[int, ...])
 def _contours(
     axes: Axes, places: Sequence[Array | NDArray[np.intp]], form: Array, levels: Array
 ) -> None:
-    """Draw where the closed form has the values that are marked at the scale."""
+    """Draw contours of the closed form at the ticks of the colour bar."""
     known = form[np.isfinite(form)]
     inside = [level for level in levels if (known > level).any() and (known < level).any()]
     if inside:
@@ -217,7 +217,7 @@ def _histogram(plan: Plan, found: Results, measure: Measure) -> Figure:
 
 
 def shares(found: Sensitivity) -> Picture:
-    """Return a picture of an outcome's sensitivities."""
+    """Return a figure of an outcome's sensitivities."""
     with style():
         figure = Figure(figsize=(6.4, 3.2), layout="constrained")
         axes = figure.subplots()

@@ -1,4 +1,4 @@
-"""The page of a fit: the parameters found, and how the run compares with the data."""
+"""The report of a fit: its parameters, and the run compared with the data."""
 
 import json
 from dataclasses import asdict
@@ -21,7 +21,7 @@ PAGE, NUMBERS = "report.html", "fit.json"
 
 
 def write(level: Level, source: str, data: Data, found: Fit, folder: Path) -> Path:
-    """Write the page and the numbers of a fit into a folder, and return where the page is.
+    """Write the report and the numbers of a fit into a folder, and return the path of the page.
 
     Raises
     ------
@@ -50,7 +50,7 @@ def write(level: Level, source: str, data: Data, found: Fit, folder: Path) -> Pa
 
 
 def said(parameter: Fitted) -> str:
-    """Return a parameter with its uncertainty, which has two digits: 9.813 ± 0.024 m/s²."""
+    """Return a parameter with its uncertainty to two digits: 9.813 ± 0.024 m/s²."""
     digits = max(1 - floor(log10(parameter.uncertainty)), 0) if parameter.uncertainty else 6
     unit = f" {parameter.unit}" if parameter.unit else ""
     return f"{parameter.value:.{digits}f} ± {parameter.uncertainty:.{digits}f}{unit}"

@@ -1,4 +1,4 @@
-"""The parameters of a level at which its run comes closest to measured data."""
+"""Fitting of a level's parameters to measured data."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -19,19 +19,19 @@ STEP = 1e-5
 
 
 class FitError(SandboxError):
-    """Data from which no parameter can be found."""
+    """Data from which a parameter cannot be determined."""
 
 
 @dataclass(frozen=True, slots=True)
 class Fitted:
-    """A parameter that was found.
+    """A fitted parameter.
 
     Attributes
     ----------
     value, uncertainty
         The parameter, and its standard uncertainty, in its unit.
     bound
-        Whether it lies at the end of the level's range: then the data want it beyond.
+        Whether it lies at an end of the level's range: then the best value is beyond it.
     """
 
     name: str
@@ -43,22 +43,21 @@ class Fitted:
 
 @dataclass(frozen=True, slots=True)
 class Fit:
-    """What was found.
+    """The result of a fit.
 
     Attributes
     ----------
     parameters
-        p of them.
+        The p fitted parameters.
     correlation
-        (p, p), of their uncertainties.
+        (p, p), the correlation of their errors.
     count
-        How many numbers were measured.
+        The number of measured values.
     scatter
-        The root of the mean square of what is left over, over its uncertainty, with as many fewer
-        numbers as parameters were found: about 1 where the level and the uncertainties are right.
-        1 where these were not known: they were taken from what is left over.
+        The root of the reduced χ²: about 1 if the level and the uncertainties are right. 1 if the
+        uncertainties were unknown, since they are then estimated from the residuals.
     model
-        (N,) each, the run at the times of the data.
+        (N,) each, the values of the run at the times of the data.
     """
 
     parameters: tuple[Fitted, ...]
@@ -71,13 +70,13 @@ class Fit:
 def fit(level: Level, values: Values, names: Sequence[str], data: Data, stepping: Stepping) -> Fit:
     """Find parameters by least squares.
 
-    The uncertainties are those of the linearized problem, (Jᵀ J)⁻¹, with J how the residuals over
-    their uncertainties change with the parameters.
+    The uncertainties are those of the linearized problem, (Jᵀ J)⁻¹, where J is the Jacobian of the
+    residuals over their uncertainties.
 
     Raises
     ------
     FitError
-        If the data do not tell them.
+        If the data do not determine them.
     ValueRangeError
         If the level has no such parameter.
     SimulationError
@@ -115,12 +114,12 @@ def fit(level: Level, values: Values, names: Sequence[str], data: Data, stepping
 
 
 def _inverse_square(jacobian: Array, names: Sequence[str]) -> Array:
-    """Return (Jᵀ J)⁻¹ of how the residuals change with the parameters.
+    """Return (Jᵀ J)⁻¹ of the residuals' Jacobian.
 
     Raises
     ------
     FitError
-        If they do not change with some of them, or with two of them alike.
+        If the residuals do not depend on some parameters, or not independently.
     """
     square = jacobian.T @ jacobian
     if not np.linalg.cond(square) < 1e14:
@@ -131,7 +130,7 @@ def _inverse_square(jacobian: Array, names: Sequence[str]) -> Array:
 
 
 def predicted(level: Level, values: Values, data: Data, stepping: Stepping) -> dict[str, Array]:
-    """Return what a run has at the times of the data: (N,) each."""
+    """Return the values of a run at the times of the data: (N,) each."""
     trace = simulate(level, values, float(data.t.max()), data.columns, stepping)
     return {
         name: np.array(

@@ -1,4 +1,4 @@
-"""Measured data from outside: a CSV file of quantities over time."""
+"""Measured data from a file: a CSV table of quantities over time."""
 
 import csv
 from collections.abc import Iterator, Mapping
@@ -20,7 +20,7 @@ SIGN = "±"
 
 
 class DataError(SandboxError):
-    """A file of data that cannot be used."""
+    """A data file that cannot be used."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,9 +32,9 @@ class Data:
     t
         (N,), the times [s].
     columns
-        (N,) each, what was measured, in SI; not a number where it was not.
+        (N,) each, the measured values in SI units; NaN where there is none.
     uncertainties
-        (N,) each, their standard uncertainties, where these are known.
+        (N,) each, their standard uncertainties, where they are known.
     """
 
     t: Array
@@ -43,7 +43,7 @@ class Data:
 
     @property
     def count(self) -> int:
-        """How many numbers were measured."""
+        """The number of measured values."""
         return sum(int(np.isfinite(column).sum()) for column in self.columns.values())
 
 

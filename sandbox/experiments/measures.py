@@ -1,15 +1,15 @@
-"""Measures of a run: each gives one number, or says that there is none.
+"""Measures of a run: each gives one number, or none if its instant does not occur.
 
     ball.position.x@end           at the end of the run, or where `until` has ended it
-    ball.position.x@1.5           at a time [s], which may be a formula over the parameters
+    ball.position.x@1.5           at a time [s], which may be a formula of the parameters
     t@landing, t@apex(ball)       at an event: landing(BODY, HEIGHT), apex(BODY),
                                   contact(A, B, NTH), separation(A, B, NTH),
                                   crossing(QUANTITY, VALUE, up|down|either)
-    t@until                       where the condition of `until` came to hold; nothing if it did not
+    t@until                       at the first step where `until` holds; no number if it never does
     max(ball.speed)               an extreme, mean or integral over the run
     error(range)                  the error of one of the level's checks, by its label or number
 
-In place of a quantity may stand arithmetic over several.
+A quantity may be replaced by arithmetic over several.
 """
 
 import re
@@ -56,12 +56,12 @@ _EVENTS = ("end", "until", "landing", "apex", "contact", "separation", "crossing
 
 
 class MeasureError(SandboxError):
-    """A text that measures nothing; its own is fit to be shown."""
+    """A text that is no measure; the message is fit to be shown."""
 
 
 @dataclass(frozen=True, slots=True)
 class Measure:
-    """One number of a run.
+    """A number that is measured of each run.
 
     Attributes
     ----------
@@ -70,11 +70,11 @@ class Measure:
     of
         The measured quantity; None for the error of a check.
     at
-        When: an event or a time; None with a reduction.
+        The instant, an event or a time; None with a reduction.
     reduction
-        The aggregate over all instants; empty at an instant, `error` for a check.
+        The reduction over the whole run; empty at an instant, `error` for a check.
     check
-        The check whose closed form says what is to be expected; None if there is none.
+        The check whose closed form predicts the number; None if there is none.
     """
 
     text: str
@@ -85,7 +85,7 @@ class Measure:
 
     @property
     def unit(self) -> str:
-        """In SI; empty where it has none, or none is known."""
+        """Its SI unit; empty if it has none, or none is known."""
         unit = self.of.unit if self.of else ""
         return "·".join(part for part in (unit, OVER_TIME.get(self.reduction, "")) if part)
 
@@ -99,14 +99,14 @@ class Measure:
         return list(dict.fromkeys(["t", *self.of.quantities, *events]))
 
     def measured(self, trace: Trace, until: float | None) -> tuple[float, float | None] | None:
-        """Return the number and, if it is that of an instant, its time [s]; None if it never came.
+        """Return the number and the time of its instant [s], if any; None if that never occurs.
 
         Parameters
         ----------
         trace
-            A run that recorded its quantities.
+            The run, with its quantities recorded.
         until
-            When the condition came to hold that ends the run [s]; None if it did not.
+            The time at which the condition ended the run [s]; None if it did not.
         """
         if self.reduction == "error":
             assert self.check
@@ -127,7 +127,7 @@ class Measure:
         return None if found is None else (float(found[1][0]), float(found[0][0]))
 
     def expected(self, trace: Trace, t: float | None) -> float | None:
-        """Return the closed form's value at a time [s]; None where it does not apply."""
+        """Return the value of the closed form at a time [s]; None where it does not apply."""
         if self.check is None or self.of is None or t is None:
             return None
         if not applies(self.check, trace.values):
@@ -136,14 +136,14 @@ class Measure:
         return value if np.isfinite(value) else None
 
     def error(self, measured: float, expected: float, trace: Trace) -> float:
-        """Return how far the two lie apart, as the check has it."""
+        """Return the error of a measured number, as the check defines it."""
         assert self.check
         least = least_scale(self.check, trace.values)
         return relative_error(np.array([measured]), np.array([expected]), least)[0]
 
 
 def parse(text: str, level: Level, *, until: bool) -> Measure:
-    """Return what a text measures.
+    """Return the measure that a text describes.
 
     Parameters
     ----------
@@ -153,7 +153,7 @@ def parse(text: str, level: Level, *, until: bool) -> Measure:
     Raises
     ------
     MeasureError
-        If the level has nothing of the kind.
+        If the level has no such quantity, event or check.
     """
     text = text.strip()
     try:
@@ -181,7 +181,7 @@ def parse(text: str, level: Level, *, until: bool) -> Measure:
 
 
 def _closes_last(text: str) -> bool:
-    """Whether the bracket that is opened first is the last to be closed."""
+    """Whether the bracket that opens first closes last."""
     depth = 0
     for i, character in enumerate(text):
         depth += {"(": 1, ")": -1}.get(character, 0)
@@ -191,14 +191,14 @@ def _closes_last(text: str) -> bool:
 
 
 def _closed_form(of: Observable, at: Instant | Place, level: Level) -> Check | None:
-    """Return the check that predicts a quantity; one that holds at every step will do."""
+    """Return the check that predicts a quantity at an instant, or at every step."""
     same = [check for check in level.checks if check.quantity == of.text]
     exact = next((check for check in same if check.at is not None and check.at == at), None)
     return exact or next((check for check in same if check.at is None), None)
 
 
 def _check(text: str, level: Level) -> Check:
-    """Return one of a level's checks, by its number from 1 or its label."""
+    """Return the check with a number, from 1, or a label."""
     text = text.strip()
     if text.isdecimal() and 1 <= int(text) <= len(level.checks):
         return level.checks[int(text) - 1]
@@ -313,7 +313,7 @@ def _over_parameters(text: str, level: Level) -> Expression:
 
 
 def _body(given: list[str], level: Level, text: str) -> str:
-    """Return the body that an event is about: the only one that moves, if none is named."""
+    """Return the body of an event: the only one that moves, if none is named."""
     if given:
         if given[0] not in level.bodies:
             hint = suggestion(given[0], level.bodies)

@@ -16,21 +16,21 @@ from sandbox.model.message import Message
 from sandbox.model.quantities import quantity
 
 _QUANTITY = re.compile(r"\b[A-Za-z]\w*(?:\.[A-Za-z]\w*)+")
-"""A name with a dot in it, which no other name in an expression has."""
+"""A name that contains a dot, unlike any other name in an expression."""
 
 
 @dataclass(frozen=True, slots=True)
 class Observable:
-    """Arithmetic over quantities, the parameters of a level and the time; a condition is 1 or 0.
+    """Arithmetic over quantities, parameters and the time; a condition is 1 or 0.
 
     Attributes
     ----------
     text
         The text of the observable.
     unit
-        In SI; empty where several quantities are put together.
+        Its SI unit; empty for arithmetic over several quantities.
     quantities
-        The names of the quantities that it needs.
+        The names of the quantities it is computed from.
     """
 
     text: str
@@ -40,12 +40,12 @@ class Observable:
 
     @classmethod
     def of(cls, text: str, level: Level) -> "Observable":
-        """Return what a text names, such as `ball.speed` or `a.position.x - b.position.x`.
+        """Return the observable of a text, such as `ball.speed` or `a.position.x - b.position.x`.
 
         Raises
         ------
         ExpressionError
-            If it is no arithmetic.
+            If the text is not valid arithmetic.
         QuantityError
             If the level has no such quantity.
         """
@@ -79,7 +79,7 @@ class Observable:
         if self._formula is None:
             return t if self.text == "t" else columns[self.text]
         given = {f"q{i}_": columns[name] for i, name in enumerate(self.quantities)}
-        # an expression takes arrays as it takes numbers
+        # expressions work on arrays as well
         return self._formula.over({**values, **given}, t)  # type: ignore[dict-item]
 
 

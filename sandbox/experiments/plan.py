@@ -25,7 +25,7 @@ NONE = "none"
 """The value of `without` that switches off nothing."""
 
 NAMED = ("without", "scheme")
-"""The axes whose values are names, not numbers."""
+"""The axes whose values are names instead of numbers."""
 
 
 class Row(NamedTuple):
@@ -34,11 +34,11 @@ class Row(NamedTuple):
     number: int
     """from 0"""
     varied: tuple[float | str, ...]
-    """what each axis has there"""
+    """the value of each axis"""
 
 
 class Variant(NamedTuple):
-    """A level with effects less, and what must hold in it for each choice of its parameters."""
+    """A level without some effects, and the requirements on its parameters."""
 
     level: Level
     conditions: list[Condition]
@@ -46,16 +46,16 @@ class Variant(NamedTuple):
 
 @dataclass(frozen=True)
 class Plan:
-    """An experiment with the level that it runs; made by `make`.
+    """An experiment together with its level; made by `make`.
 
     Attributes
     ----------
     experiment
         The experiment as it was written.
     source
-        What the level is called.
+        The name of the level.
     level
-        The level as it is in its file.
+        The level as in its file.
     """
 
     experiment: Experiment
@@ -64,22 +64,22 @@ class Plan:
 
     @cached_property
     def axes(self) -> dict[str, Axis]:
-        """What is varied, by name."""
+        """The axes by name."""
         return {n: axis_of(n, text, self.level) for n, text in self.experiment.vary.items()}
 
     @cached_property
     def grids(self) -> dict[str, Grid | Listed]:
-        """What is varied over a grid, the slowest first."""
+        """The axes of the grid, the slowest first."""
         return {n: a for n, a in self.axes.items() if isinstance(a, Grid | Listed)}
 
     @cached_property
     def drawn(self) -> dict[str, Drawn]:
-        """What is drawn."""
+        """The random axes."""
         return {n: a for n, a in self.axes.items() if not isinstance(a, Grid | Listed)}
 
     @cached_property
     def draws(self) -> int:
-        """How many rows each point of the grid has."""
+        """The number of rows per point of the grid."""
         if not self.drawn:
             return 1
         base = self.experiment.draws or 1
@@ -88,7 +88,7 @@ class Plan:
 
     @cached_property
     def runs(self) -> int:
-        """How many runs there are."""
+        """The number of runs."""
         return prod(axis.count for axis in self.grids.values()) * self.draws
 
     @cached_property
@@ -99,22 +99,22 @@ class Plan:
 
     @cached_property
     def measures(self) -> tuple[Measure, ...]:
-        """What is measured of each run."""
+        """The measures of each run."""
         until = self.experiment.until is not None
         return tuple(measures.parse(m, self.level, until=until) for m in self.experiment.measure)
 
     @cached_property
     def quantities(self) -> list[str]:
-        """What must be recorded of a run."""
+        """The quantities to record in each run."""
         names = [name for measure in self.measures for name in measure.quantities]
         return list(dict.fromkeys(["t", *(self.until.quantities if self.until else ()), *names]))
 
     def __reduce__(self) -> tuple[type["Plan"], tuple[Experiment, str, Level]]:
-        """Pickle only the source of the plan, from which the rest is rebuilt."""
+        """Pickle only what the plan was made from; the rest is rebuilt."""
         return Plan, (self.experiment, self.source, self.level)
 
     def rows(self, start: int, stop: int) -> Iterator[Row]:
-        """Yield the rows from one to before another."""
+        """Yield the rows `start` to `stop` − 1."""
         drawn = self._drawn(start, stop)
         for number in range(start, stop):
             rest, found = number // self.draws, dict[str, float | str]()
@@ -126,7 +126,7 @@ class Plan:
             yield Row(number, tuple(found[name] for name in self.axes))
 
     def _drawn(self, start: int, stop: int) -> dict[str, list[float]]:
-        """Return what is drawn for some rows; each point of the grid has the same draws."""
+        """Return the random values of some rows; each point of the grid has the same draws."""
         if not self.drawn:
             return {}
         shares = []
@@ -145,12 +145,12 @@ class Plan:
         }
 
     def setting(self, row: Row) -> tuple[Level, Values, Stepping]:
-        """Return what is run in a row: the level with its effects, the parameters, how it steps.
+        """Return the level of a row with its effects, the parameters, and the stepping.
 
         Raises
         ------
         SandboxError
-            If there is no such run.
+            If the row cannot be run.
         """
         varied = dict(zip(self.axes, row.varied, strict=True))
         chosen = {n: float(v) for n, v in varied.items() if n in self.level.parameters}
@@ -160,12 +160,12 @@ class Plan:
         return level, values, self.stepping(others)
 
     def stepping(self, varied: Mapping[str, float | str]) -> Stepping:
-        """Return the stepping with some of its settings varied, by name.
+        """Return the stepping, with some of its settings replaced by name.
 
         Raises
         ------
         ValidationError
-            If one of them is none.
+            If a value is not valid.
         """
         own = self.level.stepping
         asked = {"rate": self.experiment.rate, "scheme": self.experiment.scheme, **varied}
@@ -175,12 +175,12 @@ class Plan:
         return Stepping.model_validate({**own.at(own.rate).model_dump(), **given})
 
     def variant(self, without: str) -> Variant:
-        """Return the level without some effects, whose names are joined by +.
+        """Return the level without some effects, given by their names, joined by +.
 
         Raises
         ------
         EffectError
-            If it makes no sense without them.
+            If it is not valid without them.
         """
         if without not in self._variants:
             names = [] if without == NONE else [name.strip() for name in without.split("+")]
@@ -190,17 +190,17 @@ class Plan:
 
     @cached_property
     def _variants(self) -> dict[str, Variant]:
-        """The variants that were asked for, by what they are without."""
+        """The variants made so far, by the effects they lack."""
         return {}
 
 
 def axis_of(name: str, text: str, level: Level) -> Axis:
-    """Return what varies by a name, as it was written.
+    """Return the axis of a name, as written in a text.
 
     Raises
     ------
     AxisError
-        If it cannot be read.
+        If the text cannot be read.
     """
     named = name in NAMED and name not in level.parameters
     return axes.parse_names(text) if named else axes.parse(text)

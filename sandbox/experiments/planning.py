@@ -1,4 +1,4 @@
-"""Planning an experiment: its plan, and everything that is wrong with it."""
+"""Planning an experiment: its plan, and all its mistakes."""
 
 from collections.abc import Iterator
 from typing import get_args
@@ -21,13 +21,13 @@ from sandbox.model.message import Message, joined
 from sandbox.model.rules.conditions.numbers import MAX_STEPS
 
 MOST_RUNS = 10**9
-"""How many runs an experiment may have; at 10,000 runs a second those take a day."""
+"""The most runs in an experiment; at 10,000 runs a second they take a day."""
 
 
 def make(experiment: Experiment, source: str, level: Level) -> tuple[Plan, list[Fault]]:
-    """Return the plan of an experiment, and everything that is wrong with it.
+    """Return the plan of an experiment, and all its mistakes.
 
-    A plan in which something is wrong is not to be run.
+    A plan with mistakes must not be run.
     """
     plan = Plan(experiment, source, level)
     faults = [*_faulty_axes(plan), *_faulty_settings(plan), *_faulty_measures(plan)]
@@ -61,7 +61,7 @@ def _faulty_axes(plan: Plan) -> Iterator[Fault]:
 
 
 def _outside(name: str, axis: Axis, plan: Plan) -> Iterator[Message]:
-    """Yield what is wrong with an axis that can be read."""
+    """Say which values of an axis the level does not allow."""
     level = plan.level
     if name in level.parameters:
         parameter = level.parameters[name]
@@ -147,7 +147,7 @@ def _faulty_measures(plan: Plan) -> Iterator[Fault]:
 
 
 def _faulty_runs(plan: Plan) -> Iterator[Fault]:
-    """Yield what is wrong with the number of runs, once everything can be read."""
+    """Yield the faults of the number of runs and draws, once all axes can be read."""
     if plan.drawn and plan.experiment.draws is None:
         name = next(iter(plan.drawn))
         yield Fault(
@@ -172,7 +172,7 @@ def _faulty_runs(plan: Plan) -> Iterator[Fault]:
 
 
 def _faulty_draws(plan: Plan) -> Iterator[Fault]:
-    """Yield what the way of drawing does not allow."""
+    """Yield the faults of the sampling method."""
     method, base = plan.experiment.method, plan.experiment.draws or 1
     if method == "latin-hypercube" and base > MOST_IN_A_HYPERCUBE:
         message = Message(

@@ -1,7 +1,7 @@
 """Random points of the unit cube: a row always gets the same ones, wherever it runs.
 
-Each comes in blocks of its own seed, so that no row needs those before it. Those of a Latin
-hypercube alone hang together: there are at most a million of them.
+Points are made in blocks, each with a seed of its own, so that no row depends on earlier ones. Only
+the points of a Latin hypercube depend on each other: there are at most a million of them.
 """
 
 import warnings
@@ -16,26 +16,26 @@ from sandbox.model.expressions import Array
 Method = Literal["random", "latin-hypercube", "sobol", "sobol-indices"]
 
 BLOCK = 1024
-"""How many points are made at a time."""
+"""The number of points in a block."""
 
 MOST_IN_A_HYPERCUBE = 1_000_000
 
 
 def points(method: Method, seed: int, dimensions: int, count: int, start: int, stop: int) -> Array:
-    """Return some of the points: (stop − start, dimensions), each number above 0 and below 1.
+    """Return some of the points: (stop − start, dimensions), with coordinates in (0, 1).
 
     Parameters
     ----------
     method
-        `random`: independent of each other. `latin-hypercube`: in each dimension one in each of as
-        many equal parts as there are points. `sobol`: of low discrepancy, scrambled (A. B. Owen,
-        1998). `sobol-indices`: rows of Saltelli's scheme for sensitivities, made of the same.
+        `random`: independent points. `latin-hypercube`: in each dimension, one point in each of as
+        many equal intervals as there are points. `sobol`: Sobol's sequence, scrambled (A. B. Owen,
+        1998). `sobol-indices`: rows of Saltelli's scheme for sensitivities, from that sequence.
     seed
-        For other points another number.
+        Determines the points.
     dimensions, count
-        How many numbers a point has, and how many points there are.
+        The coordinates of a point, and the number of points.
     start, stop
-        Which points, from 0.
+        The range of points, from 0.
     """
     if method == "sobol-indices":
         return _saltelli(seed, dimensions, start, stop)
@@ -69,7 +69,7 @@ def _sobol(seed: int, dimensions: int, block: int) -> Array:
     if block:
         sequence.fast_forward(block * BLOCK)
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # a block is a power of two in any case
+        warnings.simplefilter("ignore")  # each block is a power of two anyway
         return _inside(sequence.random(BLOCK))
 
 
@@ -81,7 +81,7 @@ def _hypercube(seed: int, dimensions: int, count: int) -> Array:
 
 
 def _saltelli(seed: int, dimensions: int, start: int, stop: int) -> Array:
-    """Return rows of the scheme: for each point of twice the dimensions A, B, and A with one of B.
+    """Return rows of Saltelli's scheme: for each point (A, B), A, B, and A with one column of B.
 
     A. Saltelli et al., Comput. Phys. Commun. 181 (2010) 259.
     """
@@ -97,5 +97,5 @@ def _saltelli(seed: int, dimensions: int, start: int, stop: int) -> Array:
 
 
 def _inside(shares: Array) -> Array:
-    """Keep shares from 0 and 1, where a normal distribution has no value."""
+    """Keep probabilities away from 0 and 1, where a normal distribution has no quantile."""
     return np.clip(shares, 2.0**-53, 1 - 2.0**-53)

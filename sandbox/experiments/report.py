@@ -1,4 +1,4 @@
-"""The page of an experiment: its results in pictures and tables, in one file."""
+"""The report of an experiment: its results in figures and tables, in one file."""
 
 import json
 from collections.abc import Callable, Mapping
@@ -27,19 +27,19 @@ METHODS: Mapping[Method, str] = {
 """The names of the sampling methods on a page."""
 
 SHOWN = 5
-"""How many reasons of failures the page names, at most."""
+"""The most reasons of failures that the report names."""
 
 
 class Page(NamedTuple):
-    """A page that was written."""
+    """A report that was written."""
 
     path: Path
     remarks: list[str]
-    """what is to be said of it at once"""
+    """remarks to be printed at once"""
 
 
 def write(plan: Plan, path: Path, folder: Path) -> Page:
-    """Write the page of a finished table into a folder.
+    """Write the report of a finished table into a folder.
 
     Raises
     ------
@@ -81,7 +81,7 @@ def write(plan: Plan, path: Path, folder: Path) -> Page:
 
 
 def _sensitivities(plan: Plan, path: Path) -> tuple[list[analysis.Sensitivity], list[str]]:
-    """Return Sobol's indices, or why there are none."""
+    """Return Sobol's indices, and the reasons why any are missing."""
     if plan.experiment.method != "sobol-indices":
         return [], []
     try:

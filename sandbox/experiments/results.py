@@ -1,4 +1,4 @@
-"""The finished table of an experiment, read back as far as a picture needs it."""
+"""The finished table of an experiment, read back as far as a figure needs it."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -11,24 +11,23 @@ from sandbox.experiments.table import FAILURE, NUMBER
 from sandbox.model.expressions import Array
 
 MOST = 250_000
-"""How many rows are read; of more, evenly spaced ones."""
+"""The most rows that are read; of a longer table, evenly spaced ones."""
 
 
 @dataclass(frozen=True, slots=True)
 class Results:
-    """Rows of the table.
+    """Some rows of a table.
 
     Attributes
     ----------
     runs
-        How many there are in the file.
+        The number of rows in the file.
     numbers
-        (R,), which of them these are.
+        (R,), the numbers of these rows.
     columns
-        (R,) each, the numbers, or names, by the names of their columns; not a number where a run
-        has none.
+        (R,) each, the values by column name, numbers or names; NaN where a run has no number.
     failures
-        Why runs failed, and how many for that reason, in the whole file; the most frequent first.
+        The reasons of failed runs with their counts, in the whole file, the most frequent first.
     """
 
     runs: int
@@ -43,7 +42,7 @@ class Results:
 
 
 def read(path: Path, names: Sequence[str]) -> Results:
-    """Return some columns of a table, from at most a number of rows."""
+    """Read some columns of a table, with at most `MOST` rows."""
     import pyarrow.parquet as pq
 
     file = pq.ParquetFile(path)

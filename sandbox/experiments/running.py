@@ -1,4 +1,4 @@
-"""Running and measuring some rows of an experiment, with the same bits wherever it is done."""
+"""Running and measuring rows of an experiment, with identical results on any machine."""
 
 import pickle
 from collections.abc import Iterator, Mapping, Sequence
@@ -25,34 +25,34 @@ from sandbox.physics.state.errors import SimulationError
 from sandbox.physics.stepping.world import World
 
 TOGETHER = 400
-"""How many runs share one batch of arrays. Larger batches hardly reduce the cost of a step, and
-need more memory."""
+"""The most runs in a batch of arrays. Larger batches hardly reduce the cost of a step, and need
+more memory."""
 
 LARGEST = 8_000_000
-"""How many numbers a batch may record."""
+"""The most numbers that a batch may record."""
 
 
 class Task(NamedTuple):
-    """Some rows to be run."""
+    """A range of rows to run."""
 
     plan: bytes
-    """as `pack` returns it"""
+    """the plan, pickled by `pack`"""
     start: int
     stop: int
 
 
 class Done(NamedTuple):
-    """The results of some rows, and how long they took [s]."""
+    """The results of some rows, and the time they took [s]."""
 
     start: int
     stop: int
     columns: list[list[Cell]]
-    """in the order of the table's: (R,) each"""
+    """(R,) each, in the order of the table's columns"""
     seconds: float
 
 
 class _Setting(NamedTuple):
-    """What is run in a row."""
+    """The level, parameters and stepping of a row."""
 
     row: Row
     level: Level
@@ -61,7 +61,7 @@ class _Setting(NamedTuple):
 
 
 class _Run(NamedTuple):
-    """How a row came out: a run, and whether the condition has ended it; or why there is none."""
+    """The run of a row, and whether the condition ended it; or the reason why there is no run."""
 
     row: Row
     trace: Trace | None
@@ -70,7 +70,7 @@ class _Run(NamedTuple):
 
 
 def pack(plan: Plan) -> bytes:
-    """Pickle a plan, so that each process unpacks it only once for all its tasks."""
+    """Pickle a plan; each process unpickles it only once for all its tasks."""
     return pickle.dumps(plan)
 
 
@@ -81,7 +81,7 @@ def _unpacked(plan: bytes) -> Plan:
 
 
 def run(task: Task) -> Done:
-    """Run some rows."""
+    """Run the rows of a task."""
     began = perf_counter()
     plan = _unpacked(task.plan)
     cells = list(measured(plan, task.start, task.stop))
@@ -96,7 +96,7 @@ def measured(plan: Plan, start: int, stop: int) -> Iterator[list[Cell]]:
 
 
 def together(plan: Plan) -> int:
-    """Return how many rows of a plan are best run at once: 1 where each runs alone."""
+    """Return how many rows of a plan best share a batch of arrays: 1 if each runs alone."""
     setting = next(_settings(plan, plan.rows(0, 1)))
     if isinstance(setting, _Run) or _kind(plan, setting) is None:
         return 1
@@ -133,7 +133,7 @@ def _numbers(plan: Plan, trace: Trace, *, stopped: bool) -> Iterator[Cell]:
 
 
 def _runs(plan: Plan, rows: Iterator[Row]) -> Iterator[_Run]:
-    """Yield all rows' runs in their order, those together that can be."""
+    """Yield the runs of all rows in their order, batched where possible."""
     for together, group in groupby(_settings(plan, rows), lambda s: _kind(plan, s)):
         if not together:
             yield from (_alone(plan, setting) for setting in group)
@@ -157,27 +157,27 @@ def _settings(plan: Plan, rows: Iterator[Row]) -> "Iterator[_Setting | _Run]":
 
 
 def _kind(plan: Plan, setting: "_Setting | _Run") -> tuple[int, str] | None:
-    """Return what runs must share to go in one batch; None if they must run alone."""
+    """Return a key that is equal for runs that can share a batch; None if they must run alone."""
     if isinstance(setting, _Run) or not suits(setting.level, setting.stepping, plan.quantities):
         return None
     return id(setting.level), setting.stepping.model_dump_json()
 
 
 def _most(plan: Plan, setting: _Setting) -> int:
-    """Return how many such runs may share a batch."""
+    """Return the most such runs that may share a batch."""
     duration = plan.experiment.duration or setting.level.duration(setting.values)
     recorded = duration * setting.stepping.rate * len(plan.quantities)
     return int(max(min(TOGETHER, LARGEST / max(recorded, 1)), 1))
 
 
 def _together(plan: Plan, flock: Sequence[_Setting]) -> Iterator[_Run]:
-    """Run some rows at once, and those that cannot be with them alone."""
+    """Run rows in one batch of arrays; those that cannot share it run alone."""
     worlds: list[World | None] = []
     for setting in flock:
         try:
             world = build(setting.level, setting.values, setting.stepping)
         except SandboxError:
-            worlds.append(None)  # alone it says why
+            worlds.append(None)  # running alone gives the reason
         else:
             worlds.append(world if accepts(world) else None)
     flying = [world for world in worlds if world]
@@ -196,7 +196,7 @@ def _together(plan: Plan, flock: Sequence[_Setting]) -> Iterator[_Run]:
 
 
 def _steps(plan: Plan, world: World) -> int:
-    """Return how many steps a run takes, unless a condition ends it."""
+    """Return the number of steps in a run that no condition ends."""
     steps = count_steps(world, plan.experiment.duration)
     return max(steps, 1)
 
@@ -241,7 +241,7 @@ class _Stop:
         self.held = False
 
     def now(self, world: World) -> bool:
-        """Return whether a world has come to it."""
+        """Return whether it holds for a world now."""
         if self._meter is None:
             self._meter = Meter(world, ["t", *self._condition.quantities])
         columns = self._meter(world.snapshot)
@@ -250,5 +250,5 @@ class _Stop:
         return self.held
 
     def first(self, columns: Mapping[str, Array], t: Array, world: World) -> int | None:
-        """Return the first of some instants at which it holds; None if it does at none."""
+        """Return the index of the first instant at which it holds; None if it never does."""
         return holds_at(self._condition, columns, t, world.values)

@@ -13,17 +13,17 @@ from sandbox.model.files import write_atomically
 
 
 def text() -> str:
-    """Return the schema as its file has it."""
+    """Return the content of the schema file."""
     return json.dumps(levels.of(Experiment), indent=2, ensure_ascii=False) + "\n"
 
 
 def write() -> Path:
-    """Write the schema beside the experiments, whole or not at all, and return where.
+    """Write the schema beside the experiments, atomically, and return its path.
 
     Raises
     ------
     SandboxError
-        If the package is installed: it keeps the schema that it came with.
+        If the package is installed, with the schema inside it.
     """
     sources()
     target = catalog.root() / catalog.SCHEMA

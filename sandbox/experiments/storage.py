@@ -1,9 +1,9 @@
-"""The folder of an experiment: results are stored as they come, whole or not at all.
+"""The folder of an experiment: results are stored as they arrive, each file atomically.
 
-experiment.json    the experiment, its level, and what it was made with
-parts/             rows that are done, a file for each batch, while it runs
-results.parquet    all rows in their order, once they are done
-report.html        the page of it
+experiment.json    the experiment, its level, and the versions that it was made with
+parts/             finished rows, a file for each batch, while the experiment runs
+results.parquet    all rows in their order, once they are finished
+report.html        the report
 """
 
 import json
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     import pyarrow as pa
 
 GROUP = 65_536
-"""The rows of each row group of the finished file, whatever the batches were."""
+"""The number of rows in each row group of the finished file, whatever the batches were."""
 
 RESULTS, DESCRIPTION, PARTS = "results.parquet", "experiment.json", "parts"
 
@@ -36,14 +36,14 @@ class Store:
     Parameters
     ----------
     folder
-        Made if it is not there.
+        Its path; made if missing.
     plan
         The plan whose results are stored.
 
     Raises
     ------
     SandboxError
-        If it cannot be written, or holds another experiment.
+        If it cannot be written, or belongs to another experiment.
     """
 
     def __init__(self, folder: Path, plan: Plan) -> None:
@@ -78,7 +78,7 @@ class Store:
 
     @property
     def complete(self) -> bool:
-        """Whether all rows are done, and put together."""
+        """Whether the finished table is there."""
         import pyarrow as pa
         import pyarrow.parquet as pq
 
@@ -96,7 +96,7 @@ class Store:
             ) from error
 
     def missing(self) -> Iterator[tuple[int, int]]:
-        """Yield the rows that are not done: from one to before another."""
+        """Yield the ranges of missing rows: the first, and the one after the last."""
         begin = 0
         for start, stop, _ in self._done():
             if start > begin:
@@ -111,7 +111,7 @@ class Store:
         Raises
         ------
         SandboxError
-            If there is no room for it.
+            If there is not enough space.
         """
         import pyarrow as pa
         import pyarrow.parquet as pq
@@ -123,12 +123,12 @@ class Store:
         write_atomically(self._parts / f"{start}-{stop}.parquet", sink.getvalue().to_pybytes())
 
     def finish(self) -> None:
-        """Put all rows together, in their order and in groups of the same size.
+        """Write all rows to one table, in their order and in groups of the same size.
 
         Raises
         ------
         SandboxError
-            If there is no room for it; the parts are kept.
+            If there is not enough space; the parts are kept.
         """
         import pyarrow.parquet as pq
 
@@ -166,7 +166,7 @@ class Store:
             yield held.combine_chunks()
 
     def _done(self) -> list[tuple[int, int, Path]]:
-        """Return the parts that are there, in the order of their rows."""
+        """Return the stored parts, in the order of their rows."""
         found = []
         for path in self._parts.glob("*-*.parquet"):
             start, _, stop = path.stem.partition("-")
@@ -176,7 +176,7 @@ class Store:
 
 
 def description(plan: Plan) -> dict[str, object]:
-    """Return all that is needed to run an experiment again, with the same bits."""
+    """Return all that is needed to repeat an experiment with identical results."""
     written = plan.experiment.model_dump(mode="json", exclude_none=True, exclude={"schema_"})
     return {
         "experiment": {**written, "level": plan.source},
@@ -192,7 +192,7 @@ def description(plan: Plan) -> dict[str, object]:
 
 
 def _difference(there: str, text: str) -> str:
-    """Say in what two descriptions differ."""
+    """Return where two descriptions differ."""
     try:
         before, now = json.loads(there), json.loads(text)
         pairs = [(before[part], now[part], part) for part in ("experiment", "made with")]

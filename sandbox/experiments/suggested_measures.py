@@ -15,7 +15,7 @@ from sandbox.model.level import (
 
 
 def measures(level: Level, quantities: Iterable[str]) -> list[str]:
-    """Return what a level's checks measure, then some quantities at the end and their maxima."""
+    """Return the measures of a level's checks, then quantities at the end and their maxima."""
     checked = [f"{c.quantity}@{written(c.at)}" for c in level.checks if c.at is not None]
     always = [c.quantity for c in level.checks if c.at is None]
     names = list(quantities)
@@ -24,7 +24,7 @@ def measures(level: Level, quantities: Iterable[str]) -> list[str]:
 
 
 def written(at: Instant) -> str:
-    """Return an instant as a measure names it."""
+    """Return an instant as it is written in a measure."""
     match at:
         case LandingEvent():
             return f"landing({at.body}, {_typed(at.height)})"

@@ -15,24 +15,24 @@ NUMBER, FAILURE = "run", "failure"
 
 
 class Column(NamedTuple):
-    """A column of numbers that were measured, or expected."""
+    """A column of measured or expected numbers."""
 
     name: str
     unit: str
 
 
 def closed_form(measure: str) -> str:
-    """Return what the column of a measure's closed form is called."""
+    """Return the name of the column with a measure's closed form."""
     return f"{measure} closed form"
 
 
 def error(measure: str) -> str:
-    """Return what the column of a measure's error is called."""
+    """Return the name of the column with a measure's error."""
     return f"{measure} error"
 
 
 def columns(plan: Plan) -> list[Column]:
-    """Return the columns of all measures, each with its closed form where a check has one."""
+    """Return the columns of all measures, with closed forms and errors where checks exist."""
     found = []
     for measure in plan.measures:
         found.append(Column(measure.text, measure.unit))
@@ -43,7 +43,7 @@ def columns(plan: Plan) -> list[Column]:
 
 
 def schema(plan: Plan) -> "pa.Schema":
-    """Return the names, types and units of all columns."""
+    """Return the names, types and units of all columns, as an Arrow schema."""
     import pyarrow as pa
 
     fields = [pa.field(NUMBER, pa.int64(), nullable=False)]
