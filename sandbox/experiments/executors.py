@@ -44,7 +44,7 @@ class Executor(Protocol):
 
 
 class Here:
-    """This process, which runs one item after the other."""
+    """The current process, which runs one item after the other."""
 
     jobs = 1
 

@@ -1,1 +1,1 @@
-"""What a level says: its format, its expressions, how it is read, and what can be wrong with it."""
+"""The content of a level: its format, its expressions, reading it, and its possible mistakes."""

@@ -1,7 +1,7 @@
 """Events that act: once in a run a string is cut, a hook catches, or a force is switched.
 
-A joint is there until it is cut, or until it breaks. One that some event ties is open until then. A
-force that some event switches on is off until then; any other is on from the start.
+A joint exists until it is cut or breaks. A joint that an event ties is open until then. A force
+that an event switches on is off until then; any other is on from the start.
 """
 
 from collections.abc import Iterator, Mapping
@@ -29,10 +29,10 @@ Trigger = Annotated[
 """A time [s], or a quantity that crosses a value."""
 
 ACTIONS = ("cut", "tie", "on", "off", "reverse")
-"""The fields of an event that say what it does."""
+"""The fields of an event that define its action."""
 
 MOST_EVENTS = 200
-"""How many events a level may have."""
+"""The most events in a level."""
 
 
 class Event(Model):
@@ -53,12 +53,12 @@ class Event(Model):
 
     @property
     def acts(self) -> bool:
-        """Whether it does anything."""
+        """Whether it has any action."""
         return any(getattr(self, action) for action in ACTIONS)
 
 
 class Crossing(NamedTuple):
-    """When an event happens: as a quantity crosses a value, which way."""
+    """The crossing that triggers an event: a quantity, a value, and a direction."""
 
     quantity: str
     value: float
@@ -66,7 +66,7 @@ class Crossing(NamedTuple):
 
 
 class Happening(NamedTuple):
-    """What happens once: what it waits for, and what it cuts, ties, switches and reverses."""
+    """An event that happens once: its trigger, and what it cuts, ties, switches and reverses."""
 
     waits: Crossing
     cut: tuple[str, ...] = ()
@@ -79,7 +79,7 @@ class Happening(NamedTuple):
 def happenings(
     events: Mapping[str, Event], joints: Mapping[str, Joint], values: Values
 ) -> dict[str, Happening]:
-    """Return all that happens in a level by itself: its events, and joints that break."""
+    """Return the events of a level, including those of joints that break."""
     found = {
         name: Happening(_crossing(event.at, values), *(getattr(event, a) for a in ACTIONS))
         for name, event in events.items()
@@ -90,24 +90,24 @@ def happenings(
 
 
 def breaking(joint: str) -> str:
-    """Return the name of the event that a joint breaks; no other event can have it."""
+    """Return the name of the event in which a joint breaks; no other event can have it."""
     return f"{joint} breaks"
 
 
 def loads(joints: Mapping[str, Joint], values: Values) -> dict[str, float]:
-    """Return the force at which each joint breaks that can [N]."""
+    """Return the force at which each breakable joint breaks [N]."""
     return {name: load(values) for name, load in breakable(joints)}
 
 
 def breakable(joints: Mapping[str, Joint]) -> Iterator[tuple[str, Load]]:
-    """Yield the joints that may break, and what they bear."""
+    """Yield the joints that may break, with the forces at which they do."""
     for name, joint in joints.items():
         if (load := getattr(joint, "breaks_at", None)) is not None:
             yield name, load
 
 
 def _crossing(at: Trigger, values: Values) -> Crossing:
-    """Return what an event waits for; a time is a crossing of `t`."""
+    """Return the crossing that triggers an event; a time is a crossing of `t`."""
     match at:
         case ApexEvent(body=body):
             return Crossing(f"{body}.velocity.y", 0.0, "down")
@@ -119,18 +119,18 @@ def _crossing(at: Trigger, values: Values) -> Crossing:
 
 
 def cut(events: Mapping[str, Event], joints: Mapping[str, Joint]) -> frozenset[str]:
-    """Return the joints that some event cuts, or that break."""
+    """Return the joints that are cut by an event, or that may break."""
     named = {name for event in events.values() for name in event.cut}
     return frozenset(named.union(name for name, _ in breakable(joints)))
 
 
 def bouncing(joints: Mapping[str, Joint]) -> Iterator[tuple[str, Fraction]]:
-    """Yield the stops that give back speed, and how much of it."""
+    """Yield the stops that rebound, with their coefficients of restitution."""
     for name, joint in joints.items():
         if isinstance(joint, Stop | AngleStop) and joint.restitution is not None:
             yield name, joint.restitution
 
 
 def tied(events: Mapping[str, Event]) -> frozenset[str]:
-    """Return the joints that some event ties, which are open until then."""
+    """Return the joints that an event ties; they are open until then."""
     return frozenset(name for event in events.values() for name in event.tie)

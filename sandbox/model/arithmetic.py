@@ -1,8 +1,8 @@
-"""The arithmetic of expressions: which of Python's they may use, and how it is compiled.
+"""The arithmetic of expressions: the subset of Python that they may use, and its compilation.
 
-An expression is Python's arithmetic and nothing else: no attributes, no subscripts, no calls but
-the listed functions. Every literal is a float, so nothing can grow beyond a float's range, and the
-length of the source is bounded, so nothing can take long. A condition is 1 where it holds, else 0.
+An expression is Python's arithmetic and nothing else: no attributes, no subscripts, and no calls
+except of the listed functions. Every literal is a float, so that no value exceeds a float's range,
+and the length of the source is bounded, which bounds the time. A condition is 1 if true, else 0.
 """
 
 import ast
@@ -50,7 +50,7 @@ FUNCTIONS: Mapping[str, Callable[..., Any]] = {
 
 RESERVED = frozenset({"t", *CONSTANTS, *FUNCTIONS})
 
-_PRODUCT = re.compile(r"[\d)]\s*[A-Za-z(]")  # as it is written on paper
+_PRODUCT = re.compile(r"[\d)]\s*[A-Za-z(]")  # a product as written on paper
 _ARGUMENTS = {"atan2": 2, "hypot": 2, "max": 2, "min": 2, "where": 3}
 _OPERATORS = (ast.Add, ast.Sub, ast.Mult, ast.Div, ast.Mod, ast.Pow)
 _COMPARISONS = (ast.Lt, ast.LtE, ast.Gt, ast.GtE, ast.Eq, ast.NotEq)
@@ -80,13 +80,13 @@ class ExpressionError(SandboxError, ValueError):
 
 
 def evaluated(code: CodeType, scope: Mapping[str, Any]) -> Any:  # noqa: ANN401 (a float or an array)
-    """Return the value of a compiled expression, finite or not; every name in it has one."""
+    """Return the value of a compiled expression, finite or not; the scope has all of its names."""
     return eval(code, _NAMESPACE, scope)  # the tree has passed `_Rewrite`
 
 
 @lru_cache(maxsize=2000)
 def compiled(source: str) -> tuple[CodeType, frozenset[str]]:
-    """Return the code of an expression that has been checked, and the names that it uses."""
+    """Return the code of an expression that has been checked, and the names in it."""
     if len(source) > MAX_LENGTH:
         raise ExpressionError(Message("is longer than {most} characters", most=MAX_LENGTH))
     return _made(source)
@@ -94,7 +94,7 @@ def compiled(source: str) -> tuple[CodeType, frozenset[str]]:
 
 @lru_cache(maxsize=200)
 def differentiated(source: str, variable: str) -> tuple[CodeType, frozenset[str]]:
-    """Return the code of the derivative of an expression, and the names that it uses."""
+    """Return the code of the derivative of an expression, and the names in it."""
     try:
         return _made(derivative(source, variable))
     except (RecursionError, ExpressionError):
@@ -108,7 +108,7 @@ def _made(source: str) -> tuple[CodeType, frozenset[str]]:
     rewrite = _Rewrite()
     try:
         with warnings.catch_warnings():
-            warnings.simplefilter("error")  # what Python only warns of is no arithmetic either
+            warnings.simplefilter("error")  # Python's warnings are errors here
             tree = rewrite.visit(ast.parse(source.strip(), mode="eval"))
             code = compile(tree, "<expression>", "eval")
     except ExpressionError as error:
@@ -128,7 +128,7 @@ def _made(source: str) -> tuple[CodeType, frozenset[str]]:
 
 
 class _Rewrite(ast.NodeTransformer):
-    """Refuses what is not arithmetic, and makes the rest work on floats and on arrays alike."""
+    """Refuses anything but arithmetic, and makes it work on floats and on arrays alike."""
 
     def __init__(self) -> None:
         self.names: set[str] = set()
@@ -216,6 +216,6 @@ def _call(name: str, arguments: list[ast.expr]) -> ast.Call:
 
 
 def _truth(condition: ast.expr) -> ast.BinOp:
-    """Make 1 or 0 of a condition: numpy's own truth values neither subtract nor add up."""
+    """Make a condition 1 or 0: numpy's own booleans neither subtract nor add up."""
     one = ast.Constant(1.0, lineno=1, col_offset=0)
     return ast.BinOp(condition, ast.Mult(), one, lineno=1, col_offset=0)

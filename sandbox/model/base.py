@@ -16,7 +16,7 @@ class Model(BaseModel):
     def __get_pydantic_json_schema__(
         cls, core: CoreSchema, handler: GetJsonSchemaHandler
     ) -> JsonSchemaValue:
-        """Return the schema, with what is said of each field."""
+        """Return the schema, with the docstrings of the fields as descriptions."""
         made = handler(core)
         properties = handler.resolve_ref_schema(made)["properties"]
         for name, text in docs(cls).items():

@@ -22,10 +22,10 @@ from sandbox.model.naming import Name
 from sandbox.model.shapes import Point, Shape, Velocity
 
 MAX_BODIES = 20_000
-"""How many bodies a level may have: ten thousand are in time at 60 Hz."""
+"""The most bodies in a level: ten thousand run in real time at 60 Hz."""
 
 MAX_POINTS = 100
-"""How many points of a body may have names."""
+"""The most named points of a body."""
 
 
 Hand = Literal["left", "right"]

@@ -1,10 +1,10 @@
 """Bounds for the numbers of a level, by what they measure.
 
-Said once, here: the model refuses what lies beyond, with the value, the bound and why, and the
-schema tells it to editors. They are wider than mechanics needs, from the mass of an electron to a
-thousand suns, and so narrow that the products a run makes of them, up to fourth powers of lengths
-times masses, stay within the range of a float. Whether a rate is high enough for a scene is another
-question, and asked elsewhere.
+They are declared only here: the model refuses values beyond them, with the value, the bound and the
+reason, and the schema passes them on to editors. They are wider than mechanics needs, from the mass
+of an electron to a thousand suns, but narrow enough that the products in a run, up to fourth powers
+of lengths times masses, stay within the range of a float. Whether a rate is high enough for a scene
+is checked elsewhere.
 """
 
 from sandbox.model.expressions import Expression, NonNegative, Positive

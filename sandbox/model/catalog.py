@@ -86,18 +86,18 @@ def challenges() -> list[str]:
 
 
 def find(level: str) -> Path:
-    """Return the file of a level.
+    """Return the path of a level's file.
 
     Parameters
     ----------
     level
-        A path to a file, a name such as `newton/atwood`, or the last part of a name if it is the
-        only one that ends so.
+        A path to a file, a name such as `newton/atwood`, or the last part of a name if only one
+        level's name ends with it.
 
     Raises
     ------
     LevelError
-        If there is no such level; the message says what was probably meant.
+        If there is no such level; the message suggests what was probably meant.
     """
     if _is_file(level):
         return Path(level)
@@ -126,12 +126,12 @@ def find(level: str) -> Path:
 def _is_file(path: str) -> bool:
     try:
         return Path(path).is_file()
-    except (OSError, ValueError):  # a name that no file can have, or a folder that is locked
+    except (OSError, ValueError):  # an impossible file name, or a locked folder
         return False
 
 
 def _hint(name: str, known: list[str]) -> Message:
-    """Suggest a level by the whole of its name, or by its last part if only that was given."""
+    """Suggest a level by its whole name, or by its last part if only that was given."""
     return suggestion(name, known if "/" in name else _endings(known))
 
 

@@ -11,7 +11,7 @@ Pair = tuple[str, str]
 
 
 def apart(level: Level) -> frozenset[Pair]:
-    """Return the pairs of bodies that never collide, and of which one or both can move."""
+    """Return the pairs of bodies that never collide, if at least one of them can move."""
     moving = {name for name, body in level.bodies.items() if body.type == "dynamic"}
     pairs = ((min(pair), max(pair)) for pair in _pairs(level))
     return frozenset((a, b) for a, b in pairs if a in moving or b in moving)

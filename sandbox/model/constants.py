@@ -9,12 +9,12 @@ from sandbox.model.traversal import expressions
 
 
 def define(part: Model, constants: Mapping[str, Expression]) -> None:
-    """Let the formulas of a part of a level use its constants; where they form a circle, none."""
+    """Let the formulas of a part of a level use its constants, unless these form a cycle."""
     let_use((expression for _, expression in expressions(part)), constants)
 
 
 def let_use(formulas: Iterable[Expression], constants: Mapping[str, Expression]) -> None:
-    """Let formulas use constants; where these form a circle, none."""
+    """Let formulas use constants, unless these form a cycle."""
     if not constants or circle(constants):
         return
     ordered = {name: constants[name] for name in _ordered(constants)}
@@ -24,12 +24,12 @@ def let_use(formulas: Iterable[Expression], constants: Mapping[str, Expression])
 
 
 def circle(constants: Mapping[str, Expression]) -> list[str]:
-    """Return constants that use each other in a circle; empty if none do."""
+    """Return constants that use each other in a cycle; empty if there is none."""
     try:
         _ordered(constants)
     except CycleError as error:
         found: list[str] = error.args[1]
-        return found[::-1]  # it names what is used before what uses it
+        return found[::-1]  # each constant before those that use it
     return []
 
 

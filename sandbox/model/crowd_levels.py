@@ -10,19 +10,19 @@ from sandbox.model.errors import SandboxError, brief
 from sandbox.model.message import Message
 
 Document = dict[str, Any]
-"""A level as it stands in its file."""
+"""The content of a level's file."""
 
 RADIUS = 0.05  # m
 G = 9.81  # m/s²
 GOLDEN = 0.6180339887498949
-"""The fractional parts of its multiples are spread evenly: directions that look random."""
+"""The golden ratio, whose multiples have evenly spread fractional parts: they look random."""
 
 FILLED = 0.2
 """The share of the plane that a gas fills."""
 
 DEEP = 10
-"""How many discs lie above each other in a pile of 100 and more: all then press as hard on the
-lowest, and touch as many others. Heaps of twice that depth are too much for ten sweeps at 60 Hz."""
+"""The height of a pile of 100 discs and more: the lowest then carry the same load and have the same
+number of contacts in any of them. Ten sweeps at 60 Hz cannot support heaps twice as deep."""
 
 LINK = 0.1  # m
 STIFF = 4.0
@@ -59,14 +59,14 @@ def gas(count: int) -> Document:
 def pile(count: int) -> Document:
     """Discs fall into a vessel and come to rest, as far as a heap of discs ever does.
 
-    They are told column by column: those that touch are neighbours in memory, too.
+    They are listed column by column, so that discs in contact are neighbours in memory as well.
     """
     rows = min(ceil(sqrt(count)), DEEP)
     apart = 2.2 * RADIUS
     width, height = ceil(count / rows) * apart, (rows + 1) * apart
     discs: Document = {}
     for i in range(count):
-        aside = 0.05 * RADIUS * (2 * (i * GOLDEN % 1) - 1)  # no disc balances on another
+        aside = 0.05 * RADIUS * (2 * (i * GOLDEN % 1) - 1)  # so that no disc balances on another
         place = (round((i // rows + 0.5) * apart + aside, 6), round(i % rows * apart, 6))
         discs[f"disc{i + 1}"] = _disc(place, friction=0.5)
     corners = [[0, 2 * height], [0, -apart], [width, -apart], [width, 2 * height]]
@@ -85,7 +85,7 @@ def pile(count: int) -> Document:
 
 
 def chain(count: int) -> Document:
-    """Discs hang in a row from a point, tied by rods, and swing."""
+    """Discs hang in a row from a point, linked by rods, and swing."""
     angle = 0.3  # rad, of the whole at the start
     discs: Document = {}
     rods: Document = {}
@@ -93,7 +93,7 @@ def chain(count: int) -> Document:
         place = (i * LINK * sin(angle), -i * LINK * cos(angle))
         discs[f"disc{i}"] = {**_disc(place), "shape": {"type": "disc", "radius": LINK / 4}}
         rods[f"rod{i}"] = {"type": "rod", "ends": [f"disc{i - 1}" if i > 1 else [0, 0], f"disc{i}"]}
-    fastest = 2 * sqrt(count * G / LINK)  # rad/s, of the links at the top, which carry them all
+    fastest = 2 * sqrt(count * G / LINK)  # rad/s, of the top links, which carry all others
     ends = [(1, "the highest link"), (count, "the lowest link")]
     return _level(
         f"A chain of {count} links",
@@ -108,7 +108,7 @@ def chain(count: int) -> Document:
 
 
 def cluster(count: int) -> Document:
-    """Discs at rest attract each other, and fall towards their middle."""
+    """Discs at rest attract each other, and fall towards the middle."""
     discs: Document = {}
     for i in range(count):
         out, turn = sqrt(i + 0.5), 2 * pi * i * GOLDEN
@@ -158,10 +158,10 @@ CROWDS: Mapping[str, Crowd] = {
     "chain": Crowd(chain, 300),
     "cluster": Crowd(cluster, 1000, least=2),
 }
-"""The kinds. pymunk lets go of a heap in a time that grows faster than the square of its size: of
-5,000 discs in 2 s, of 10,000 in more than half a minute. The joints of a chain make one dense
-system, which grows with its cube; a cluster has as many pulls as pairs of bodies, and 1,000 are
-just in real time."""
+"""The kinds of crowd. pymunk frees a heap in a time that grows faster than the square of its size:
+5,000 discs in 2 s, 10,000 in more than half a minute. The joints of a chain form one dense system,
+whose cost grows with the cube; a cluster has a force for each pair of bodies, and 1,000 bodies just
+run in real time."""
 
 
 def crowd(kind: str, bodies: int) -> Document:
@@ -170,7 +170,7 @@ def crowd(kind: str, bodies: int) -> Document:
     Raises
     ------
     CrowdError
-        If there is no such kind, or not with so many bodies.
+        If there is no such kind, or the number of bodies is out of its range.
     """
     if kind not in CROWDS:
         raise CrowdError(

@@ -1,7 +1,7 @@
-"""The derivative of an expression, as an expression: exact, by the rules of the calculus.
+"""The derivative of an expression, as an expression: exact, by the rules of calculus.
 
-What jumps or has a corner (`where`, `abs`, `max`, ...) is taken piece by piece: its derivative is
-that of the piece, and where two meet, of one of them.
+Functions with jumps or corners (`where`, `abs`, `max`, ...) are differentiated piecewise; where two
+pieces meet, the derivative is that of one of them.
 """
 
 import ast
@@ -44,7 +44,7 @@ RULES: Mapping[str, str] = {
 """The derivative of each function and operator of u, v and w, in terms of du, dv, dw."""
 
 CORNERS = frozenset({"abs", "ceil", "floor", "max", "min", "sign", "where"})
-"""The functions that jump, or have a kink."""
+"""The functions with jumps or corners."""
 
 _ARGUMENTS = ("u", "v", "w")
 _CORNERS = (ast.Mod, ast.IfExp, ast.Compare, ast.BoolOp, ast.Not)
@@ -63,7 +63,7 @@ def derivative(source: str, variable: str) -> str:
 
 
 def is_smooth(source: str) -> bool:
-    """Whether an expression has no functions that jump or have a kink."""
+    """Whether an expression uses no functions with jumps or corners."""
     nodes = list(ast.walk(ast.parse(source.strip(), mode="eval")))
     names = {node.id for node in nodes if isinstance(node, ast.Name)}
     return not (names & CORNERS or any(isinstance(node, _CORNERS) for node in nodes))
@@ -118,13 +118,13 @@ def _is_zero(node: ast.expr) -> bool:
 
 
 class _Filled:
-    """Puts expressions for the letters of a rule, and leaves out what is multiplied by zero."""
+    """Substitutes expressions into a rule, and leaves out terms that are multiplied by zero."""
 
     def __init__(self, letters: Mapping[str, ast.expr]) -> None:
         self._letters = letters
 
     def made(self, node: ast.expr) -> ast.expr:
-        """Return a rule with expressions for its letters."""
+        """Return a rule with its letters replaced by expressions."""
         match node:
             case ast.Name(id=name):
                 return self._letters.get(name, node)
@@ -140,7 +140,7 @@ class _Filled:
 
 
 def _joined(left: ast.expr, operator: ast.operator, right: ast.expr) -> ast.expr:
-    """Return two expressions joined, without a factor of one and a term or factor of zero."""
+    """Combine two expressions, leaving out factors of one, and terms and factors of zero."""
     match operator:
         case ast.Mult() if _is_zero(left) or _is_zero(right):
             return _number(0.0)

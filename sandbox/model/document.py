@@ -1,4 +1,4 @@
-"""A level's JSON text: its values, where each stands, and how mistakes are reported."""
+"""A level's JSON text: its values, their positions, and reports of mistakes."""
 
 import json
 import re
@@ -24,7 +24,7 @@ DEEPEST = 100
 
 
 def refuse(source: str, rule: Message, place: Position | None = None) -> NoReturn:
-    """Raise a `LevelError` about the whole of a level, or about one place in its text."""
+    """Raise a `LevelError` about a level as a whole, or about a place in its text."""
     line, column = place or (None, None)
     raise LevelError((Mistake(source, line, column, "", rule),))
 
@@ -33,7 +33,7 @@ class Document(Origin):
     """The text of a level that is being read."""
 
     def read(self) -> Any:  # noqa: ANN401 (whatever JSON holds)
-        """Return what the text holds; refuse repeated keys and numbers that are not finite."""
+        """Return the value of the text; refuse repeated keys and numbers that are not finite."""
         if not self.text.strip():
             refuse(self.source, Message("is empty"))
         suspects: list[str] = []
@@ -59,7 +59,7 @@ class Document(Origin):
         return data
 
     def refuse(self, faults: Iterable[Fault]) -> NoReturn:
-        """Raise everything that is wrong, in the order of the text; of copies, of the first."""
+        """Raise all faults, in the order of the text; of copies, only the first's."""
         found = islice(dict.fromkeys(faults), MAX_MISTAKES + 1)
         once: dict[Any, Mistake] = {}
         for mistake in map(self._mistake, found):
@@ -78,7 +78,7 @@ class Document(Origin):
         refuse(self.source, rule, json_positions.position(self.text, index))
 
     def start(self, path: Path) -> int:
-        """Return where in the text something stands, or what is around it if it is missing."""
+        """Return the index in the text of a part or, if it is missing, of what encloses it."""
         return self.nearest(path).start
 
     def _raise(self, mistakes: Iterable[Mistake]) -> NoReturn:
@@ -89,7 +89,7 @@ class Document(Origin):
         raise LevelError(tuple(found))
 
     def _suspects(self) -> Iterator[Mistake]:
-        """Yield what JSON readers let pass, but a level does not."""
+        """Yield what JSON parsers accept, but a level must not contain."""
         for value in json_positions.values(self.text):
             if value.repeated:
                 key = brief(str(value.path[-1]))
@@ -105,7 +105,7 @@ class Document(Origin):
                 yield self._at(value, value.path, rule)
 
     def _mistake(self, fault: Fault) -> Mistake:
-        """Place a fault; where the text has nothing there, at what is around it."""
+        """Locate a fault; if the part is missing, at what encloses it."""
         value = self.nearest(fault.path)
         mistake = self._at(value, fault.path, fault.rule)
         there = value.path == self.typed(fault.path)
@@ -126,7 +126,7 @@ def _halved(value: Value) -> bool:
 
 
 def _says(fault: Fault, value: Value) -> bool:
-    """Whether a rule already names the value, or is about the key."""
+    """Whether the message already names the value, or is about the key."""
     known = brief(value.text.strip('"'))
     about_key = bool(fault.path) and f"'{fault.path[-1]}'" in fault.rule
     return about_key or bool(re.search(rf"(?<![\w.]){re.escape(known)}(?![\w.])", fault.rule))

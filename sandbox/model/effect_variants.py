@@ -1,7 +1,7 @@
 """Variants of a level, with one effect more or less.
 
-Both ways a level becomes another level; nothing is changed in place. What an effect that is
-switched off leaves without meaning goes with it: friction needs contact.
+A variant is a new level; nothing is changed in place. Effects that depend on one that is switched
+off are switched off with it: friction needs contact.
 """
 
 import json
@@ -33,7 +33,7 @@ DEFAULTS: Mapping[str, Settings] = {
 """The settings of effects that are switched on by their name alone; other effects need settings."""
 
 TOLD = ("parameters", "checks", "ghosts", "challenge")
-"""The parts of a level that describe what should happen, which a variant may make wrong."""
+"""The parts of a level that describe the expected outcome, which a variant may invalidate."""
 
 _COEFFICIENTS: Mapping[str, type[Expression]] = {
     name: effect.coefficient for name, effect in EFFECTS.items() if effect.coefficient
@@ -42,13 +42,13 @@ _COEFFICIENTS: Mapping[str, type[Expression]] = {
 
 
 class Variation(NamedTuple):
-    """What is done to one effect of a level."""
+    """A change of one effect of a level."""
 
     effect: str
     gone: tuple[str, ...] = ()
-    """the others that had to go with it"""
+    """the effects that were switched off with it"""
     settings: Settings | None = None
-    """with which it is switched on; None if it is switched off"""
+    """the settings with which it is switched on; None if it is switched off"""
 
     def __str__(self) -> str:
         if self.settings is None:
@@ -63,12 +63,12 @@ class EffectError(SandboxError):
 
 
 def without(level: Level, effect: str) -> tuple[Level, tuple[str, ...]]:
-    """Return a level without an effect, and the other effects that had to go with it.
+    """Return a level without an effect, and the effects that were switched off with it.
 
     Raises
     ------
     EffectError
-        If the level does not declare the effect, or makes no sense without it.
+        If the level does not declare the effect, or is impossible without it.
     """
     if effect not in level.effects.declared:
         hint = suggestion(effect, level.effects.declared)
@@ -91,7 +91,7 @@ def without(level: Level, effect: str) -> tuple[Level, tuple[str, ...]]:
 
 
 def _scene_faults(level: Level) -> Iterator[Fault]:
-    """Yield the contradictions in the scene itself; its checks and texts may be meaningless."""
+    """Yield the contradictions in the scene itself, ignoring its checks and texts."""
     return (fault for fault in inconsistencies(level) if fault.path[0] not in TOLD)
 
 
@@ -100,7 +100,7 @@ def _dropped(level: Level, effect: str) -> Level:
 
 
 def _silenced(level: Level, found: list[Fault]) -> Level:
-    """Take from events what they can switch no more, and the events that then do nothing."""
+    """Remove from events what they can no longer switch, and events that then do nothing."""
     gone = {fault.path[1:4] for fault in found if fault.path[0] == "events"}
     events = {}
     for name, event in level.events.items():
@@ -117,7 +117,7 @@ def _silenced(level: Level, found: list[Fault]) -> Level:
 
 
 def _cleared(level: Level, found: list[Fault], effect: str) -> Level:
-    """Take from bodies what only the effect gave a meaning."""
+    """Reset the fields of bodies that only the effect gave a meaning."""
     bodies = dict(level.bodies)
     for fault in found:
         if fault.path[0] != "bodies" or len(fault.path) < 3:
@@ -146,13 +146,13 @@ def including(level: Level, effect: str, settings: Settings) -> Level:
     effect
         The name of the effect.
     settings
-        Its fields, as in a file; of an effect that is a list, those of each entry. For `friction`
-        and `restitution` the `coefficient` of every pair. `DEFAULTS` if empty.
+        Its fields, as in a file; for an effect that is a list, the fields of every entry. For
+        `friction` and `restitution`, the `coefficient` of every pair. `DEFAULTS` if empty.
 
     Raises
     ------
     EffectError
-        If there is no such effect or setting, or the level contradicts it.
+        If there is no such effect or setting, or it contradicts the level.
     """
     if effect not in Effects.model_fields:
         hint = suggestion(effect, Effects.model_fields, most=20)
@@ -194,18 +194,18 @@ def _require_no_new_fault(level: Level, changed: Level, effect: str) -> None:
 def vary(
     level: Level, off: Sequence[str], on: Mapping[str, Settings]
 ) -> tuple[Level, tuple[Variation, ...]]:
-    """Return a level with some effects switched off, then others on, and what that did to each.
+    """Return a level with some effects switched off, then others on, and each change.
 
     Raises
     ------
     EffectError
-        If that makes no sense.
+        If the result would be impossible.
     """
     changed = level
     parts: list[Variation] = []
     for name in dict.fromkeys(off):
         if name in level.effects.declared and name not in changed.effects.declared:
-            continue  # it has gone with another
+            continue  # already switched off with another
         changed, gone = without(changed, name)
         parts.append(Variation(name, gone))
     for name, fields in on.items():
@@ -220,14 +220,14 @@ def shown(value: object) -> str:
 
 
 def _example(effect: str) -> str:
-    """Return one of an effect's settings, as it would be typed."""
+    """Return an example of an effect's settings, as a person would type it."""
     for name, value in DEFAULTS.get(effect, {}).items():
         return f"{name}={json.dumps(value)}"
     return "...=..."
 
 
 def _declaring(level: Level, effect: str, fields: Settings) -> Effects:
-    """Return a level's effects with fields of one of them set."""
+    """Return a level's effects with some fields of one of them set."""
     said = level.effects.model_dump(mode="json", exclude_none=True)
     before = said.get(effect, {})
     entries = before if isinstance(before, list) else [before]
@@ -241,11 +241,11 @@ def _declaring(level: Level, effect: str, fields: Settings) -> Effects:
             detail = error.errors(include_url=False)[0]
             if detail["type"] != "tuple_type" or len(detail["loc"]) > 1:
                 raise EffectError(_said(effect, detail)) from error
-    raise AssertionError(effect)  # one of the two is its form
+    raise AssertionError(effect)  # one of the two forms is valid
 
 
 def _said(effect: str, detail: ErrorDetails) -> Message:
-    """Say what is wrong with the settings of an effect."""
+    """Return a message about wrong settings of an effect."""
     place = ".".join(str(step) for step in detail["loc"] if not isinstance(step, int))
     shown = cast("ErrorDetails", {**detail, "loc": ("effects", *detail["loc"])})
     if detail["type"] == "missing" and isinstance(detail["loc"][-1], str):
@@ -258,7 +258,7 @@ def _said(effect: str, detail: ErrorDetails) -> Message:
 
 
 def _with_coefficient(level: Level, effect: str, coefficient: object) -> Level:
-    """Give every body the root of a coefficient, so that of each pair is the product."""
+    """Give every body the square root of a coefficient, so that each pair has the product."""
     kind = _COEFFICIENTS[effect]
     if not isinstance(coefficient, int | float | str):
         raise EffectError(

@@ -7,7 +7,7 @@
     ├── ValueRangeError  a parameter that does not exist, or a value that it cannot have
     └── SimulationError  a run that had to stop (in sandbox.physics)
 
-Whoever shows messages to a person catches `SandboxError`; anything else is a defect.
+Code that shows messages to a person catches `SandboxError`; anything else is a defect.
 """
 
 from dataclasses import dataclass
@@ -15,38 +15,38 @@ from dataclasses import dataclass
 from sandbox.model.message import Message, joined
 
 MAX_MISTAKES = 100
-"""The most mistakes that are listed; of more, one at the root says that there are others."""
+"""The most mistakes that are listed; if there are more, one at the root says so."""
 
 
 class SandboxError(Exception):
-    """Anything that a user can mend; its text is fit to be shown as it is."""
+    """Anything that a user can mend; its text is fit to be shown."""
 
     def __init__(self, message: Message) -> None:
         super().__init__(message)
 
     @property
     def message(self) -> Message:
-        """What is wrong, to be translated."""
+        """The message, which can be translated."""
         message: Message = self.args[0]
         return message
 
 
 @dataclass(frozen=True, slots=True)
 class Mistake:
-    """One thing that is wrong with a level, and where.
+    """A mistake in a level, and its place.
 
     Attributes
     ----------
     source
-        The file, or what else the level came from.
+        The file, or another origin of the level.
     line, column
-        Where in the file, from 1; None if the mistake has no place in it.
+        The position in the file, from 1; None if it has none.
     path
-        Where in the level, such as `bodies.ball.mass`; empty for the level as a whole.
+        The path in the level, such as `bodies.ball.mass`; empty for the level as a whole.
     rule
-        The mistake or the rule, and if possible what was probably meant.
+        The mistake or the broken rule, with a suggestion if possible.
     value
-        The text found there, as it is in the file; empty if it would not help.
+        The text at that place, as in the file; empty if it does not help.
     """
 
     source: str
@@ -61,27 +61,27 @@ class Mistake:
 
     @property
     def message(self) -> Message:
-        """All of it in one line, to be translated."""
+        """The whole mistake in one line, which can be translated."""
         place = f"{self.source}:{self.line}:{self.column}" if self.line else self.source
         return Message("{place}: {told}", place=place, told=self.told)
 
     @property
     def told(self) -> Message:
-        """The same mistake without its place in a file."""
+        """The mistake without its position in a file."""
         told = Message("{rule} (found {value})", rule=self.rule, value=self.value)
         told = told if self.value else self.rule
         return Message("{path}: {told}", path=self.path, told=told) if self.path else told
 
 
 class LevelError(SandboxError):
-    """A level that cannot be used, with every mistake that was found in it."""
+    """A level that cannot be used, with all mistakes found in it."""
 
     def __init__(self, mistakes: tuple[Mistake, ...]) -> None:
         self.mistakes = mistakes
         super().__init__(joined((mistake.message for mistake in mistakes), "\n"))
 
     def __reduce__(self) -> tuple[type["LevelError"], tuple[tuple[Mistake, ...]]]:
-        return type(self), (self.mistakes,)  # Exception would rebuild it from its text
+        return type(self), (self.mistakes,)  # or Exception would rebuild it from its text
 
 
 class ValueRangeError(SandboxError):
@@ -89,6 +89,6 @@ class ValueRangeError(SandboxError):
 
 
 def brief(text: str, most: int = 60) -> str:
-    """Return what a file holds, fit for a message: on one line, printable, and not too long."""
+    """Return content of a file, fit for a message: on one line, printable, and not too long."""
     shown = text if len(text) <= most else f"{text[: most - 1]}…"
     return "".join(c if c.isprintable() else ascii(c)[1:-1] for c in shown)

@@ -40,23 +40,23 @@ class Expression:
     _defined: "Definitions"
 
     rule: ClassVar[Message] = NOTHING
-    """What a value must satisfy, in words; empty if any finite number will do."""
+    """The condition on a value, in words; empty if any finite number is valid."""
     bounds: ClassVar[Mapping[str, float]] = {}
-    """The rule for a literal number, in the words of JSON Schema."""
+    """The condition on a literal number, as JSON Schema keywords."""
     least: ClassVar[float] = 0.0
     most: ClassVar[float] = 1e100
-    """How small and how large a value may be, whatever its sign: within these bounds, and the
-    tighter ones of `sandbox.model.bounds`, what a run computes from it stays within a float's."""
+    """The least and the largest absolute value: within these bounds, and the tighter ones of
+    `sandbox.model.bounds`, the results of a run stay within the range of a float."""
     unit: ClassVar[str] = ""
-    """SI, of the value."""
+    """The SI unit of the value."""
     variables: ClassVar[tuple[str, ...]] = ()
-    """What the expression may use beside the parameters, such as the time ``t``."""
+    """The variables in addition to the parameters, such as the time ``t``."""
 
     source: float | str
     written: frozenset[str]
     """The names in its text."""
     names: frozenset[str]
-    """The names on whose values its own depends: as they are written, but for constants."""
+    """The parameters and variables that its value depends on, with constants resolved."""
 
     def __init__(self, source: float | str) -> None:
         self.source = source if isinstance(source, str) else _number(source)
@@ -70,12 +70,12 @@ class Expression:
             self._constant = self._finite(self.source)
 
     def define(self, constants: Mapping[str, "Expression"]) -> None:
-        """Let names in its text stand for constants.
+        """Define names in its text as constants.
 
         Parameters
         ----------
         constants
-            By name, in such an order that each uses only those before it.
+            Constants by name, each after those that it uses.
         """
         names, used = set(self.written), list[tuple[str, Expression]]()
         for name, constant in reversed([*constants.items()]):
@@ -85,14 +85,14 @@ class Expression:
         self.taking(tuple(reversed(used)))
 
     def taking(self, defined: "Definitions") -> Self:
-        """Return itself, with the values of its constants computed before its own."""
+        """Return itself, with the values of constants computed before its own."""
         names = self.written.union(*(constant.written for _, constant in defined))
         self.names = names.difference(name for name, _ in defined)
         self._defined = defined
         return self
 
     def __call__(self, values: Values) -> float:
-        """Return the value for the given parameters.
+        """Return the value for given parameters.
 
         Raises
         ------
@@ -114,7 +114,7 @@ class Expression:
             raise ExpressionError(Message("{shown}divides by zero", shown=self._shown)) from None
 
     def within(self, scope: Mapping[str, Any]) -> Any:  # noqa: ANN401 (a float or an array)
-        """Return the value, finite or not, where every name in its text has one."""
+        """Return the value, finite or not, in a scope that has every name in its text."""
         if self._code is None:
             return self._constant
         return evaluated(self._code, scope)
@@ -138,7 +138,7 @@ class Expression:
 
     @classmethod
     def beyond(cls, value: float) -> Message:
-        """Say that a value is too large or too small to be computed with; empty if it is not."""
+        """Say that a value is too large or too small for computation; empty if it is not."""
         unit = f" {cls.unit}" if cls.unit else ""
         if not abs(value) <= cls.most:
             bound = Message("at most {most:g}{unit}", most=cls.most, unit=unit)
@@ -215,7 +215,7 @@ class Expression:
 
     @classmethod
     def _limits(cls) -> dict[str, float]:
-        """Return what a literal number must satisfy, in the words of JSON Schema."""
+        """Return the conditions on a literal number, as JSON Schema keywords."""
         said = {"maximum": cls.most, **cls.bounds}
         if cls.least or not cls.bounds:
             said["minimum"] = cls.least or -cls.most
@@ -227,7 +227,7 @@ Definitions = tuple[tuple[str, Expression], ...]
 
 
 def _restored(kind: type[Expression], source: str, defined: Definitions) -> Expression:
-    """Return an expression that has been pickled together with its constants."""
+    """Return an unpickled expression, with its constants."""
     return kind(source).taking(defined)
 
 
@@ -268,7 +268,7 @@ class Fraction(Expression):
 
 
 def _scalar(value: Any) -> Any:  # noqa: ANN401 (a float or an array)
-    """Return a number as NumPy has it, which divides by zero without a word; an array as it is."""
+    """Return a number as a NumPy scalar, which divides by zero silently; an array as it is."""
     return np.float64(value) if isinstance(value, float) else np.asarray(value, dtype=float)[()]
 
 

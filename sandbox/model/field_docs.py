@@ -1,7 +1,7 @@
-"""The docstrings of a model's fields: the text below each in the source.
+"""The docstrings of a model's fields: the text below each field in the source.
 
-pydantic can read these texts when a class is made, which takes as long as to make it. They are read
-here when somebody wants to see them.
+pydantic can read these texts when a class is made, but that takes as long as making it. Here they
+are read on demand.
 """
 
 import ast
@@ -16,7 +16,7 @@ from pydantic import BaseModel
 
 @cache
 def docs(model: type[BaseModel]) -> Mapping[str, str]:
-    """Return what is said of the fields of a model, its own and those that it inherits."""
+    """Return the docstrings of a model's fields, including inherited ones."""
     said: dict[str, str] = {}
     for kind in reversed(model.__mro__[: model.__mro__.index(BaseModel)]):
         own = dict(_docs(kind))
@@ -26,10 +26,10 @@ def docs(model: type[BaseModel]) -> Mapping[str, str]:
 
 
 def _docs(kind: type) -> Iterator[tuple[str, str]]:
-    """Yield the names and texts of the fields that a class declares itself."""
+    """Yield the names and docstrings of the fields that a class declares itself."""
     try:
         source = ast.parse(dedent(inspect.getsource(kind))).body[0]
-    except (OSError, TypeError):  # it is made of another class, or has no file
+    except (OSError, TypeError):  # made from another class, or without a file
         return
     assert isinstance(source, ast.ClassDef)
     for field, below in pairwise(source.body):

@@ -1,7 +1,7 @@
 """Finding the fields of a model whose types are marked: `Annotated[str, Mark()]`.
 
-A mark is said where a field is declared, and nowhere else: whoever looks for marked values finds
-those of a new field, effect or joint, too.
+A mark is part of a field's declaration. Code that looks for marked values therefore also finds
+those of any new field, effect or joint.
 """
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -16,11 +16,11 @@ Marked = tuple[Path, Any, Any]
 """The path of a marked value, the value, and its mark."""
 
 Find = Callable[[Any, Path], Iterator[Marked]]
-"""Yields the marked values within a value, given its path."""
+"""A function that yields the marked values within a value, given its path."""
 
 
 def marked(part: Model, kind: type, path: Path = ()) -> Iterator[Marked]:
-    """Yield every value of a part of a level that has a mark of some kind.
+    """Yield every value within a part of a level that has a given kind of mark.
 
     Parameters
     ----------
@@ -29,12 +29,12 @@ def marked(part: Model, kind: type, path: Path = ()) -> Iterator[Marked]:
     kind
         The class of the mark.
     path
-        Where the part stands.
+        The path of the part.
 
     Yields
     ------
     tuple
-        Where the value stands, the value, and its mark.
+        The path of the value, the value, and its mark.
     """
     find = _of_model(type(part), kind)
     if find:
@@ -43,7 +43,7 @@ def marked(part: Model, kind: type, path: Path = ()) -> Iterator[Marked]:
 
 @cache
 def _of_model(model: type[Model], kind: type) -> Find | None:
-    """Return what finds the marks in a part of that model; None if there can be none."""
+    """Return the finder of marks in a model; None if it can contain none."""
     hints = get_type_hints(model, include_extras=True)
     found = {field: _finder(hints[field], kind) for field in model.model_fields}
     fields = {field: find for field, find in found.items() if find}
@@ -58,7 +58,7 @@ def _of_model(model: type[Model], kind: type) -> Find | None:
 
 
 def _finder(hint: Any, kind: type) -> Find | None:  # noqa: ANN401 (a type is any object)
-    """Return what finds the marks in a value of a type; None if there can be none."""
+    """Return the finder of marks in a value of a type; None if it can contain none."""
     origin, arguments = get_origin(hint), get_args(hint)
     if origin is Annotated:
         inside = _finder(arguments[0], kind)
@@ -83,7 +83,7 @@ def _marked(mark: object, inside: Find | None) -> Find:
 
 
 def _of_union(hints: Sequence[Any], kind: type) -> Find | None:
-    """Return what finds the marks in a value that is of one of some types."""
+    """Return the finder of marks in a value of one of several types."""
     found = [(_classes(hint), _finder(hint, kind)) for hint in hints if hint is not NoneType]
     if not any(find for _, find in found):
         return None
@@ -97,7 +97,7 @@ def _of_union(hints: Sequence[Any], kind: type) -> Find | None:
 
 
 def _classes(hint: Any) -> tuple[type, ...]:  # noqa: ANN401 (a type is any object)
-    """Return the classes that the values of a type have."""
+    """Return the classes of the values of a type."""
     origin, arguments = get_origin(hint), get_args(hint)
     if origin is Annotated:
         return _classes(arguments[0])
@@ -107,7 +107,7 @@ def _classes(hint: Any) -> tuple[type, ...]:  # noqa: ANN401 (a type is any obje
 
 
 def _of_tuple(hints: Sequence[Any], kind: type) -> Find | None:
-    """Return what finds the marks in a list; if it is of any length, all of it is of one type."""
+    """Return the finder of marks in a tuple; one of variable length has a single item type."""
     found = [_finder(hint, kind) for hint in hints]
     if not any(found):
         return None

@@ -1,23 +1,23 @@
-"""A watch on files, which says when asked whether they have changed."""
+"""A watch on files, which tells on request whether they have changed."""
 
 from collections.abc import Iterable
 from pathlib import Path
 
 PAUSE = 0.2
-"""s, between two looks at a file."""
+"""The time between two looks at a file [s]."""
 
 Stamp = tuple[int, int] | None
-"""When a file was written and how long it is; None if it is not there."""
+"""The modification time and length of a file; None if it does not exist."""
 
 
 class Watch:
-    """The state of some files when they were last looked at."""
+    """The state of some files at the last look."""
 
     def __init__(self, paths: Iterable[Path]) -> None:
         self._stamps = {path: stamp(path) for path in paths}
 
     def changed(self) -> set[Path]:
-        """Look again, and return the files that are no longer as they were."""
+        """Look again, and return the files that have changed."""
         found = {path: stamp(path) for path in self._stamps}
         changed = {path for path, seen in found.items() if seen != self._stamps[path]}
         self._stamps = found
@@ -25,7 +25,7 @@ class Watch:
 
 
 def stamp(path: Path) -> Stamp:
-    """Return when a file was written and how long it is; None if it is not there."""
+    """Return the modification time and length of a file; None if it does not exist."""
     try:
         status = path.stat()
     except (OSError, ValueError):

@@ -1,4 +1,4 @@
-"""Files read and written whole or not at all."""
+"""Reading and writing files atomically."""
 
 import os
 import platform
@@ -16,15 +16,15 @@ from sandbox.model.message import Message
 
 
 class TakenError(SandboxError):
-    """A place for a new file at which there is something already."""
+    """The path for a new file already exists."""
 
 
 _PART = re.compile(r"\.([0-9a-f]{8})-(\d+)-[0-9a-f]{32}\.part")
-"""The name of a file while it is written: the machine, the process, and a number."""
+"""The name of an unfinished file: the machine, the process, and a number."""
 
 
 def data_folder() -> Path:
-    """Return where what a person has reached and begun is kept; it need not be there."""
+    """Return the folder of a person's progress and unfinished work, which may not exist."""
     return platformdirs.user_data_path("mechanics-sandbox")
 
 
@@ -33,8 +33,8 @@ def write_atomically(
 ) -> None:
     """Write a file under another name, then rename it, so that nobody ever reads half of it.
 
-    Who may read and write it stays as it was, and whose it is, where that may be said. What a
-    process that was killed has left of such files in the folder is removed.
+    Its permissions are kept, and its owner where that is allowed. Unfinished files that a killed
+    process has left in the folder are removed.
 
     Parameters
     ----------
@@ -43,16 +43,16 @@ def write_atomically(
     data
         The content.
     follow
-        Whether it belongs where a link leads that has its name; else it takes the link's place.
+        Whether to write through a link of that name; otherwise the file replaces the link.
     new
-        Whether nothing may be there yet, not even a link.
+        Whether the path must be free, even of a link.
 
     Raises
     ------
     TakenError
-        If something is there that must not be.
+        If the path is not free, but must be.
     SandboxError
-        If it cannot be written; what was there before is then still there.
+        If it cannot be written; the previous content is then unchanged.
     """
     if new and os.path.lexists(path):
         raise _taken(path)
@@ -76,16 +76,16 @@ def write_atomically(
 
 
 def _keep_access(old: Path, made: Path) -> None:
-    """Give a file the owner and the permissions of the one whose place it takes, if there is one.
+    """Give a file the owner and permissions of the file that it replaces, if there is one.
 
-    Who is not allowed to give files away keeps it. Bits that run a program as its owner are lost,
-    as with any writing.
+    A user who may not give files away remains the owner. Bits that run a program as its owner are
+    cleared, as by any write.
     """
     try:
         before = old.lstat()
     except FileNotFoundError:
         return
-    if not stat.S_ISREG(before.st_mode):  # a link that gives way has no permissions of its own
+    if not stat.S_ISREG(before.st_mode):  # a replaced link has no permissions of its own
         return
     if hasattr(os, "chown") and (before.st_uid, before.st_gid) != _owner(made):
         with suppress(OSError):
@@ -100,9 +100,9 @@ def _owner(path: Path) -> tuple[int, int]:
 
 
 def _link(made: Path, place: Path) -> None:
-    """Move a file to an empty place; the first to come wins.
+    """Move a file to a free path; the first process to do so wins.
 
-    A file system without links is asked beforehand, which is all that it offers.
+    On a file system without links it only checks beforehand that the path is free.
     """
     try:
         os.link(made, place, follow_symlinks=False)
@@ -117,15 +117,15 @@ def _link(made: Path, place: Path) -> None:
 
 
 def read_ordinary(path: Path, largest: int) -> bytes | None:
-    """Return what a file holds; None if it is a link, a pipe or a device, or larger than that.
+    """Return the content of a file; None if it is a link, a pipe or a device, or too large.
 
     Raises
     ------
     OSError
-        If there is no such file, or it cannot be read.
+        If the file does not exist, or cannot be read.
     """
     plain = getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0)
-    if path.is_symlink():  # where the system cannot be asked to refuse it
+    if path.is_symlink():  # for systems without O_NOFOLLOW
         return None
     with open(os.open(path, os.O_RDONLY | plain), "rb") as file:
         status = os.fstat(file.fileno())
@@ -135,7 +135,7 @@ def read_ordinary(path: Path, largest: int) -> bytes | None:
 
 
 def _sweep(folder: Path) -> None:
-    """Remove what processes have begun to write in a folder that are no more."""
+    """Remove the unfinished files in a folder that were left by processes that have ended."""
     with suppress(OSError), os.scandir(folder) as entries:
         for entry in entries:
             found = _PART.fullmatch(entry.name)
@@ -149,8 +149,8 @@ def _machine() -> str:
 
 
 def lives(process: int) -> bool:
-    """Whether a process exists on this machine, as far as can be seen without ending it."""
-    if os.name == "nt":  # where to ask a process would end it; its open file nobody can remove
+    """Whether a process exists on this machine, as far as can be found out without ending it."""
+    if os.name == "nt":  # a signal would end it; its open file cannot be removed anyway
         return process == os.getpid()
     try:
         os.kill(process, 0)
@@ -162,16 +162,16 @@ def lives(process: int) -> bool:
 
 
 def check_writable(path: Path) -> None:
-    """Refuse a path that cannot be written, as far as can be seen without writing.
+    """Refuse a path that cannot be written, as far as can be found out without writing.
 
     Raises
     ------
     SandboxError
-        If the path is taken by something else, or its folder is missing or read-only.
+        If the path is not a file, or its folder is missing or read-only.
     """
     try:
         target = os.path.realpath(path)
-    except FileNotFoundError:  # of a path that begins where one is
+    except FileNotFoundError:  # part of the path is a file
         raise _refusal(path, Message("the working folder is there no more")) from None
     folder = os.path.dirname(target)
     if os.path.isdir(target):
@@ -190,7 +190,7 @@ def check_writable(path: Path) -> None:
 
 
 def make_folder(folder: Path) -> None:
-    """Make a folder if it is not there, and refuse it if no file can be written in it.
+    """Make a folder if it is missing, and refuse it if no file can be written in it.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""Expressions over variables of their own, such as the time: a value at each, and a slope."""
+"""Expressions over variables of their own, such as the time: their values and derivatives."""
 
 from collections.abc import Mapping
 
@@ -10,30 +10,30 @@ from sandbox.model.expressions import Array, Expression, Values
 
 
 class Function(Expression):
-    """An expression over variables of its own, beside the parameters."""
+    """An expression over variables of its own, in addition to the parameters."""
 
     __slots__ = ()
 
     def at(self, values: Values, variables: Mapping[str, Array]) -> Array:
-        """Return the value for some variables; where there is none, it is not finite.
+        """Return the value for given variables; not finite where it has none.
 
         Parameters
         ----------
         values
             The level's parameters.
         variables
-            By their names; arrays that go together, whose shape the result has, or a part of it.
+            The variables by name; arrays that broadcast to the shape of the result.
         """
         result = self._evaluate({**values, **variables}) if self._code else self._constant
         return np.asarray(result, dtype=float)
 
     def slope(self, variable: str) -> "Function":
-        """Return the derivative with respect to one of the names in it.
+        """Return the derivative with respect to one of its variables.
 
         Raises
         ------
         ExpressionError
-            If that is nested too deeply.
+            If the expression is nested too deeply.
         """
         derived = object.__new__(Function)
         derived.source, derived._constant = f"d({self.source})/d{variable}", None
@@ -42,7 +42,7 @@ class Function(Expression):
 
     @property
     def is_smooth(self) -> bool:
-        """Whether it is made of nothing that jumps or has a corner."""
+        """Whether it uses no functions with jumps or corners."""
         return is_smooth(str(self.source))
 
 
@@ -54,36 +54,36 @@ class Formula(Function):
 
     @property
     def variable(self) -> str:
-        """What the formula is over: the time, if it is not said."""
+        """Its variable: the time by default."""
         return self.variables[0]
 
     def over(self, values: Values, t: Array) -> Array:
-        """Return the value at each time; where there is none, it is not finite.
+        """Return the value at each time; not finite where it has none.
 
         Parameters
         ----------
         values
             The level's parameters.
         t
-            Times [s], any shape; the result has the same.
+            Times [s], of any shape, which the result has as well.
         """
         found = self.at(values, {self.variable: t})
         return found if found.shape == np.shape(t) else np.broadcast_to(found, np.shape(t))
 
 
 class Curve(Formula):
-    """A coordinate of a curve: a formula over ``s``, which runs along it, instead of the time."""
+    """A coordinate of a curve: a formula over ``s``, the parameter along the curve."""
 
     __slots__ = ()
     variables = ("s",)
 
 
 class Profile(Formula):
-    """A formula over a place ``x`` [m] instead of the time."""
+    """A formula over a position ``x`` [m] instead of the time."""
 
     __slots__ = ()
     variables = ("x",)
 
 
 VARIABLES = frozenset(name for kind in (Formula, Curve, Profile) for name in kind.variables)
-"""The variables that some formulas may use beside the parameters."""
+"""The variables that some formulas may use in addition to the parameters."""

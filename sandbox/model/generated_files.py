@@ -1,4 +1,4 @@
-"""Files of the checkout that a program writes."""
+"""Generated files of the checkout."""
 
 import sys
 from collections.abc import Callable, Iterable
@@ -10,7 +10,7 @@ FAILED = 2
 
 
 def generate(write: Callable[[], Iterable[Path]]) -> int:
-    """Write files, print their paths, and return the exit status."""
+    """Generate files, print their paths, and return the exit status."""
     try:
         for path in write():
             sys.stdout.write(f"{path}\n")

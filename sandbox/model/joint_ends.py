@@ -1,4 +1,4 @@
-"""Where the ends of a level's joints are at the start."""
+"""The positions of joints' ends at the start."""
 
 from cmath import rect
 from collections.abc import Mapping
@@ -12,7 +12,7 @@ from sandbox.model.shapes import Point, evaluate
 
 
 def place(end: End, bodies: Mapping[str, Body], values: Values) -> complex:
-    """Return where an end of a joint is at the start, as x + iy [m]."""
+    """Return the position of a joint's end at the start, as x + iy [m]."""
     body = body_of(end)
     if body is None:
         return complex(*evaluate(cast("Point", end), values))
@@ -23,6 +23,6 @@ def place(end: End, bodies: Mapping[str, Body], values: Values) -> complex:
 
 
 def span(joint: Joint, bodies: Mapping[str, Body], values: Values) -> float:
-    """Return how far it is at the start from the first end of a joint to its second [m]."""
+    """Return the distance between a joint's ends at the start [m]."""
     path = [place(end, bodies, values) for end in points(joint)]
     return sum(abs(b - a) for a, b in pairwise(path))

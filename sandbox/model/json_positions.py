@@ -13,19 +13,19 @@ Position = tuple[int, int]
 """Line and column, from 1."""
 
 TOKEN = re.compile(r'"[^"\\]*(?:\\.[^"\\]*)*"|[{}\[\]]|[^\s,:{}\[\]"]+', re.DOTALL)
-"""A bracket, a text with its quotes, a number or a word of JSON."""
+"""A bracket, a quoted text, a number or a word of JSON."""
 
 
 class Value(NamedTuple):
-    """A value of a JSON text, and where it stands."""
+    """A value of a JSON text, with its position."""
 
     path: Path
     start: int
     """The index of its key's first character, or of its own if it has no key."""
     text: str
-    """As it is written; of an object or a list only the bracket that opens it."""
+    """The value as written; of an object or list only the opening bracket."""
     repeated: bool
-    """Whether its key stands earlier in the same object."""
+    """Whether its key occurs earlier in the same object."""
 
 
 @dataclass(slots=True)
@@ -34,7 +34,7 @@ class _Container:
 
     path: Path
     step: str | int | None
-    """The key or index of the value that comes next; None where a key comes next."""
+    """The key or index of the next value; None where a key comes next."""
     keys: set[str] = field(default_factory=set)
 
 
@@ -44,12 +44,12 @@ def position(text: str, index: int) -> Position:
 
 
 def values(text: str) -> Iterator[Value]:
-    """Yield every value of a JSON text in the order in which they begin, the whole first.
+    """Yield every value of a JSON text, each before those within it.
 
     Parameters
     ----------
     text
-        JSON that is known to be well formed, but for repeated keys and NaN or Infinity.
+        Well-formed JSON, except for repeated keys and NaN or Infinity.
     """
     opened: list[_Container] = []
     inner: _Container | None = None
@@ -96,6 +96,6 @@ def long_number(text: str, digits: int) -> int:
 
 
 def _advance(inner: _Container | None) -> None:
-    """Go on to the next member of the innermost container."""
+    """Proceed to the next member of the innermost container."""
     if inner:
         inner.step = inner.step + 1 if isinstance(inner.step, int) else None

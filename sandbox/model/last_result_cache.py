@@ -1,6 +1,6 @@
-"""What was found of the part of a level that was asked about last, and is asked again at once.
+"""A cache of a function's last result, for parts of a level that are asked about repeatedly.
 
-Parts never change, so that what is found of one holds as long as it is the very same.
+Parts never change, so a result holds for as long as the part is the same object.
 """
 
 from collections.abc import Callable
@@ -11,7 +11,7 @@ Found = TypeVar("Found")
 
 
 def of_the_last(find: Callable[[Part], Found]) -> Callable[[Part], Found]:
-    """Return the same function, which remembers what it returned for its last argument."""
+    """Return the same function, which remembers the result for its last argument."""
     last: list[tuple[Part, Found]] = []
 
     def found(part: Part) -> Found:

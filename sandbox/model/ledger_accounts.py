@@ -1,7 +1,7 @@
-"""The accounts of a level's ledger: where its energy and momentum come from and go.
+"""The accounts of a level's ledger: the sources and destinations of its energy and momentum.
 
-What a force takes from the kinetic energy is stored as potential energy, or lost for good, or was
-put in from outside. Each effect says which (see `sandbox.model.effects.contract`).
+The energy that a force takes from the kinetic energy is stored as potential energy, lost, or
+exchanged with the outside. Each effect declares which (see `sandbox.model.effects.contract`).
 """
 
 from collections.abc import Iterator
@@ -19,12 +19,12 @@ OTHERS = ("bodies", "joints", "events", "damping", "supports")
 
 
 def potentials(level: Level) -> tuple[str, ...]:
-    """Return what stores energy: effects, and springs all together."""
+    """Return the accounts that store energy: effects, and all springs together."""
     return tuple(dict.fromkeys((*_effects(level, "potential"), *_forces(level, "potential"))))
 
 
 def works(level: Level) -> tuple[str, ...]:
-    """Return what puts energy in, or takes it out: effects, kinematic bodies, joints, switches."""
+    """Return the accounts of work: effects, kinematic bodies, joints and switches."""
     found = [*_effects(level, "work"), *_forces(level, "work")]
     if any(body.type == "kinematic" for body in level.bodies.values()):
         found.append("bodies")
@@ -36,9 +36,9 @@ def works(level: Level) -> tuple[str, ...]:
 
 
 def losses(level: Level) -> tuple[str, ...]:
-    """Return what takes energy for good.
+    """Return the accounts that lose energy.
 
-    A rope that is jerked taut counts as an impact, and so does a joint that catches.
+    A rope that becomes taut with a jerk counts as an impact, and so does a joint that is tied.
     """
     found, joints = [*_effects(level, "loss"), *_forces(level, "loss")], level.joints.values()
     if any(joint.kind.goes_slack for joint in joints) or _catches(level):
@@ -49,13 +49,13 @@ def losses(level: Level) -> tuple[str, ...]:
 
 
 def _catches(level: Level) -> bool:
-    """Whether an event ties a joint that holds exactly, which stops what moves."""
+    """Whether an event ties an exact joint, which stops moving bodies."""
     held = (level.joints.get(name) for name in tied(level.events))
     return any(joint is not None and not joint.kind.force for joint in held)
 
 
 def outside(level: Level) -> tuple[str, ...]:
-    """Return what gives momentum from outside; supports are what bodies and joints rest on."""
+    """Return the external accounts of momentum; `supports` is what bodies and joints rest on."""
     found = [e.name for e in level.effects.declarations if e.is_force and not e.inside]
     found += [joint.kind.force.name for joint in level.joints.values() if joint.kind.force]
     if level.effects.contact or any(not j.kind.force for j in level.joints.values()):
@@ -81,5 +81,5 @@ def drives(joint: Joint, level: Level) -> bool:
 
 
 def damps(spring: Spring) -> bool:
-    """Whether a spring takes energy."""
+    """Whether a spring loses energy."""
     return bool(spring.damping.names) or spring.damping({}) > 0

@@ -1,7 +1,7 @@
-"""The level format: everything that a level's JSON file may say.
+"""The level format: the content of a level's JSON file.
 
-A `Level` is frozen: it describes a scene and never changes. What moves lives in the world that
-`sandbox.physics` builds from it.
+A `Level` is frozen: it describes a scene and never changes. Everything that moves is in the world
+that `sandbox.physics` builds from it.
 """
 
 from collections.abc import Mapping
@@ -45,22 +45,22 @@ from sandbox.model.view import View
 
 
 def _version(value: object) -> object:
-    if type(value) is not int:  # true is equal to 1
+    if type(value) is not int:  # True equals 1
         raise PydanticCustomError("version", "{reason}", {"reason": Message("must be 1")})
     return value
 
 
 MAX_CONSTANTS = 200
-"""How many names for formulas a level may have."""
+"""The most constants in a level."""
 
 ROUNDING = 1e-12
-"""The share by which the product of duration and rate may differ from a whole number."""
+"""The share by which duration × rate may differ from a whole number."""
 
 HIGHEST_RATE = 100_000
-"""Hz, the most steps that a second may have."""
+"""The highest rate [Hz]."""
 
 FINEST = 1e-14
-"""The least accuracy that may be asked for; anything below is rounding."""
+"""The smallest accuracy that may be asked for; anything below is rounding."""
 
 Finite = Annotated[float, Field(allow_inf_nan=False, ge=-LARGEST_PARAMETER, le=LARGEST_PARAMETER)]
 Scheme = Literal["leapfrog", "fourth-order", "symplectic-euler", "explicit-euler"]
@@ -119,22 +119,22 @@ class Stepping(Model):
     `symplectic-euler` is stock pymunk, `explicit-euler` deliberately bad"""
 
     def at(self, rate: float) -> "Stepping":
-        """Return the same with a chosen rate [Hz]; an accuracy is then no longer asked for.
+        """Return the stepping with a given rate [Hz], and without an accuracy.
 
         Raises
         ------
         ValidationError
-            If no level may have that rate.
+            If the rate is not allowed.
         """
         return Stepping.model_validate({**self.model_dump(), "accuracy": None, "rate": rate})
 
     def steps(self, duration: float) -> int:
-        """Return the number of steps that reach a duration [s], apart from rounding."""
+        """Return the number of steps that reach a duration [s], up to rounding."""
         return ceil(duration * self.rate * (1 - ROUNDING))
 
     @model_serializer(mode="wrap")
     def _said(self, serialize: SerializerFunctionWrapHandler) -> dict[str, object]:
-        """Leave out what is not chosen where an accuracy is asked for, and the accuracy if not."""
+        """Leave out the other settings if an accuracy is asked for, and the accuracy if not."""
         said: dict[str, object] = serialize(self)
         if self.accuracy is not None:
             return {"accuracy": self.accuracy}
@@ -142,7 +142,7 @@ class Stepping(Model):
 
     @property
     def is_stock(self) -> bool:
-        """Whether a run starts without half a kick, so that velocities are half a step old."""
+        """Whether a run starts without half a kick, so that velocities lag by half a step."""
         return self.scheme in ("symplectic-euler", "explicit-euler")
 
 
@@ -191,26 +191,26 @@ class Level(Model):
         return self
 
     def read_from(self, origin: Origin) -> None:
-        """Note the text that it was read from."""
+        """Record the text that it was read from."""
         self._origin = origin
 
     @property
     def text(self) -> str:
-        """The text that it was read from; empty without one."""
+        """The text that it was read from; empty if there is none."""
         return self._origin.text if self._origin else ""
 
     @property
     def source(self) -> str:
-        """Where that text came from, such as a file; empty without one."""
+        """The origin of that text, such as a file; empty if there is none."""
         return self._origin.source if self._origin else ""
 
     def place(self, path: Path) -> str:
-        """Return where a part stands, as messages begin; its path alone without a text."""
+        """Return the place of a part as at the beginning of messages; without a text, its path."""
         return self._origin.place(path) if self._origin else ".".join(map(str, path))
 
     @property
     def happens(self) -> bool:
-        """Whether anything happens on the way: an event, or that a joint breaks, or bounces."""
+        """Whether anything may happen in a run: an event, a breaking joint, a rebounding stop."""
         of_joints = chain(breakable(self.joints), bouncing(self.joints))
         return bool(self.events) or any(True for _ in of_joints)
 
@@ -223,8 +223,8 @@ class Level(Model):
 def is_direct(level: Level, stepping: Stepping | None = None) -> bool:
     """Whether contacts are solved directly, together with the exact joints.
 
-    Where the level does not choose, that is so where it has exact joints or its stepping, the
-    level's own if left out, says so, and where it may be.
+    If the effect `contact` leaves that open, they are if the level has exact joints or the stepping
+    (the level's own by default) asks for it, and if it is possible.
     """
     contact = level.effects.contact
     if contact is None:
@@ -238,8 +238,7 @@ def is_direct(level: Level, stepping: Stepping | None = None) -> bool:
 def may_be_direct(level: Level) -> bool:
     """Whether contacts may be solved directly, and the level leaves that open.
 
-    It may not have what needs pymunk's solver: joints that are left to it, and slipping whose end
-    is located.
+    It must not have what needs pymunk's solver: pymunk's own joints, or located ends of slipping.
     """
     contact, friction = level.effects.contact, level.effects.friction
     if contact is None or contact.solver is not None:
@@ -250,10 +249,10 @@ def may_be_direct(level: Level) -> bool:
 
 
 def is_alone(name: str, level: Level) -> bool:
-    """Whether a joint is a plain string that shares no body that moves with another exact joint.
+    """Whether a joint is a plain string that shares no moving body with another exact joint.
 
-    Where contacts are solved directly none is alone, nor is one that some event cuts or ties, or
-    that may break.
+    None is alone if contacts are solved directly, or if an event cuts or ties it, or if it may
+    break.
     """
     joint = level.joints[name]
     if not isinstance(joint, Pulley) or is_direct(level):

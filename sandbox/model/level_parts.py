@@ -1,4 +1,4 @@
-"""Walks through the parts of a level."""
+"""Iteration over the parts of a level."""
 
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, NamedTuple
@@ -16,25 +16,25 @@ if TYPE_CHECKING:
 
 
 class Fault(NamedTuple):
-    """Something wrong with a level: where, and what."""
+    """A mistake in a level: its path, and a message."""
 
     path: Path
     rule: Message
 
 
 def expressions(part: object, path: Path = ()) -> "Iterator[tuple[Path, Expression]]":
-    """Yield every expression below a part of a level, or in all of it, with the path to it."""
+    """Yield every expression in a level or a part of it, with its path."""
     return iter(_all_of(part)) if isinstance(part, Level) and not path else walk(part, path)
 
 
 @of_the_last
 def _all_of(level: Level) -> "Sequence[tuple[Path, Expression]]":
-    """Return every expression of a level: several rules ask for all of them."""
+    """Return every expression of a level, cached because several rules need them."""
     return list(walk(level))
 
 
 def measured(level: Level) -> Iterator[tuple[Path, "Check | Goal"]]:
-    """Yield whatever is measured to judge a run, checks and goals, with the path to it."""
+    """Yield every check and goal, with its path."""
     for index, check in enumerate(level.checks):
         yield ("checks", index), check
     if level.challenge is None:
@@ -46,10 +46,10 @@ def measured(level: Level) -> Iterator[tuple[Path, "Check | Goal"]]:
 
 
 def instants(level: Level) -> Iterator[tuple[Path, Instant]]:
-    """Yield every time and event at which something is measured, with the path to it."""
+    """Yield every instant at which something is measured, with its path."""
     yield from (((*path, "at"), one.at) for path, one in measured(level) if one.at is not None)
 
 
 def names_in(part: object) -> frozenset[str]:
-    """Return the names that the expressions below a part of a level use."""
+    """Return the names in the expressions of a part of a level."""
     return frozenset().union(*(expression.names for _, expression in expressions(part)))

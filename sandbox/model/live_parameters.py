@@ -1,8 +1,8 @@
 """Which parameters can change during a run, and why others cannot.
 
-What goes on keeps its places and velocities. So a parameter must not change what these came of: a
-shape, how joints fit together, the mass that has flowed. And it must change something else than
-where bodies started.
+A run that continues keeps its positions and velocities. So a parameter must not change anything
+that led to them: a shape, the lengths of joints, the mass that has flowed. And it must affect more
+than where bodies started.
 """
 
 from collections.abc import Collection, Iterator
@@ -49,7 +49,7 @@ def _shapes(level: Level) -> frozenset[str]:
 
 
 def _fits(level: Level) -> frozenset[str]:
-    """Return what joints are made by: also places at the start, where their lengths are from."""
+    """Return the names in whatever fixes joints, including positions at the start."""
     if not level.joints:
         return frozenset()
     places = tuple((body.position, body.angle) for body in level.bodies.values())
@@ -62,7 +62,7 @@ def _driven(level: Level) -> frozenset[str]:
 
 
 def _flows(level: Level) -> frozenset[str]:
-    """Return what says how masses change with time."""
+    """Return the names that determine how masses change with time."""
     flowing = (name for name, effect in EFFECTS.items() if effect.changes_mass)
     said = tuple(getattr(level.effects, name) for name in flowing)
     found = (each for _, each in expressions(said) if isinstance(each, Flow | Mass))
@@ -70,14 +70,14 @@ def _flows(level: Level) -> frozenset[str]:
 
 
 def _acting(level: Level) -> frozenset[str]:
-    """Return what accelerations depend on at every step."""
+    """Return the names that accelerations depend on at every step."""
     bodies = tuple(getattr(body, field) for body in level.bodies.values() for field in TELLS)
     free = tuple(part for joint in level.joints.values() for part in _parts(joint, free=True))
     return names_in((level.effects, bodies, free))
 
 
 def _parts(joint: Joint, *, free: bool) -> Iterator[object]:
-    """Yield the fields of a joint that may change while it holds, or the others."""
+    """Yield the fields of a joint that may change while it holds or, if not `free`, the others."""
     changeable: tuple[str, ...] = ()
     if isinstance(joint, Spring):
         changeable = "stiffness", "damping", "length", "law"

@@ -1,4 +1,4 @@
-"""From a file to a level: whole and frozen, or a `LevelError` that lists every mistake."""
+"""Loading a level from a file: complete and frozen, or a `LevelError` with every mistake."""
 
 import codecs
 import hashlib
@@ -32,15 +32,15 @@ from sandbox.model.rules.consistency import dangling
 from sandbox.model.shorthand import write_out
 
 MAX_BYTES = 5_000_000
-"""The largest file that is read: enough for the most bodies, of some 200 bytes each."""
+"""The largest file that is read [bytes]: enough for the most bodies, of some 200 bytes each."""
 
 LONGEST_NAME = 31
 
 MAX_FORMULAS = 300_000
-"""Characters of all different formulas together: parsing so many takes two seconds."""
+"""The most characters in all different formulas together: parsing these takes two seconds."""
 
 _MENDED = ("expression", "float_type", "int_type", "missing", "greater_than", "finite_number")
-"""The types of pydantic's errors that a 1 in place of the value usually mends."""
+"""The types of pydantic's errors that replacing the value by 1 usually mends."""
 
 
 def load(path: Path) -> Level:
@@ -55,18 +55,18 @@ def load(path: Path) -> Level:
 
 
 def read(path: Path) -> str:
-    """Return the text of a level's file, which may be anything.
+    """Return the text of a level's file, whatever it says.
 
     Raises
     ------
     LevelError
-        If the file cannot be read, is too large or holds no text.
+        If the file cannot be read, is too large, or is not text.
     """
     return decoded(content(path), str(path))
 
 
 def content(path: Path) -> bytes:
-    """Return what a level's file holds, byte for byte.
+    """Return the content of a level's file, byte for byte.
 
     Raises
     ------
@@ -84,12 +84,12 @@ def content(path: Path) -> bytes:
 
 
 def decoded(held: bytes, source: str) -> str:
-    """Return the text that a file holds, without the mark that some programs begin it with.
+    """Return the text of a file's content, without a byte order mark.
 
     Raises
     ------
     LevelError
-        If it holds no text.
+        If it is not text.
     """
     content = held.removeprefix(codecs.BOM_UTF8)
     try:
@@ -116,11 +116,11 @@ def parse(text: str, source: str = "<text>") -> Level:
         If the level has mistakes.
     """
     try:
-        with np.errstate(all="ignore"):  # what is not finite is told by name
+        with np.errstate(all="ignore"):  # values that are not finite are reported by name
             return _parsed(text, source)
     except LevelError:
         raise
-    except Exception as error:  # a defect, of which whoever reads gets an answer, too
+    except Exception as error:  # a defect, which is reported to the user as well
         what = " ".join(f"{error}".split()) or Message("no more is known")
         rule = Message(
             "its numbers lead where nothing can be computed ({name}: {what})",
@@ -151,7 +151,7 @@ def _parsed(text: str, source: str) -> Level:
         level = Level.model_validate_json(text if data is typed else json.dumps(data))
     except ValidationError as error:
         details = error.errors(include_url=False)
-        if details[0]["type"] == "json_invalid":  # the two readers of JSON differ here and there
+        if details[0]["type"] == "json_invalid":  # the two JSON parsers differ in details
             _refuse_json(document, details[0]["ctx"]["error"], typed=data is typed)
         document.refuse(_faults(document, data, details))
     if found := faults.faults(level):
@@ -161,12 +161,12 @@ def _parsed(text: str, source: str) -> Level:
 
 
 def _formulas_length(data: object) -> int:
-    """Return how many characters all different formulas have that cannot be names as well."""
+    """Return the total length of all different formulas that are too long to be names."""
     found, pending = set[str](), [data]
     while pending:
         part = pending.pop()
         if isinstance(part, str):
-            if LONGEST_NAME < len(part) <= MAX_LENGTH:  # longer ones are not even read
+            if LONGEST_NAME < len(part) <= MAX_LENGTH:  # longer ones are not parsed
                 found.add(part)
         elif isinstance(part, dict):
             pending += part.values()
@@ -191,12 +191,12 @@ def choose(
     level, settings
         The level, and the changed values by name.
     among
-        The result of `faults.depending` for the level, if it is known already.
+        The result of `faults.depending` for the level, if already known.
 
     Raises
     ------
     ValueRangeError
-        If the level has no such parameter, or a value is not finite, or out of the parameter's
+        If the level has no such parameter, or a value is not finite, is out of the parameter's
         range, or makes a part of the level impossible.
     """
     for name, value in settings.items():
@@ -219,7 +219,7 @@ def choose(
 
 
 def _wrong_value(level: Level, name: str, value: float) -> Message | None:
-    """Say why a parameter cannot have a value by itself, if so."""
+    """Say why a parameter cannot have a value by itself; None if it can."""
     if name not in level.parameters:
         known = joined((_described(*item) for item in level.parameters.items()), "; ")
         return Message(
@@ -257,14 +257,14 @@ def _content(path: Path, source: str) -> bytes:
     if path.is_dir():
         refuse(source, Message("is a folder, not a file"))
     if path.exists() and not path.is_file():
-        refuse(source, Message("is not an ordinary file"))  # to read a device might never end
+        refuse(source, Message("is not an ordinary file"))  # reading a device might never end
     if path.stat().st_size > MAX_BYTES:
         refuse(source, Message("the file is larger than {most} kB", most=MAX_BYTES // 1000))
     return path.read_bytes()
 
 
 def _refuse_json(document: Document, what: str, *, typed: bool) -> NoReturn:
-    """Raise what pydantic's reader says of a text that Python's has read, or of one made of it."""
+    """Raise pydantic's JSON error in a text that Python's parser accepts, or in its expansion."""
     if "recursion" in what:
         document.refuse_depth()
     rule, place = parse_messages.refused(what)
@@ -272,7 +272,7 @@ def _refuse_json(document: Document, what: str, *, typed: bool) -> NoReturn:
 
 
 def _faults(document: Document, data: Any, details: list[ErrorDetails]) -> Iterator[Fault]:  # noqa: ANN401 (whatever JSON holds)
-    """Yield pydantic's errors in their places, and the mistakes found in spite of them."""
+    """Yield pydantic's errors with their paths, and further mistakes found in spite of them."""
     paths = [parse_messages.path_of(detail, document.has) for detail in details]
     placed = [
         (path, detail)
@@ -288,14 +288,14 @@ def _faults(document: Document, data: Any, details: list[ErrorDetails]) -> Itera
 
 
 def _holds_another(path: Place, paths: Sequence[Place]) -> bool:
-    """Whether one of the places lies within a list, which pydantic counts without what is wrong."""
+    """Whether another path is inside a list, which pydantic counts without its invalid members."""
     return any(len(other) > len(path) and other[: len(path)] == path for other in paths)
 
 
 def _mend(document: Document, data: Any, details: list[ErrorDetails]) -> Level | None:  # noqa: ANN401 (whatever JSON holds)
     """Return the level without the values that pydantic refused, if that is possible.
 
-    It is looked at only for names that lead nowhere, so that they are not the next surprise.
+    It only serves to find names that refer to nothing, so that they are reported at the same time.
     """
     try:
         for detail in details:

@@ -11,16 +11,16 @@ from sandbox.model.expressions import Expression
 from sandbox.model.reference_fields import BodyName, Couple, QuantityName
 
 MOST_MEETINGS = 100
-"""How often two bodies may meet and part, for that to be counted."""
+"""The most contacts and separations of two bodies that can be counted."""
 
 
 def _counted(said: object) -> object:
-    """Take a number in quotes for one: it stands so where an index was put in."""
+    """Return a quoted number as a number, as results from substituting an index."""
     return int(said) if isinstance(said, str) and said.isdecimal() and len(said) < 5 else said
 
 
 Nth = Annotated[int, BeforeValidator(_counted), Field(ge=1, le=MOST_MEETINGS)]
-"""Which occurrence of an event; the first is 1."""
+"""The occurrence of an event, from 1."""
 
 
 class ContactEvent(Model):
@@ -70,7 +70,7 @@ class LandingEvent(Model):
 
 
 def kind_of(at: object) -> str | None:
-    """Return the kind of an instant, None if it is unclear."""
+    """Return the kind of an instant; None if it is unclear."""
     if isinstance(at, Mapping):
         return str(at["event"]) if "event" in at else None
     return str(getattr(at, "event", "a number"))

@@ -1,4 +1,4 @@
-"""Messages to people: English, with the values in them, so that they can be translated."""
+"""Messages to people: English texts with values in them, prepared for translation."""
 
 from collections.abc import Iterable, Mapping
 from functools import reduce
@@ -6,19 +6,18 @@ from typing import Self
 
 
 class Message(str):
-    """A text in English that keeps its template and its values.
+    """An English text that keeps its template and its values.
 
-    It is a `str` to whoever prints, compares or searches it. Whoever speaks another language looks
-    up its template, which therefore stands as a literal in the code, and fills in its values. An
-    f-string or a `+` makes a `str` of it that is English for good; a template with a place for it
-    does not.
+    To code that prints, compares or searches it, it is a `str`. A translator looks up its template,
+    which must therefore be a literal in the code, and fills in the values. An f-string or a `+`
+    turns it into a `str` that stays English; inserting it into another template does not.
 
     Attributes
     ----------
     template
-        With a `{name}` in braces for each value.
+        The text, with `{name}` for each value.
     values
-        What stands in the place of the names; messages among them are translated, too.
+        The values by name; messages among them are translated as well.
     """
 
     __slots__ = ("template", "values")
@@ -26,17 +25,17 @@ class Message(str):
     values: Mapping[str, object]
 
     def __new__(cls, template: str, /, **values: object) -> Self:
-        """Make it; without values, braces in the template are braces."""
+        """Make a message; without values, braces in the template are literal."""
         made = super().__new__(cls, template.format(**values) if values else template)
         made.template, made.values = template, values
         return made
 
     def filled(self, **values: object) -> "Message":
-        """Return the same with values for its places, if it was made without."""
+        """Return the message with values for its placeholders, if it was made without."""
         return Message(self.template, **values)
 
     def __reduce__(self) -> tuple[object, ...]:
-        """Keep the values on the way to another process."""
+        """Keep the values when pickled."""
         return _made, (self.template, self.values)
 
 
@@ -45,7 +44,7 @@ def _made(template: str, values: Mapping[str, object]) -> Message:
 
 
 def word(name: str) -> Message:
-    """Return a name that the format declares, such as a type of body: catalogues have them all."""
+    """Return a name of the format, such as a type of body, as a message for the catalogues."""
     return Message(name)
 
 
@@ -62,7 +61,7 @@ def both(names: Iterable[str]) -> Message:
 
 
 def joined(parts: Iterable[Message], separator: str) -> Message:
-    """Return one message of several, which are separated by signs alone."""
+    """Join messages with a separator that needs no translation."""
     values = {f"part{index}": part for index, part in enumerate(parts)}
     return Message(separator.join(f"{{{name}}}" for name in values), **values)
 

@@ -1,4 +1,4 @@
-"""The names that bodies, joints, parameters and events may have."""
+"""The names of bodies, joints, parameters and events."""
 
 from typing import Annotated
 

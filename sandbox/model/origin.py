@@ -1,4 +1,4 @@
-"""The text that a level was read from, so that messages can say where a part stands."""
+"""The text that a level was read from, by which messages locate its parts."""
 
 from collections.abc import Callable
 from functools import cached_property
@@ -13,18 +13,18 @@ def _there(path: Path) -> Path:
 
 
 class Origin:
-    """A JSON text, and where everything in it stands.
+    """A JSON text, and the positions of its values.
 
-    All are equal: levels that say the same are, wherever they were read.
+    All origins are equal, so that equal levels compare equal wherever they were read.
 
     Parameters
     ----------
     text
-        The JSON.
+        The JSON text.
     source
         The origin of the text, for the messages.
     typed
-        Where in the text a part was typed, by its path in the level; the same if left out.
+        A function from a path in the level to that in the text; the identity if left out.
     """
 
     def __init__(self, text: str, source: str, typed: Callable[[Path], Path] = _there) -> None:
@@ -44,17 +44,17 @@ class Origin:
         return {value.path: value for value in json_positions.values(self.text)}
 
     def has(self, path: Path) -> bool:
-        """Whether something was typed for a path of the level."""
+        """Whether the text has a value for a path of the level."""
         return self.typed(path) in self.values
 
     def nearest(self, path: Path) -> Value:
-        """Return what stands at a path, or what is around it if it is missing."""
+        """Return the value at a path or, if it is missing, what encloses it."""
         path = self.typed(path)
         while path not in self.values:
             path = path[:-1]
         return self.values[path]
 
     def place(self, path: Path) -> str:
-        """Return the file, line and column of a part, and its path, as messages begin."""
+        """Return the file, line, column and path of a part, for the beginning of a message."""
         line, column = json_positions.position(self.text, self.nearest(path).start)
         return f"{self.source}:{line}:{column}: {'.'.join(brief(str(step)) for step in path)}"

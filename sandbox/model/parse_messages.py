@@ -1,4 +1,4 @@
-"""The messages of the JSON reader and of pydantic, in the words of the level format."""
+"""The errors of the JSON parser and of pydantic, in the words of the level format."""
 
 import re
 from collections.abc import Callable, Mapping
@@ -63,12 +63,12 @@ _BOUNDS: Mapping[str, Message] = {
 
 
 def syntax(message: str) -> Message:
-    """Say an error of the JSON reader."""
+    """Return the message for an error of the JSON parser."""
     return Message("is not JSON: {reason}", reason=_SYNTAX.get(message, message))
 
 
 def refused(message: str) -> tuple[Message, Position | None]:
-    """Say an error of pydantic's own JSON reader, and where it is."""
+    """Return the message for an error of pydantic's own JSON parser, and its position."""
     what, _, place = message.rpartition(" at line ")
     found = [int(number) for number in re.findall(r"\d+", place)]
     rule = Message("is not JSON: {reason}", reason=what or message)
@@ -76,14 +76,14 @@ def refused(message: str) -> tuple[Message, Position | None]:
 
 
 def path_of(detail: ErrorDetails, known: Callable[[Path], bool]) -> Path:
-    """Drop from pydantic's location what is not in the file, such as the chosen type of a shape.
+    """Drop steps of pydantic's location that are not in the file, such as the type of a shape.
 
     Parameters
     ----------
     detail
         The error.
     known
-        Whether a value stands at a path in the file.
+        Whether the file has a value at a path.
     """
     path: Path = ()
     for step in detail["loc"]:
@@ -94,7 +94,7 @@ def path_of(detail: ErrorDetails, known: Callable[[Path], bool]) -> Path:
 
 
 def _typical(kind: str, detail: ErrorDetails) -> Message:
-    """Say an error that needs but a few words."""
+    """Return the message for an error that needs only a few words."""
     context = detail.get("ctx", {})
     if isinstance(given := detail["input"], float) and isnan(given):
         return Message("must be a number")
@@ -106,7 +106,7 @@ def _typical(kind: str, detail: ErrorDetails) -> Message:
 
 
 def rule(detail: ErrorDetails, whole: type = Level) -> Message:
-    """Say an error of pydantic about what is read as a level, or as another whole."""
+    """Return the message for an error of pydantic in a level, or in another whole type."""
     last = detail["loc"][-1] if detail["loc"] else ""
     match detail["type"]:
         case _ if last == "[key]":
@@ -129,7 +129,7 @@ def rule(detail: ErrorDetails, whole: type = Level) -> Message:
 
 
 def _choice(detail: ErrorDetails) -> Message:
-    """Say that a value is none of the possible ones."""
+    """Say that a value is not among the possible ones."""
     context = detail["ctx"]
     if detail["type"] == "union_tag_not_found":
         if "_end_kind" in context["discriminator"]:
@@ -147,13 +147,13 @@ def _choice(detail: ErrorDetails) -> Message:
 
 
 def _listed(expected: str) -> Message:
-    """Return what pydantic lists to choose from, a, b or c."""
+    """Return pydantic's list of choices, as: a, b or c."""
     some, _, last = expected.rpartition(" or ")
     return either([some, last] if some else [last])
 
 
 def _unknown(name: str, loc: tuple[int | str, ...], whole: type) -> Message:
-    """Name an unknown key, and the key of the same place that was probably meant."""
+    """Name an unknown key, and the key of the same object that was probably meant."""
     part: Any = whole
     for step in loc[:-1]:
         part = _inside(part, step)
@@ -168,7 +168,7 @@ def _unknown(name: str, loc: tuple[int | str, ...], whole: type) -> Message:
 
 
 def _owners(name: str, loc: tuple[int | str, ...]) -> Message:
-    """Tell to which other effects a setting belongs that one of them does not have."""
+    """Name the other effects that have a setting which this one lacks."""
     if len(loc) < 3 or loc[0] != "effects":
         return NOTHING
     owners = [
@@ -182,7 +182,7 @@ def _owners(name: str, loc: tuple[int | str, ...]) -> Message:
 
 
 def _inside(part: Any, step: str | int) -> Any:  # noqa: ANN401 (a type is any object)
-    """Return the type one step further into the format, for a step of pydantic's location."""
+    """Return the type of a part one step further into the format, along pydantic's location."""
     if step in ENDS:
         return part
     for choice in _alternatives(part):

@@ -1,6 +1,6 @@
 """The mark of fields that hold prose, for translation.
 
-Whoever translates a level, or reads it aloud, finds from here what there is to say.
+Code that translates a level, or reads it aloud, finds its texts by this mark.
 """
 
 from collections.abc import Iterator
@@ -14,13 +14,13 @@ from sandbox.model.json_positions import Path
 
 @dataclass(frozen=True, slots=True)
 class Words:
-    """Marks a text that a person reads, and no formula or name uses."""
+    """Marks a text for people, which no formula or name uses."""
 
 
 Prose = Annotated[str, Words()]
-"""Words for a person."""
+"""Text for people."""
 
 
 def prose(part: Model) -> Iterator[tuple[Path, str]]:
-    """Yield all the words of a part of a level, and where they stand; what is empty has none."""
+    """Yield all texts in a part of a level that are not empty, with their paths."""
     return ((path, text) for path, text, _ in marked(part, Words) if text)

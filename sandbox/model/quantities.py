@@ -1,13 +1,14 @@
 """The names and units of everything that can be measured.
 
-A quantity has one name everywhere: in a level's checks, on the command line, in a CSV header, in a
-graph and on the screen. It reads `subject.attribute`, with `.x` or `.y` for a component; a vector
-without a component stands for its magnitude. The subject is a body, a joint, or `system`.
+A quantity has the same name everywhere: in a level's checks, on the command line, in a CSV header,
+in a graph and on the screen. It has the form `subject.attribute`, with `.x` or `.y` for a
+component; a vector without a component stands for its magnitude. The subject is a body, a joint, or
+`system`.
 
-Two bodies, or a body and one of its points, have quantities of their own, which name both:
+Two bodies, or a body and one of its points, have quantities of their own, named after both:
 `block.contact.table.normal`, `moon.relative.planet.velocity.x`, `stick.tip.position.y`; a body has
-`ball.within.gate` in every sensor. Of most quantities there is also what becomes of it over time,
-such as `string.tension.max`.
+`ball.within.gate` for every sensor. Most quantities can also be aggregated over time, such as
+`string.tension.max`.
 """
 
 from collections.abc import Iterator, Mapping
@@ -23,7 +24,7 @@ from sandbox.model.message import Message
 
 Component = Literal["x", "y"]
 Owner = Literal["body", "joint", "system", "time"]
-"""What a quantity belongs to."""
+"""The kind of thing that a quantity belongs to."""
 
 _VECTORS: Mapping[Owner, Mapping[str, str]] = {
     "body": {"position": "m", "velocity": "m/s", "acceleration": "m/s²", "momentum": "kg·m/s"},
@@ -57,13 +58,13 @@ _OF_CONTACT = {"contact.normal": "N", "contact.friction": "N"}
 _KINDS_OF_CONTACT = tuple(name.partition(".")[2] for name in _OF_CONTACT)
 
 MOST_MUTUAL = 6
-"""Up to how many bodies all quantities of pairs are listed."""
+"""The most bodies for which the quantities of all pairs are listed."""
 
 WITHIN = "within"
 """The depth of a body's centre in a sensor, from its outline; negative outside."""
 
 _OF_POINTS = {"position": "m", "velocity": "m/s"}
-"""What can be measured of a point of a body."""
+"""The quantities of a point of a body."""
 
 OVER_TIME: Mapping[str, str] = {
     "min": "",
@@ -85,31 +86,31 @@ _BOOKS: Mapping[str, str] = {
     "angular_impulse": "N·m·s",
     "unexplained_angular_momentum": "kg·m²/s",
 }
-"""What a ledger keeps of the system; the first, and the impulses, are split by cause."""
+"""The balances that a ledger keeps; the first, and the impulses, are split by cause."""
 
 
 @dataclass(frozen=True, slots=True)
 class Quantity:
-    """A quantity of a level, taken apart.
+    """A quantity of a level, as its parts.
 
     Attributes
     ----------
     name
-        In full, such as `ball.position.x`.
+        The full name, such as `ball.position.x`.
     owner
-        What kind of thing it belongs to.
+        The kind of thing that it belongs to.
     subject
-        The body or joint; `system` or `t` where there is neither.
+        The body or joint; `system` or `t` for the others.
     attribute
-        Such as `position` or `contact.normal`.
+        The attribute, such as `position` or `contact.normal`.
     component
-        Of a vector; None for its magnitude, and for scalars.
+        The component of a vector; None for its magnitude, and for scalars.
     unit
-        In SI.
+        The SI unit.
     other
-        The second body that it is about, or the point; empty if there is none.
+        The second body or the point; empty if there is none.
     over_time
-        What becomes of it from the start on, one of `OVER_TIME`; empty if it is what it is now.
+        The aggregate since the start, one of `OVER_TIME`; empty for the current value.
     """
 
     name: str
@@ -128,17 +129,17 @@ class Quantity:
 
     @property
     def booked(self) -> bool:
-        """Whether it is known only to a ledger that has seen every step."""
+        """Whether it needs a ledger that has seen every step."""
         return self.attribute.partition(".")[0] in _BOOKS
 
     @property
     def between(self) -> bool:
-        """Whether it is a force between two touching bodies, which no single state determines."""
+        """Whether it is a contact force of two bodies, which a single state does not determine."""
         return bool(self.other) and self.attribute in _OF_CONTACT
 
     @property
     def momentary(self) -> bool:
-        """Yield the quantities that follow from a state alone, without the time."""
+        """Whether it follows from a single state of the bodies and joints."""
         return not (self.booked or self.adds_up or self.between or self.over_time)
 
 
@@ -150,9 +151,9 @@ class QuantityError(SandboxError, ValueError):
 
 
 def quantities(level: Level) -> Iterator[Quantity]:
-    """Yield every quantity of a level that can be measured, except the unlimited families.
+    """Yield every quantity of a level, except the families without a bound.
 
-    These are what two bodies have together, see `mutual`, and what becomes of others over time.
+    These are the quantities of two bodies, see `mutual`, and the aggregates over time.
     """
     yield TIME
     for subject, owner in _owners(level).items():
@@ -161,7 +162,7 @@ def quantities(level: Level) -> Iterator[Quantity]:
 
 
 def momentary(level: Level) -> Iterator[Quantity]:
-    """Whether it follows from a single state of the bodies and joints."""
+    """Yield the quantities that follow from a single state, without the time."""
     for found in chain(quantities(level), mutual(level)):
         if found.momentary and found is not TIME:
             yield found
@@ -173,7 +174,7 @@ def quantity(name: str, level: Level) -> Quantity:
     Raises
     ------
     QuantityError
-        If the level has none of that name; the message says what was probably meant.
+        If the level has none of that name; the message suggests what was probably meant.
     """
     if name == TIME.name:
         return TIME
@@ -211,7 +212,7 @@ def base(quantity: Quantity) -> str:
 
 
 def mutual(level: Level) -> Iterator[Quantity]:
-    """Yield what each two bodies of a level have together; nothing if it has many bodies."""
+    """Yield the quantities of all pairs of bodies; none if the level has many bodies."""
     if len(level.bodies) <= MOST_MUTUAL:
         for subject in level.bodies:
             yield from _within(subject, level)
@@ -221,7 +222,7 @@ def mutual(level: Level) -> Iterator[Quantity]:
 
 
 def _over_time(quantity: Quantity, what: str) -> Quantity:
-    """Return the aggregates of a quantity since the start."""
+    """Return an aggregate of a quantity since the start."""
     name = f"{quantity.name}.{what}"
     if quantity.over_time or quantity.owner == "time":
         raise _timeless(name, quantity.name, what)
@@ -230,7 +231,7 @@ def _over_time(quantity: Quantity, what: str) -> Quantity:
 
 
 def _timeless(name: str, whole: str, what: str) -> QuantityError:
-    """Say that something is not followed over time."""
+    """Return the error for a quantity without that aggregate over time."""
     rule = Message(
         "'{name}' is not a quantity of this level; '{whole}' has no '{what}' over time",
         name=brief(name),
@@ -241,7 +242,7 @@ def _timeless(name: str, whole: str, what: str) -> QuantityError:
 
 
 def _of_two(subject: str, rest: str, level: Level) -> Iterator[Quantity]:
-    """Yield what a body has together with the one that a name is about, or probably is."""
+    """Yield the quantities of a body with the other body in a name, or the one probably meant."""
     kind, _, after = rest.partition(".")
     other = after.partition(".")[0]
     if kind == WITHIN:
@@ -253,7 +254,7 @@ def _of_two(subject: str, rest: str, level: Level) -> Iterator[Quantity]:
 
 
 def _within(subject: str, level: Level) -> Iterator[Quantity]:
-    """Yield how deep a body is in each sensor."""
+    """Yield the depth of a body in each sensor."""
     for other, body in level.bodies.items():
         if body.sensor and other != subject:
             yield Quantity(f"{subject}.{WITHIN}.{other}", "body", subject, WITHIN, None, "m", other)
@@ -290,7 +291,7 @@ def _owners(level: Level) -> dict[str, Owner]:
 
 
 def _of_accounts(level: Level) -> Iterator[Quantity]:
-    """Yield what a level's forces store, and what its ledger keeps."""
+    """Yield the potential energies of a level, and the balances of its ledger."""
     outside = ledger_accounts.outside(level)
     for name in ledger_accounts.potentials(level):
         yield _of_system(f"potential_energy.{name}", "J")

@@ -1,7 +1,7 @@
 """The mark of fields that name another part of the level.
 
-`sandbox.model.rules.consistency.mentions` finds them from here, so that a new effect or joint need
-say no more than the type of its field.
+`sandbox.model.rules.consistency.mentions` finds them by their types, so that a new effect or joint
+needs no further declaration.
 """
 
 from dataclasses import dataclass
@@ -12,7 +12,7 @@ from pydantic.json_schema import JsonSchemaValue
 from pydantic_core import CoreSchema
 
 NAMES = "names"
-"""The key in the schema that says what kind of part a text names."""
+"""The key in the schema for the kind of part that a text names."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -22,10 +22,10 @@ class Mention:
     Attributes
     ----------
     of
-        A body, a couple of two different bodies, a list in which none stands twice, a quantity,
-        a parameter, a list of joints, or one of forces that events switch.
+        The kind: a body, a couple of two different bodies, a list of different bodies, a quantity,
+        a parameter, a list of joints, or a list of forces that events switch.
     acted_on
-        Whether something acts on the body, so that it must be one that forces move.
+        Whether something acts on the body, so that it must be a dynamic one.
     """
 
     of: Literal["body", "couple", "bodies", "quantity", "parameter", "joints", "forces"]
@@ -62,4 +62,4 @@ JointNames = Annotated[tuple[str, ...], Mention("joints")]
 """Joints of the level."""
 
 ForceNames = Annotated[tuple[str, ...], Mention("forces")]
-"""Effects of the level that are forces, or forces in them that have a name."""
+"""Effects of the level that are forces, or named forces in them."""

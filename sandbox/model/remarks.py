@@ -1,7 +1,7 @@
 """Remarks on a well-formed level: effects without strength, checks that never apply.
 
-Effects are simulated as they stand, at their cost, and change nothing. A strength that is a
-parameter may be zero for a while; this is about those that are zero whatever the parameters are.
+Effects are simulated as declared, at their cost, even if they change nothing. A strength that is a
+parameter may be zero at times; remarks are about those that are zero for all parameters.
 """
 
 from collections.abc import Iterator
@@ -17,7 +17,7 @@ from sandbox.model.rules.faults import corners
 
 
 def remarks(level: Level) -> Iterator[Fault]:
-    """Yield where an effect has no strength, or a check no case in which it applies."""
+    """Yield the effects that have no strength, and the checks that never apply."""
     yield from _without_strength(level)
     for index, check in enumerate(level.checks):
         if check.valid_if and not _ever_holds(check.valid_if, level):
@@ -31,7 +31,7 @@ def remarks(level: Level) -> Iterator[Fault]:
 
 
 def _ever_holds(condition: Formula, level: Level) -> bool:
-    """Whether a condition holds with the default values or at a corner of the ranges."""
+    """Whether a condition holds with the default values, or at a corner of the ranges."""
     for values in corners(level, condition.names):
         with suppress(ExpressionError):
             if condition(values):
@@ -56,7 +56,7 @@ def _without_strength(level: Level) -> Iterator[Fault]:
 
 
 def _is_nothing(part: object) -> bool:
-    """Whether every number of a part is zero, whatever the parameters are."""
+    """Whether every number of a part is zero for all parameters."""
     return all(_is_zero(expression) for _, expression in expressions(part))
 
 

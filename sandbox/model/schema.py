@@ -21,31 +21,31 @@ DIALECT = "https://json-schema.org/draft/2020-12/schema"
 
 
 class _Generate(GenerateJsonSchema):
-    """What pydantic makes of the format, as an author wants to see it."""
+    """Generates pydantic's schema, adapted for authors of levels."""
 
     def encode_default(self, dft: object) -> Any:  # noqa: ANN401 (whatever JSON holds)
         return to_jsonable_python(dft, fallback=_source, exclude_none=True)
 
     def default_schema(self, schema: core_schema.WithDefaultSchema) -> JsonSchemaValue:
-        """Leave out a default of null: an author leaves the key out instead."""
+        """Omit a default of null, since an author omits the key instead."""
         made = super().default_schema(schema)
         return {key: value for key, value in made.items() if (key, value) != ("default", None)}
 
     def nullable_schema(self, schema: core_schema.NullableSchema) -> JsonSchemaValue:
-        """Leave out the null for the same reason."""
+        """Omit null for the same reason."""
         return self.generate_inner(schema["schema"])
 
     def dict_schema(self, schema: core_schema.DictSchema) -> JsonSchemaValue:
         """Allow only proper names as keys."""
         made = {**super().dict_schema(schema), "additionalProperties": False}
-        keys = made.pop("propertyNames", {})  # their pattern is said already
+        keys = made.pop("propertyNames", {})  # their pattern is already included
         return {**made, NAMES: keys[NAMES]} if NAMES in keys else made
 
 
 def grammar() -> dict[str, Any]:
-    """Return the JSON Schema of a level that also says which texts name a body or a quantity.
+    """Return the JSON Schema of a level, marking the texts that name a body or a quantity.
 
-    An object that has such a key has names for keys.
+    An object with such a mark has names as keys.
     """
     return _grammar(Level)
 
@@ -55,7 +55,7 @@ def _grammar(model: type[Model]) -> dict[str, Any]:
 
 
 def schema() -> dict[str, Any]:
-    """Return the JSON Schema of a level as its author types it, with all shorthand."""
+    """Return the JSON Schema of a level as its author types it, including shorthand."""
     return _described(with_repeats(_grammar(Typed), _grammar(Each)))
 
 
@@ -70,17 +70,17 @@ def _described(made: dict[str, Any]) -> dict[str, Any]:
 
 
 def text() -> str:
-    """Return the schema as its file has it."""
+    """Return the content of the schema file."""
     return json.dumps(schema(), indent=2, ensure_ascii=False) + "\n"
 
 
 def write() -> Path:
-    """Write the schema beside the levels, whole or not at all, and return where.
+    """Write the schema beside the levels, atomically, and return its path.
 
     Raises
     ------
     SandboxError
-        If the package is installed: it keeps the schema that it came with.
+        If the package is installed, with the schema inside it.
     """
     catalog.sources()
     target = catalog.root() / catalog.SCHEMA
@@ -95,13 +95,13 @@ def _source(default: object) -> float | str:
 
 
 def _explain(part: Any) -> Any:  # noqa: ANN401 (whatever JSON holds)
-    """Move what an expression's comment says to the end of the description of its field."""
+    """Move the comment of an expression to the end of its field's description."""
     if isinstance(part, list):
         return [_explain(item) for item in part]
     if not isinstance(part, dict):
         return part
     made = {key: _explain(value) for key, value in part.items()}
-    if isinstance(made.get(NAMES), str):  # which no editor knows
+    if isinstance(made.get(NAMES), str):  # unknown to editors
         del made[NAMES]
     if isinstance(said := made.get("description"), str):
         made["description"] = " ".join(said.split())
@@ -111,7 +111,7 @@ def _explain(part: Any) -> Any:  # noqa: ANN401 (whatever JSON holds)
 
 
 def main() -> int:
-    """Write the schema, say where, and return the exit status."""
+    """Write the schema, print its path, and return the exit status."""
     return generate(lambda: [write()])
 
 

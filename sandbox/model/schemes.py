@@ -1,7 +1,7 @@
-"""What each scheme and rate requires of a level.
+"""The requirements of schemes and rates on a level.
 
-Fourth order needs smooth forces that do not depend on velocities. What holds exactly is as good,
-rods, pins, rails and wires: it holds back in time as well.
+Fourth order needs smooth forces that do not depend on velocities. Exact rods, pins, rails and wires
+are allowed as well: they are reversible in time, too.
 """
 
 from collections.abc import Iterator
@@ -15,13 +15,13 @@ from sandbox.model.message import Message, word
 
 
 def bounds_the_rate(level: Level) -> bool:
-    """Whether a level has springs, or effects that see velocities: a step may be too long."""
+    """Whether a level has springs, or effects that depend on velocities, which limit the step."""
     springs = any(joint.kind.force for joint in level.joints.values())
     return springs or any(effect.sees_velocity for effect in level.effects.declarations)
 
 
 def unsmooth(level: Level) -> Message | None:
-    """Return why a level cannot have a scheme of fourth order; None if it can."""
+    """Return why a level cannot use a fourth-order scheme; None if it can."""
     found = next(_obstacles(level), None)
     if found is None:
         return None

@@ -1,8 +1,8 @@
 """The shapes that a body can have.
 
 A dynamic body's position is its centre of mass: the points of a polygon, segment, polyline or arc
-are moved so that their centre of mass lies at the origin of the body. Static and kinematic bodies
-keep their points as they are written, relative to their position; only they can be curves.
+are shifted so that their centre of mass is the origin of the body. Static and kinematic bodies keep
+their points as written, relative to their position; only they can be curves.
 """
 
 from math import tau
@@ -31,12 +31,12 @@ XY = tuple[float, float]
 
 
 def evaluate(point: tuple[Expression, Expression], values: Values) -> XY:
-    """Return the components of a point or a vector for the given parameters."""
+    """Return the components of a point or a vector for given parameters."""
     return point[0](values), point[1](values)
 
 
 THINNEST = 1e-7
-"""m, the least width of a polygon that collides."""
+"""The least width of a polygon that collides [m]."""
 
 SLIMMEST = 1e-5
 """The same, as a share of its length."""
@@ -136,18 +136,18 @@ Area = Disc | Box | Polygon
 """Shapes that cover a part of the plane."""
 
 Line = Segment | Polyline | Arc | Curve
-"""Shapes that run from a start to an end, and have a left and a right side."""
+"""Shapes with a start and an end, and so a left and a right side."""
 
 Shape = Annotated[
     Disc | Hoop | Box | Polygon | Segment | Polyline | Arc | Curve, Field(discriminator="type")
 ]
 
 ROUND_OFF = 1e-12
-"""rad, by which a full circle of an arc may be too long."""
+"""The excess of an arc over a full circle that is allowed [rad]."""
 
 
 def points_of(shape: Polygon | Segment | Polyline) -> tuple[Point, ...]:
-    """Return the points that a shape is drawn through."""
+    """Return the points that define a shape."""
     match shape:
         case Polygon():
             return shape.vertices
@@ -158,7 +158,7 @@ def points_of(shape: Polygon | Segment | Polyline) -> tuple[Point, ...]:
 
 
 def fault(shape: Shape, values: Values) -> Message | None:
-    """Say what is wrong with a shape's geometry for the given parameters, if anything is."""
+    """Say what is wrong with a shape's geometry for given parameters; None if nothing is."""
     if isinstance(shape, Arc):
         return _arc_fault(shape, values)
     if not isinstance(shape, Polygon | Segment | Polyline):
@@ -222,7 +222,7 @@ def _polygon_fault(starts: Array, ends: Array) -> Message | None:
 
 
 def _crossings(starts: Array, ends: Array) -> NDArray[np.int64]:
-    """Return the pairs of edges that have a point in common but do not follow each other."""
+    """Return the pairs of non-adjacent edges that have a point in common."""
     count = len(starts)
     i, j = np.triu_indices(count, k=2)
     apart = (j - i) != count - 1
@@ -236,12 +236,12 @@ def _crossings(starts: Array, ends: Array) -> NDArray[np.int64]:
 
 
 def _turn(a: Array, b: Array, c: Array) -> Array:
-    """Twice the area of the triangle a-b-c, positive if it turns counter-clockwise."""
+    """Return twice the area of the triangle a-b-c, positive if it is counter-clockwise."""
     ab, ac = b - a, c - a
     return np.asarray(ab[..., 0] * ac[..., 1] - ab[..., 1] * ac[..., 0])
 
 
 def _between(a: Array, b: Array, c: Array) -> NDArray[np.bool_]:
-    """Whether c, known to lie on the line through a and b, lies between them."""
+    """Return whether c, which must be collinear with a and b, lies between them."""
     inside = (np.minimum(a, b) <= c) & (c <= np.maximum(a, b))
     return np.asarray(np.all(inside, axis=-1))

@@ -9,7 +9,7 @@ from sandbox.model.level import Level
 def switched(level: Level) -> Mapping[str, bool]:
     """Return the forces of a level that events switch, and whether they are on at the start.
 
-    Springs that are cut or tied, or that may break, are among them.
+    They include springs that are cut or tied, or that may break.
     """
     springs = _springs(level)
     found = dict.fromkeys(cut(level.events, level.joints) & springs, True)
@@ -25,7 +25,7 @@ def _springs(level: Level) -> frozenset[str]:
 
 
 def switchable(level: Level) -> Iterator[str]:
-    """Yield what can be switched: effects that are laws, and forces that have a name."""
+    """Yield the names of what can be switched: effects that are laws, and named forces."""
     for effect, _, one in level.effects.said:
         if effect.is_law and not effect.changes_mass:
             yield effect.name

@@ -1,4 +1,4 @@
-"""A walk through anything made of frozen parts and expressions."""
+"""Iteration over anything made of frozen parts and expressions."""
 
 from collections.abc import Iterator, Mapping, Sequence
 
@@ -11,7 +11,7 @@ _PLAIN = frozenset({type(None), bool, int, float, str})
 
 
 def expressions(part: object, path: Path = ()) -> Iterator[tuple[Path, Expression]]:
-    """Yield every expression below a part of a level, with the path to it."""
+    """Yield every expression in a part of a level, with its path."""
     pending = [(path, part)]
     while pending:
         path, part = pending.pop()

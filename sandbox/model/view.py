@@ -1,4 +1,4 @@
-"""What of a level is shown, and the words on it."""
+"""The visible part of a level, and the labels in it."""
 
 from typing import Annotated
 
@@ -14,7 +14,7 @@ from sandbox.model.reference_fields import BodyNames
 from sandbox.model.shapes import Point
 
 MAX_LABELS = 100
-"""How many labels a level may have."""
+"""The most labels in a level."""
 
 
 class Label(Model):

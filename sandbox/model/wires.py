@@ -1,4 +1,4 @@
-"""The courses of wires and curves. The plane is complex here: a point is x + iy."""
+"""The points of wires and curves in the complex plane, x + iy."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,18 +10,18 @@ from sandbox.model.shapes import Curve
 Points = NDArray[np.complex128]
 
 PIECES = 4096
-"""The number of pieces of a wire or curve, of equal s. Interpolated by quintics through six points,
-smooth curves are right to rounding."""
+"""The number of pieces of a wire or curve, of equal length in s. Interpolation by quintics through
+six points is then exact to rounding for smooth curves."""
 
 FIRST = 1.0
-"""How many pieces before the first point the angle is 0, where pieces are shorter at the ends."""
+"""The number of pieces between the angle 0 and the first point of a graded curve."""
 
 NEAR = 1e-9
-"""How much points that should coincide may differ, as a share of the wire's size."""
+"""The tolerance for coincident points, as a share of the wire's size."""
 
 
 def places(wire: Wire | Curve, values: Values, s: Array) -> Points:
-    """Return the points of a wire or curve [m]; where there is none, it is not finite."""
+    """Return the points of a wire or curve [m]; not finite where it has none."""
     x, y = (coordinate.over(values, s) for coordinate in wire.curve)
     return np.asarray(x + 1j * y)
 
@@ -33,14 +33,15 @@ def along(wire: Wire | Curve, values: Values, pieces: int = PIECES) -> Points:
 
 
 def graded(wire: Wire | Curve, values: Values) -> tuple[Points, Points]:
-    """Return points that lie ever closer towards both ends, and those half-way between them.
+    """Return points that are closer together towards both ends, and points half-way between.
 
-    s goes as the cosine of an angle, so that pieces are some 1000 times shorter where a curve may
-    be no smooth function of s, as at the cusp of a cycloid; but not from 0, or the first were none.
+    s is the cosine of an angle with equal steps, so that pieces are some 1000 times shorter where a
+    curve may not be a smooth function of s, as at the cusp of a cycloid. The angle does not begin
+    at 0, where the first piece would vanish.
 
     Returns
     -------
-    The points (n + 1,) and those between (n,), at equal steps of that angle [m].
+    The points (n + 1,) and those between them (n,), at equal steps of that angle [m].
     """
     first, last = (end(values) for end in wire.s)
     begin = np.pi * FIRST / (PIECES + 2 * FIRST)

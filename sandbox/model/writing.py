@@ -1,7 +1,7 @@
-"""A level as the text of a file, laid out as people write one by hand.
+"""A level as the text of a file, laid out as people write it by hand.
 
-Only spaces, line breaks and the order of the outermost keys are ever changed. Numbers, formulas and
-texts stay as they were typed, so that the level says the same afterwards, to the last bit.
+Only spaces, line breaks and the order of the top-level keys are changed. Numbers, formulas and
+texts stay as typed, so that the level is the same afterwards, to the last bit.
 """
 
 import json
@@ -14,24 +14,24 @@ from sandbox.model.level import Level
 from sandbox.model.shorthand.repeating import GROUPS, order
 
 WIDTH = 100
-"""Columns: a part whose members have a line each stands on one line if that fits."""
+"""The line width; a part whose members have a line each stays on one line if that fits."""
 
 _INDENT = "  "
 ORDER = order(known.alias or name for name, known in Level.model_fields.items())
-"""The order of the outermost keys of a level."""
+"""The order of the top-level keys of a level."""
 
 NAMED = ("parameters", "constants", GROUPS, "bodies", "joints", "checks", "ghosts")
-"""The parts whose members come and go, so that each member may have a line of its own."""
+"""The parts with any number of members, each of which may have a line of its own."""
 
 
 @dataclass(slots=True)
 class _Part:
-    """A value of a JSON text as it is typed, and where its lines are broken."""
+    """A value of a JSON text as typed, with its line breaks."""
 
     key: str
-    """As it is typed, with its quotes; empty if it has none."""
+    """The key as typed, with its quotes; empty if there is none."""
     text: str
-    """The value; of an object or a list only the bracket that opens it."""
+    """The value; of an object or a list only the opening bracket."""
     broken: bool
     """Whether a line begins with it."""
     members: list["_Part"] = field(default_factory=list)
@@ -43,49 +43,49 @@ class _Part:
 
     @property
     def spread(self) -> bool:
-        """Whether lines are broken between its brackets."""
+        """Whether there are line breaks between its brackets."""
         return any(member.broken for member in self.members)
 
     @property
     def a_line_each(self) -> bool:
-        """Whether none of its members shares a line: programs write so, and people at times."""
+        """Whether none of its members share a line, as in files by programs, and some by people."""
         return self.spread and all(member.broken for member in self.members[1:])
 
     @property
     def head(self) -> str:
-        """What comes before its members."""
+        """The text before its members."""
         return f"{self.key}: {self.text}" if self.key else self.text
 
     @property
     def tail(self) -> str:
-        """What comes after its members."""
+        """The text after its members."""
         return {"{": "}", "[": "]"}.get(self.text, "")
 
     @property
     def line(self) -> str:
-        """All of it on one line."""
+        """The whole part on one line."""
         return self.head + ", ".join(member.line for member in self.members) + self.tail
 
 
 def text(document: Mapping[str, Any]) -> str:
-    """Return a level that a program has made as JSON: a parameter, body, joint or check a line."""
+    """Return a level made by a program as JSON, with a line per parameter, body, joint or check."""
     return formatted(json.dumps(document, ensure_ascii=False))
 
 
 def formatted(typed: str) -> str:
-    """Return a level's JSON text in its proper layout; a proper text stays as it is.
+    """Return a level's JSON text in its layout; a text that has it stays as it is.
 
     Parameters
     ----------
     typed
-        The content of a well-formed level.
+        The text of a well-formed level.
     """
     proper = _written(_read(typed))
     return proper.replace("\n", "\r\n") if "\r\n" in typed else proper
 
 
 def with_schema(typed: str, place: str) -> str:
-    """Return the JSON text of a level that names the place of its schema, in its proper layout."""
+    """Return the JSON text of a level that names the place of its schema, in its layout."""
     level = _read(typed)
     rest = [member for member in level.members if member.name != "$schema"]
     named = _Part('"$schema"', json.dumps(place, ensure_ascii=False), broken=False)
@@ -94,12 +94,12 @@ def with_schema(typed: str, place: str) -> str:
 
 
 def _read(typed: str) -> _Part:
-    """Return the whole of a text as a part with its members."""
+    """Return a whole text as a part with its members."""
     whole = _Part("", "", broken=False)
     opened, key, broken, end = [whole], "", False, 0
     for match in TOKEN.finditer(typed):
         token, inside = match[0], opened[-1]
-        if not key:  # a value belongs to its key, on whatever line it stands
+        if not key:  # a value belongs to its key, on any line
             broken = "\n" in typed[end : match.start()]
         end = match.end()
         if token in "}]":
@@ -122,14 +122,14 @@ def _written(level: _Part) -> str:
     level.members.sort(key=lambda part: ORDER.index(part.name))
     for part in level.members:
         part.broken = True
-        if part.name in NAMED and not chosen:  # nobody has said where lines are to end
+        if part.name in NAMED and not chosen:  # no line breaks were typed
             for member in part.members:
                 member.broken = True
     return _said(level, 0) + "\n"
 
 
 def _said(part: _Part, depth: int) -> str:
-    """Return the text of a part, with its first line indented to some depth."""
+    """Return the text of a part, indented to a depth after its first line."""
     if _is_short(part, depth):
         return part.line
     if not part.spread:
@@ -143,7 +143,7 @@ def _said(part: _Part, depth: int) -> str:
 
 
 def _is_short(part: _Part, depth: int) -> bool:
-    """Whether a part that is written a line a member belongs on one line."""
+    """Whether a part with a line per member is short enough for one line."""
     if not part.a_line_each or depth == 0 or (depth == 1 and part.name in NAMED):
         return False
     return len(_INDENT) * depth + len(part.line) + len(",") <= WIDTH

@@ -1,7 +1,7 @@
-"""The manifest of effects: what a level does not declare is not simulated, and costs nothing.
+"""The manifest of effects: an effect that a level does not declare is not simulated, and is free.
 
-A module an effect, and `contract` for what it says there. `Effects` is the one list of them, in the
-order in which they are listed; a new one joins by its field.
+Each effect has a module; see `contract` for its declaration. `Effects` is the only list of them and
+defines their order; a new effect is added as a field.
 """
 
 from collections.abc import Iterator, Mapping
@@ -84,7 +84,7 @@ class Effects(Model):
 
     @property
     def in_sequence(self) -> bool:
-        """Whether impacts come one after the other."""
+        """Whether simultaneous impacts are solved one after the other."""
         return self.restitution is not None and self.restitution.impacts == "sequence"
 
     @property
@@ -94,12 +94,12 @@ class Effects(Model):
 
     @property
     def declarations(self) -> Iterator[Effect]:
-        """The declarations of the effects that the level declares."""
+        """The declarations of the effects in the level."""
         return (EFFECTS[name] for name in self.declared)
 
     @property
     def said(self) -> Iterator[tuple[Effect, Path, Any]]:
-        """The settings of each declared effect with their paths; of a list, those of each entry."""
+        """The settings of each declared effect with their paths; for a list, of each entry."""
         for effect in self.declarations:
             place, said = ("effects", effect.name), getattr(self, effect.name)
             if isinstance(said, tuple):

@@ -1,4 +1,4 @@
-"""The contract of an effect: what it declares once, and everything else derives from.
+"""The contract of an effect: it is declared once, and everything else is derived from that.
 
 To add one, see `docs/how-to/add-an-effect.md`. An effect is
 
@@ -8,14 +8,14 @@ To add one, see `docs/how-to/add-an-effect.md`. An effect is
 - if it is a force, a module of the same name in `sandbox/physics/forces/`, with a function `laws`;
   see `sandbox.physics.forces.law` for what a law is.
 
-From these follow the manifest and its JSON Schema, the messages about unknown effects, keys and
-bodies, the remarks about effects without strength, what is offered to be tried in the app and
-switched on by `--with`, the accounts of the ledger and the quantities that tell them, the schemes
-that a level may have, and the tests that go through all effects. What is forgotten is told when the
-package is loaded, with the file that it belongs in.
+The following derive from it: the manifest and its JSON Schema, the messages about unknown effects,
+keys and bodies, the remarks about effects without strength, the suggestions in the app and the
+option `--with`, the accounts of the ledger and their quantities, the schemes that a level may use,
+and the tests of all effects. An incomplete declaration is reported when the package is loaded, with
+the file to mend.
 
-Which fields name bodies is not said here: it is their type (see `sandbox.model.reference_fields`).
-Nor are units: the types in `sandbox.model.bounds` have them, and a field's docstring says them.
+The fields that name bodies are recognized by their types (see `sandbox.model.reference_fields`).
+Units are part of the types in `sandbox.model.bounds`, and of the fields' docstrings.
 """
 
 from collections.abc import Callable, Mapping
@@ -25,14 +25,14 @@ from typing import Any, Literal
 from sandbox.model.expressions import Expression
 
 Book = Literal["potential", "loss", "work", "none"]
-"""Where the energy goes that an effect takes: it is stored, lost for good, or was put in from
-outside; `none` if the effect does no work."""
+"""The destination of the energy that an effect takes: stored, lost, or exchanged with the outside;
+`none` if the effect does no work."""
 
 Sight = Literal["position", "angle", "velocity", "time"]
-"""What a force depends on."""
+"""A variable that a force depends on."""
 
 Settings = Mapping[str, object]
-"""The fields of an effect, as they would stand in a level's file."""
+"""The fields of an effect, as in a level's file."""
 
 
 class IncompleteError(TypeError):
@@ -46,35 +46,35 @@ class Effect:
     Attributes
     ----------
     name
-        In the manifest, and of its modules.
+        Its name in the manifest, and that of its modules.
     acts
-        As a `law`, a force in a module of `sandbox/physics/forces/`; by a force that `pymunk`
-        applies itself; or on the `scene`, as surfaces and moments of inertia are set up.
+        How it acts: as a `law`, a force in a module of `sandbox/physics/forces/`; by a force that
+        `pymunk` applies itself; or on the `scene`, through its surfaces and moments of inertia.
     sees
-        What the force depends on.
+        The variables that the force depends on.
     smooth
-        Whether it is as smooth as what it depends on. A jump makes any scheme first order there.
+        Whether the force is a smooth function of these. A jump reduces any scheme to first order.
     book
-        What becomes of the energy that it takes; `none` if it does no work. A law that does none
-        although it depends on the velocity turns velocities (see `sandbox.physics.forces.law`).
+        The destination of the energy that it takes; `none` if it does no work. A law that depends
+        on the velocity but does no work turns velocities (see `sandbox.physics.forces.law`).
     drives
-        Whether one that says something is booked as `work` after all; never if left out.
+        A function of its settings that returns whether it is booked as `work` instead; optional.
     account
         The account of its energy; its name if left out.
     inside
-        Whether it acts between bodies only, so that all of them together get no momentum from it.
+        Whether it acts only between bodies, so that their total momentum is conserved.
     strength
-        The fields without which it does nothing: if they are all zero, a remark says so.
+        The fields that give it strength: if all of them are zero, a remark says so.
     needs
-        Fields of which one must be greater than zero, or the level is refused.
+        Fields of which at least one must be positive, or the level is refused.
     coefficient
-        The type of the coefficients that bodies and pairs have, in a field of its name.
+        The type of its coefficients of bodies and pairs, which are fields of its name.
     trial
-        How it is tried where nothing is said of it; None if it must be told what it is.
+        The settings with which to try it in any level; None if it needs settings of its own.
     changes_mass
-        Whether the masses of the bodies that it names change.
+        Whether it changes the masses of the bodies that it names.
     twists
-        Whether it turns bodies by itself, so that `rotation` is of use with it.
+        Whether it can turn bodies, so that `rotation` has an effect with it.
     pull
         The name of its force in a free-body diagram; its own name if left out.
     """
@@ -97,7 +97,7 @@ class Effect:
 
     @property
     def is_force(self) -> bool:
-        """Whether it is a force, and not something that the scene is made of."""
+        """Whether it is a force, and not a property of the scene."""
         return self.acts != "scene"
 
     @property
@@ -112,22 +112,22 @@ class Effect:
 
     @property
     def turns(self) -> bool:
-        """Whether it turns velocities, and does no work by that."""
+        """Whether it only turns velocities, and does no work."""
         return self.is_law and self.book == "none"
 
     @property
     def booked(self) -> str:
-        """What its energy is booked as."""
+        """The name of the account of its energy."""
         return self.account or self.name
 
     @property
     def excludes(self) -> tuple[str, ...]:
-        """The schemes that a level with it cannot have."""
+        """The schemes that a level with it cannot use."""
         return () if self.smooth and not self.sees_velocity else ("fourth-order",)
 
     @property
     def called(self) -> str:
-        """What its force is called in a free-body diagram."""
+        """The name of its force in a free-body diagram."""
         return self.pull or self.name
 
     def stores(self, name: str) -> bool:
@@ -135,5 +135,5 @@ class Effect:
         return self.name == name and self.book == "potential"
 
     def book_of(self, said: object) -> Book:
-        """Return where the energy goes that the effect takes, given its settings."""
+        """Return the destination of the energy that the effect takes, given its settings."""
         return "work" if self.drives and self.drives(said) else self.book

@@ -35,5 +35,5 @@ class Force(Model):
 
     @property
     def has_no_potential(self) -> bool:
-        """Whether it changes with time, or turns with its body, so that it does work."""
+        """Whether it depends on time, or turns with its body, so that it does work."""
         return self.frame == "body" or any("t" in component.names for component in self.force)

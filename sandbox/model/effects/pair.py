@@ -1,4 +1,4 @@
-"""A pair of touching bodies for which an effect says something."""
+"""A pair of touching bodies for which an effect has settings."""
 
 from sandbox.model.base import Model
 from sandbox.model.reference_fields import Couple

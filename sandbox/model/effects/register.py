@@ -1,4 +1,4 @@
-"""The register of effects, made from the manifest; it names what an effect has forgotten."""
+"""The register of effects, made from the manifest; it reports incomplete declarations."""
 
 from collections.abc import Iterator, Mapping
 from typing import Any, get_args
@@ -41,7 +41,7 @@ def _declared(name: str, kind: Any) -> Effect:  # noqa: ANN401 (a type is any ob
 
 
 def _models(kind: Any) -> Iterator[type[Model]]:  # noqa: ANN401 (a type is any object)
-    """Yield the models that a type is made of."""
+    """Yield the models that a type consists of."""
     if isinstance(kind, type) and issubclass(kind, Model):
         yield kind
     for inside in get_args(kind):

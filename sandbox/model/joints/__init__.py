@@ -1,7 +1,7 @@
 """The joints that connect bodies; see `contract` for the declaration of a kind.
 
-All but the spring are exact: they hold to rounding at every step, whatever they carry; unless a
-level asks for pymunk's own. A spring is a force.
+All but the spring are exact: they hold to rounding at every step under any load, unless a level
+asks for pymunk's own joints. A spring is a force.
 """
 
 from collections.abc import Iterator, Mapping
@@ -209,7 +209,7 @@ class Wire(Model):
 
 
 Own = Rod | Rope | Pivot | Weld | Motor
-"""The joints that pymunk has as well."""
+"""The joints that exist in pymunk as well."""
 
 Joint = Annotated[
     Rod
@@ -235,12 +235,12 @@ KINDS: Mapping[str, Kind] = kinds(get_args(get_args(Joint)[0]))
 
 
 def is_exact(joint: Joint) -> bool:
-    """Whether a joint is solved exactly: it is no force, and none of pymunk's own."""
+    """Whether a joint is solved exactly: neither a force nor one of pymunk's own joints."""
     return joint.kind.force is None and getattr(joint, "exact", True)
 
 
 def ends_of(joint: Joint) -> Iterator[tuple[Path, End]]:
-    """Yield everything that a joint runs through, each with the path to it in the joint."""
+    """Yield the points that a joint holds or runs through, each with its path in the joint."""
     if isinstance(joint, Wire):
         yield ("bead",), joint.bead
         return
@@ -251,19 +251,19 @@ def ends_of(joint: Joint) -> Iterator[tuple[Path, End]]:
 
 
 def points(joint: Joint) -> tuple[End, ...]:
-    """Return everything that a joint runs through, from its first end to its second."""
+    """Return the points that a joint holds or runs through, from its first end to its second."""
     return tuple(end for _, end in ends_of(joint))
 
 
 def body_of(end: End) -> str | None:
-    """Return the body that an end holds on to, None if that is the plane itself."""
+    """Return the body of an end; None for a fixed point."""
     if isinstance(end, Held):
         return end.body
     return end if isinstance(end, str) else None
 
 
 def bodies_of(joint: Joint) -> Iterator[str]:
-    """Yield the bodies that a joint holds on to."""
+    """Yield the bodies that a joint holds."""
     yield from (body for end in points(joint) if (body := body_of(end)) is not None)
     if isinstance(joint, Gear) and joint.carrier is not None:
         yield joint.carrier

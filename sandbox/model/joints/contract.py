@@ -1,12 +1,12 @@
-"""The contract of a kind of joint: what it declares once (see `docs/how-to/add-a-joint.md`).
+"""The contract of a kind of joint: its declaration (see `docs/how-to/add-a-joint.md`).
 
 A joint is a frozen model beside the others in `sandbox/model/joints/__init__.py`, a member of the
 union `Joint` there, with a `kind` as below; `sandbox/physics/joints/joint_equations.py` makes it.
-From these follow the JSON Schema, the messages about unknown types and bodies, the quantities that
-can be measured of it, the accounts of the ledger, the schemes that a level may have, and the tests
-that go through all joints.
+The following derive from it: the JSON Schema, the messages about unknown types and bodies, the
+quantities of the joint, the accounts of the ledger, the schemes that a level may use, and the tests
+of all joints.
 
-Which fields name bodies is not said here, but by their type: `End` or `BodyName`. Whether it
+The fields that name bodies are recognized by their types, `End` or `BodyName`. Whether a joint
 changes with time follows from its formulas.
 """
 
@@ -18,7 +18,7 @@ from sandbox.model.base import Model
 from sandbox.model.effects.contract import Effect, IncompleteError
 
 FIXED = {"tension": "N", "torque": "N·m", "length": "m", "potential_energy": "J"}
-"""What can be measured of a joint that keeps an angle."""
+"""The quantities of a joint that keeps an angle."""
 
 
 def _of_a_line() -> Mapping[str, str]:
@@ -32,19 +32,19 @@ class Kind:
     Attributes
     ----------
     force
-        Its declaration as a force; None if it holds exactly.
+        Its declaration as a force; None if it is exact.
     goes_slack
-        Whether it pulls and never pushes, so that it can go slack, and be jerked taut.
+        Whether it only pulls, so that it can go slack, and become taut with a jerk.
     drives
-        Whether it moves what it holds against whatever there is, and does work by that.
+        Whether it imposes a motion on its ends under any load, and does work.
     turns
-        Whether it gives a torque to what it holds by its centre.
+        Whether it exerts a torque on a body that it holds by the centre.
     swings
-        Whether it swings across where it is taut, as light lines do.
+        Whether it swings sideways while it is taut, as light lines do.
     points_meet
-        Whether what it asks of its start is asked of its ends, and not of a length.
+        Whether its ends must meet at the start, instead of having a certain distance.
     quantities
-        What can be measured of it, and the units of that.
+        Its quantities, with their units.
     pull
         The name of its force in a free-body diagram.
     """
@@ -60,7 +60,7 @@ class Kind:
 
 
 def kinds(joints: Iterable[type[Model]]) -> Mapping[str, Kind]:
-    """Return the declarations of all kinds of joints, by their type in a level's file.
+    """Return the declarations of all kinds of joints, by their types in a level's file.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""The ends of joints: where they hold on."""
+"""The ends of joints: the points that they hold."""
 
 from collections.abc import Mapping
 from typing import Annotated
@@ -37,4 +37,4 @@ End = Annotated[
     | Annotated[Point, Tag("a fixed point")],
     Discriminator(_end_kind),
 ]
-"""Where a joint holds on: the centre of a body, a point of it, or a fixed point [x, y] in m."""
+"""The end of a joint: the centre of a body, a point of it, or a fixed point [x, y] in m."""

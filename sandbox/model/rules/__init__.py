@@ -1,1 +1,1 @@
-"""The rules of a level that go beyond the type of each part."""
+"""The rules of a level that go beyond the types of its parts."""

@@ -1,8 +1,8 @@
 """The rules of a level that go beyond the type of each part, over the ranges of its parameters.
 
-Every rule is a generator of `Fault`: a path into the level and what is wrong there. They are all
-run, so that an author sees all mistakes at once. What depends on the values of the parameters is a
-`Condition` (see `sandbox.model.rules.conditions`), and must hold at the corners of their ranges.
+Every rule is a generator of `Fault`: a path in the level and a message. All rules are run, so that
+an author sees all mistakes at once. A rule on the values of the parameters is a `Condition` (see
+`sandbox.model.rules.conditions`), and must hold at the corners of their ranges.
 """
 
 from collections.abc import Collection, Iterable, Iterator, Mapping
@@ -24,19 +24,19 @@ from sandbox.model.rules.conditions.condition import Condition
 from sandbox.model.rules.consistency import contradictions, dangling, inconsistencies, too_much
 
 MAX_CORNERS = 256
-"""How many corners of the parameters' ranges are tried, at most."""
+"""The most corners of the parameters' ranges that are tried."""
 
 FEWEST = 2
-"""How many corners are tried of anything expensive: all parameters at their minimum, and all at
-their maximum."""
+"""The number of corners that are tried of an expensive condition: all parameters at their minimum,
+and all at their maximum."""
 
 PATIENCE = 5e5
-"""µs, the work after which fewer corners are tried; it is counted, not timed, so that every machine
-finds the same."""
+"""The work after which fewer corners are tried [µs]; it is counted, not timed, so that the result
+is the same on every machine."""
 
 
 def faults(level: Level) -> list[Fault]:
-    """Return everything that is wrong with a level, as far as it makes sense to look."""
+    """Return all faults of a level; rules that depend on broken ones are skipped."""
     if found := _most(too_much(level)):
         return found
     if next(dangling(level), None):
@@ -49,12 +49,12 @@ def _most(found: Iterator[Fault]) -> list[Fault]:
 
 
 def depending(level: Level) -> list[Condition]:
-    """Return what must hold in a level that depends on its parameters."""
+    """Return the conditions of a level that depend on its parameters."""
     return [condition for condition in conditions(level) if condition.names]
 
 
 def broken(among: Iterable[Condition], values: Values) -> Iterator[Fault]:
-    """Yield every part of a level that the given parameters make impossible."""
+    """Yield the faults of a level with given parameters."""
     for condition in among:
         if rule := condition.fault(values):
             yield Fault(condition.path, rule)
@@ -63,18 +63,17 @@ def broken(among: Iterable[Condition], values: Values) -> Iterator[Fault]:
 def corners(
     level: Level, names: Collection[str] | None = None, most: int = MAX_CORNERS
 ) -> Iterator[Values]:
-    """Yield the defaults, then what the bounds of the parameters combine to.
+    """Yield the default values, then combinations of the parameters' bounds.
 
     Parameters
     ----------
     level
         The level of the parameters.
     names
-        The parameters that vary, the others keep their defaults; all if left out. Where there are
-        more combinations than may be tried, only some are: all of a side together, then each bound
-        alone.
+        The parameters that vary, all if left out; the others keep their defaults. If there are too
+        many combinations, only some are yielded: all minima, all maxima, then each bound alone.
     most
-        How many combinations are tried at the most.
+        The most combinations.
     """
     defaults = level.defaults
     yield defaults
@@ -98,8 +97,8 @@ def _bounds(ranges: Mapping[str, tuple[float, float]], most: int) -> Iterator[Va
 def _values(level: Level) -> Iterator[Fault]:
     """Every condition holds over the whole ranges of the parameters.
 
-    Of a level that would take too long, fewer combinations of their bounds are tried. What that
-    leaves out is told when somebody chooses such values.
+    For a level that would take too long, fewer combinations of bounds are tried. Faults that this
+    misses are reported when somebody chooses such values.
     """
     asked = list(conditions(level))
     tried = cache(lambda names, most: list(corners(level, names, most)))
@@ -121,7 +120,7 @@ def _late(level: Level) -> Iterator[Fault]:
 
 
 def _formulas(level: Level) -> Iterator[Fault]:
-    """Every formula has a value at some time, with the defaults, if it is said to apply then."""
+    """Every formula that applies at some time has a value then, with the defaults."""
     values = level.defaults
     times = np.linspace(0, level.duration(values), 9)
     for path, formula in expressions(level):
@@ -140,14 +139,14 @@ def _formulas(level: Level) -> Iterator[Fault]:
 
 
 def _applies(level: Level, path: Path, times: Array) -> bool:
-    """Whether the formula at a path is said to hold with the defaults, at any of the times."""
+    """Whether the formula at a path applies with the defaults, at any of the times."""
     index = path[1]
     condition = level.checks[index].valid_if if isinstance(index, int) else None
     return condition is None or bool(condition.over(level.defaults, times).any())
 
 
 def _instants(level: Level) -> Iterator[Fault]:
-    """Every check or goal at a time comes before the end."""
+    """Every check or goal at a time is before the end."""
     duration = level.duration(level.defaults)
     for path, instant in instants(level):
         if isinstance(instant, Expression):

@@ -1,8 +1,8 @@
-"""What authors may write shorter: members that repeat, and groups that are placed several times.
+"""Shorthand for authors: repeated members, and groups that are placed several times.
 
-It is written out before a level is read, so that nothing else knows of it; `WrittenOut` keeps
-where everything was typed, for messages. Only what is written out has a meaning: a level with
-shorthand is the same level as the one typed out at length.
+It is expanded before a level is read, so that no other code deals with it; `WrittenOut` keeps where
+everything was typed, for messages. Only the expansion has a meaning: a level with shorthand is the
+same level as its expansion.
 """
 
 from sandbox.model.shorthand.expansion import WrittenOut as WrittenOut

@@ -16,16 +16,16 @@ _KEYS = tuple(f'"{key}"' for key in (REPEAT, COPY, GROUPS))
 
 
 class WrittenOut(NamedTuple):
-    """A level at length.
+    """A level with its shorthand expanded.
 
     Attributes
     ----------
     data
-        The JSON content of the level, typed out.
+        The JSON content of the expanded level.
     placed, typed
-        The origins of moved parts: of those from placed groups, and of repeated ones.
+        The origins of parts: in groups that were placed, and in members that were repeated.
     faults
-        The mistakes in the shorthand, at the paths of the text.
+        The mistakes in the shorthand, with their paths in the text.
     """
 
     data: Any
@@ -34,18 +34,18 @@ class WrittenOut(NamedTuple):
     faults: list[Fault]
 
     def place(self, path: Path) -> Path:
-        """Return where in the text something was typed that stands at a path of the data."""
+        """Return the path in the text of a part at a path in the data."""
         return followed(followed(path, self.placed), self.typed)
 
     def hinted(self, fault: Fault, typed: Any) -> Fault:  # noqa: ANN401 (whatever JSON holds)
-        """Return a fault of the data; one that takes an index for a parameter says how it is typed.
+        """Return a fault in the data; if an index was used as a parameter, it explains the syntax.
 
         Parameters
         ----------
         fault
-            At a path of the data.
+            A fault with a path in the data.
         typed
-            What the text holds.
+            The content of the text.
         """
         unknown = _UNKNOWN.match(fault.rule)
         if not (unknown and self.typed):
@@ -73,9 +73,9 @@ def write_out(data: Any, text: str) -> WrittenOut:  # noqa: ANN401 (whatever JSO
     Parameters
     ----------
     data
-        The content of the text.
+        The content of the text, parsed.
     text
-        That text.
+        The text.
 
     Raises
     ------

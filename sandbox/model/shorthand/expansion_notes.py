@@ -1,4 +1,4 @@
-"""Notes taken while shorthand is expanded: where parts were typed, mistakes, counts."""
+"""Notes on the expansion of shorthand: where parts were typed, mistakes, and sizes."""
 
 from dataclasses import dataclass, field
 
@@ -7,18 +7,18 @@ from sandbox.model.level_parts import Fault
 from sandbox.model.message import Message
 
 MOST = 5_000_000
-"""The most characters of an expanded level, about: as many as the largest file has."""
+"""The most characters in an expanded level, about: as many as in the largest file."""
 
 PLAIN = 8
-"""How many characters a number, a bracket or a comma counts for."""
+"""The number of characters that a number, a bracket or a comma counts for."""
 
 
 Moves = dict[Path, Path]
-"""The new paths of moved parts, with their old paths."""
+"""The old paths of moved parts, by their new paths."""
 
 
 def followed(path: Path, moves: Moves) -> Path:
-    """Return where something was before it moved, with what is around it or alone."""
+    """Return the path of a part before it moved, by itself or with an enclosing part."""
     for length in range(len(path), 0, -1):
         if before := moves.get(path[:length]):
             return (*before, *path[length:])
@@ -26,23 +26,23 @@ def followed(path: Path, moves: Moves) -> Path:
 
 
 class TooLongError(Exception):
-    """What is written out would come to more than `MOST`; its argument is where that is typed."""
+    """An expansion longer than `MOST`; its argument is the path where that was typed."""
 
 
 @dataclass(slots=True)
 class Notes:
-    """What is noted on the way.
+    """Notes on an expansion.
 
     Attributes
     ----------
     typed
-        Where parts were typed of what repeats, that do not stand at their own path in the text.
+        The paths at which parts of repeated members were typed, if they differ from their own.
     placed
-        Where parts of placed groups stand in those groups.
+        The paths in their groups of parts that were placed.
     faults
-        The mistakes, at the paths of the text.
+        The mistakes, with their paths in the text.
     left
-        How many characters may still come.
+        The number of characters that may still be added.
     """
 
     typed: Moves = field(default_factory=dict)
@@ -51,16 +51,16 @@ class Notes:
     left: int = MOST
 
     def refuse(self, path: Path, rule: Message) -> None:
-        """Note that something is wrong."""
+        """Note a mistake."""
         self.faults.append(Fault(path, rule))
 
     def charge(self, characters: int, path: Path) -> None:
-        """Take what is to be written from what may be, before it is.
+        """Deduct a number of characters before they are added.
 
         Raises
         ------
         TooLongError
-            If that is too much.
+            If there are too many.
         """
         self.left -= characters + PLAIN
         if self.left < 0:

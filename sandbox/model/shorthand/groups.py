@@ -1,10 +1,10 @@
-"""Groups: bodies and joints that are placed together, as often as wanted, in different places.
+"""Groups: bodies and joints that are placed together, any number of times.
 
     "groups": {"cart": {"bodies": {"frame": {...}, "wheel": {...}}, "joints": {"axle": {...}}}},
     "bodies": {"left": {"copy": "cart", "position": [-3, 0], "angle": "10*deg"}}
 
-stands for the bodies `left_frame`, `left_wheel` and the joint `left_axle`. What the group says of
-places is meant along its own axes: it is turned by the angle, then moved to the position.
+stands for the bodies `left_frame`, `left_wheel` and the joint `left_axle`. Positions in a group are
+along its own axes, which are rotated by the angle, then moved to the position.
 """
 
 import json
@@ -28,7 +28,7 @@ from sandbox.model.shorthand.expansion_notes import Notes, followed
 from sandbox.model.shorthand.repeating import GROUPS
 
 INTO_EACH = 10
-"""In how many numbers of a body the position and angle of a copy appear, at most."""
+"""The most numbers of a body in which the position and angle of a copy appear."""
 
 LARGEST = 1e100
 """Larger numbers are not allowed in a level."""
@@ -36,7 +36,7 @@ LARGEST = 1e100
 COPY = "copy"
 
 Number = float | int | str
-"""A number or a formula, as it is typed."""
+"""A number or a formula, as typed."""
 
 
 class Group(Model):
@@ -60,7 +60,7 @@ class Copy(Model):
 
 
 def placed(data: Any, notes: Notes) -> Any:  # noqa: ANN401 (whatever JSON holds)
-    """Return a level with the bodies and joints of the groups that it places, and no groups."""
+    """Return a level in which the groups are replaced by the bodies and joints placed from them."""
     if not isinstance(data, dict):
         return data
     groups = data.get(GROUPS, {})
@@ -89,7 +89,7 @@ class _Placing:
         self.joints: list[tuple[str, Any]] = []
 
     def _fits(self, name: str, group: Any) -> bool:  # noqa: ANN401
-        """Whether a group can be looked into; if not, say so."""
+        """Whether a group is valid enough to be placed; if not, note a mistake."""
         before = len(self._notes.faults)
         place = (GROUPS, name)
         if not isinstance(group, dict):
@@ -110,7 +110,7 @@ class _Placing:
         return len(self._notes.faults) == before
 
     def bodies(self, bodies: Mapping[str, Any]) -> dict[str, Any]:
-        """Return the bodies of a level, those of its groups in the places of their copies."""
+        """Return the bodies of a level, with the bodies of groups in place of their copies."""
         found: list[tuple[str, Any]] = []
         for name, body in bodies.items():
             if isinstance(body, dict) and COPY in body:
@@ -120,7 +120,7 @@ class _Placing:
         return self.merged("bodies", found)
 
     def merged(self, kind: str, items: Sequence[tuple[str, Any]]) -> dict[str, Any]:
-        """Return what groups and the level itself have under one key."""
+        """Return the members of groups and of the level itself under one key."""
         found: dict[str, Any] = {}
         for name, value in items:
             if name in found:
@@ -178,7 +178,7 @@ class _Placing:
         self._notes.refuse(followed(path, self._notes.typed), rule)
 
     def refuse_unused(self) -> None:
-        """Refuse groups that are never placed, since their members would never be checked."""
+        """Refuse groups that are never placed, since their members would not be checked."""
         for name in sorted(self._unused):
             rule = Message(
                 'nothing places this group; a body {{"{copy}": "{name}"}} does',
@@ -189,7 +189,7 @@ class _Placing:
 
 
 def _keys_within(bodies: Any) -> dict[str, str]:  # noqa: ANN401 (whatever JSON holds)
-    """Return the keys of the bodies of a group, each with the last body that has it."""
+    """Return the keys in the bodies of a group, each with the last body that has it."""
     named = bodies.items() if isinstance(bodies, dict) else ()
     return {key: name for name, body in named if isinstance(body, dict) for key in body}
 
@@ -212,7 +212,7 @@ class _Names(NamedTuple):
 
 
 class _Frame:
-    """The axes of a group that is placed: r' = R + (x cos a − y sin a, x sin a + y cos a)."""
+    """The axes of a placed group: r' = R + (x cos a − y sin a, x sin a + y cos a)."""
 
     def __init__(self, copy: Mapping[str, Any]) -> None:
         self._origin: Sequence[Number] = copy.get("position", [0, 0])
@@ -231,7 +231,7 @@ class _Frame:
         return made
 
     def joint(self, joint: Any, names: _Names) -> Any:  # noqa: ANN401
-        """Return a joint of the group that holds on to the bodies of its copy."""
+        """Return a joint of the group with the bodies of its copy."""
         if not isinstance(joint, dict):
             return joint
         made = dict(joint)
@@ -242,7 +242,7 @@ class _Frame:
         return made
 
     def angles(self, stop: Mapping[str, Any]) -> Any:  # noqa: ANN401
-        """Return between which angles a stop of a copy lets turn: the plane turns with no group."""
+        """Return the range of an angle stop in a copy, shifted if one of its ends is the plane."""
         ends, angles = stop.get("ends"), stop.get("range")
         from_plane = isinstance(ends, list) and ends and _is_point(ends[0])
         if self._angle == 0 or not from_plane or not isinstance(angles, list):
@@ -250,11 +250,11 @@ class _Frame:
         return [_sum(self._angle, angle) for angle in angles]
 
     def ends(self, ends: Any, names: _Names) -> Any:  # noqa: ANN401
-        """Return where a joint of a copy holds on, one after the other."""
+        """Return the ends of a joint in a copy."""
         return [self.end(end, names) for end in ends] if isinstance(ends, list) else ends
 
     def end(self, end: Any, names: _Names) -> Any:  # noqa: ANN401
-        """Return where a joint of a copy holds on."""
+        """Return an end of a joint in a copy."""
         if isinstance(end, str):
             return f"{names.copy}_{end}" if end in names.inside else end
         if isinstance(end, dict) and isinstance(end.get("body"), str):
@@ -262,14 +262,14 @@ class _Frame:
         return self.point(end)
 
     def point(self, point: Any, _: _Names | None = None) -> Any:  # noqa: ANN401
-        """Return where a point of the group comes to lie."""
+        """Return the position of a point of the group in the plane."""
         turned = self.vector(point)
         if not _is_point(turned):
             return point
         return [_sum(o, c) for o, c in zip(self._origin, turned, strict=True)]
 
     def vector(self, vector: Any, _: _Names | None = None) -> Any:  # noqa: ANN401
-        """Return a vector along the axes of the plane."""
+        """Return a vector of the group along the axes of the plane."""
         if self._angle == 0 or not _is_point(vector):
             return vector
         (x, y), a = vector, self._angle
@@ -293,7 +293,7 @@ TURNED: Mapping[str, Callable[[_Frame, Any, _Names], Any]] = {
 
 
 def _sum(a: Number, b: Any) -> Any:  # noqa: ANN401
-    """Return what is typed for a sum; a sum of numbers is one."""
+    """Return a sum as it would be typed; a sum of numbers is a number."""
     if not _is_number(b) or a == 0:
         return b
     if isinstance(a, str) or isinstance(b, str):
@@ -302,7 +302,7 @@ def _sum(a: Number, b: Any) -> Any:  # noqa: ANN401
 
 
 def _times(a: Number, b: Number) -> Number:
-    """Return what is typed for a product."""
+    """Return a product as it would be typed."""
     if isinstance(a, str) or isinstance(b, str):
         return 0 if a == 0 else f"{_bracketed(a)}*{_bracketed(b)}"
     return a * b

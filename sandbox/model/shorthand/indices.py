@@ -1,4 +1,4 @@
-"""The indices of repeated parts: how they count, and how `{i + 1}` in a text becomes a number."""
+"""The indices of repeated members: their ranges, and their values in texts such as `{i + 1}`."""
 
 import re
 from collections.abc import Iterator, Mapping
@@ -15,7 +15,7 @@ from sandbox.model.shorthand.expansion_notes import Notes
 Indices = Mapping[str, float]
 
 MOST_TIMES = 20_000
-"""The most repetitions of an index: as many as a level may have bodies."""
+"""The most values of an index: as many as bodies in a level."""
 
 _BRACES = re.compile(r"\{([^{}]*)\}")
 _NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
@@ -23,27 +23,27 @@ _NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
 HOW = Message('a count, {"i": 5} for 0 to 4, or the first and the last, {"i": [1, 5]}')
 
 
-class IndexFault(SandboxError):  # noqa: N818 (it says what is wrong, and is caught beside)
-    """A text in braces that is no whole number; its own is fit to be shown."""
+class IndexFault(SandboxError):  # noqa: N818 (a fault of the text, as others are)
+    """A text in braces that is not a whole number; the message is fit to be shown."""
 
 
 def filled(text: str, indices: Indices) -> str:
-    """Return a text with numbers for what stands in braces.
+    """Return a text with the expressions in braces replaced by their values.
 
     Raises
     ------
     IndexFault
-        If something in braces is no whole number.
+        If an expression in braces is not a whole number.
     """
     return _BRACES.sub(lambda found: _shown(_number(found[1], indices)), text)
 
 
 def _shown(number: int) -> str:
-    return f"({number})" if number < 0 else f"{number}"  # -1 has no power, but (-1) has
+    return f"({number})" if number < 0 else f"{number}"  # for powers: -1**2 is not (-1)**2
 
 
 def _number(source: str, indices: Indices) -> int:
-    if source in indices:  # nearly always
+    if source in indices:  # the usual case
         return int(indices[source])
     said = f"'{{{brief(source)}}}'"
     try:
@@ -68,16 +68,16 @@ def _number(source: str, indices: Indices) -> int:
 
 
 def runs(said: Any, path: Path, indices: Indices, notes: Notes) -> Iterator[Indices]:  # noqa: ANN401 (whatever JSON holds)
-    """Yield the indices of every copy, the last index fastest.
+    """Yield the indices of every copy, the last index varying fastest.
 
     Parameters
     ----------
     said
-        What `repeat` says: how far each index counts. The later ones may depend on those before.
+        The value of `repeat`: the range of each index. A range may depend on earlier indices.
     path
         The path where it was typed.
     indices
-        Those of what is around it.
+        The indices of the enclosing part.
     notes
         The notes, which receive mistakes; after one, nothing more is yielded.
     """
@@ -108,7 +108,7 @@ def _nested(
         before = len(notes.faults)
         yield from _nested(rest, path, {**indices, name: index}, notes)
         if len(notes.faults) > before:
-            return  # the others would only say the same
+            return  # the other copies have the same mistake
 
 
 def _misnamed(name: str, indices: Indices) -> Message:
@@ -139,7 +139,7 @@ def _bounds(said: Any, indices: Indices) -> tuple[int, int]:  # noqa: ANN401 (wh
 
 
 def _whole(said: Any, indices: Indices) -> int:  # noqa: ANN401 (whatever JSON holds)
-    """Return a whole number, which may stand in braces."""
+    """Return a whole number, which may be an expression in braces."""
     if isinstance(said, str) and (braces := _BRACES.fullmatch(said.strip())):
         return _number(braces[1], indices)
     if isinstance(said, bool) or not isinstance(said, int):

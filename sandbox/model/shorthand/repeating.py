@@ -1,8 +1,9 @@
 """Repeated members: `"ball{i}": {"repeat": {"i": 5}, ...}` stands for five bodies.
 
-A member of a list, or of a part whose members have names, repeats if it has the key `repeat`. In
-its copies the texts and names have numbers for what stands in braces. What is no object, such as a
-point, is put under `each`: `{"repeat": {"i": 6}, "each": ["cos({i}*60*deg)", "sin({i}*60*deg)"]}`.
+A member of a list, or of a part with named members, repeats if it has the key `repeat`. In its
+copies, expressions in braces are replaced by numbers, in texts and names. A member that is not an
+object, such as a point, is put under `each`:
+`{"repeat": {"i": 6}, "each": ["cos({i}*60*deg)", "sin({i}*60*deg)"]}`.
 """
 
 from collections.abc import Iterable, Iterator, Mapping
@@ -29,32 +30,32 @@ NAMED = (
     ),
     GROUPS,
 )
-"""The parts of a level whose members have names."""
+"""The parts of a level with named members."""
 
 _IN_GROUP = 3
-"""The depth at which the bodies and joints of a group stand."""
+"""The depth of the bodies and joints in a group."""
 
 
 def order(names: Iterable[str]) -> list[str]:
-    """Return the outermost keys in the order of the format: those of a level, and the groups."""
+    """Return top-level keys in the order of the format, with the groups."""
     found = [name for name in names if name != GROUPS]
     found.insert(found.index("bodies"), GROUPS)
     return found
 
 
 def repeated(data: Any, notes: Notes) -> Any:  # noqa: ANN401 (whatever JSON holds)
-    """Return a level with everything written out that repeats."""
+    """Return a level with all repeated members expanded."""
     return _Copying(notes).part(data, (), (), {})
 
 
 class _Copying:
-    """Copies parts of a level from where they are typed to where they stand when written out."""
+    """Copies the parts of a level into their expansion."""
 
     def __init__(self, notes: Notes) -> None:
         self._notes = notes
 
     def part(self, part: Any, typed: Path, made: Path, indices: Indices) -> Any:  # noqa: ANN401
-        """Return the copy of a part, which was typed in one place and comes to stand in another."""
+        """Return a copy of a part, given the paths at which it was typed and will be."""
         if indices:
             self._notes.charge(0, typed)
         if isinstance(part, dict):
@@ -99,7 +100,7 @@ class _Copying:
         indices: Indices,
         repeats: bool,
     ) -> Iterator[tuple[Any, Path, Indices]]:
-        """Yield what a member comes to, where that was typed, and with which indices."""
+        """Yield the copies of a member, with their paths in the text and their indices."""
         if not (repeats and isinstance(value, dict) and REPEAT in value):
             yield value, typed, indices
             return
@@ -123,7 +124,7 @@ class _Copying:
 
     def _text(self, text: str, typed: Path, indices: Indices) -> str:
         if not indices:
-            return text  # braces mean nothing where nothing repeats
+            return text  # braces have no meaning outside repeated members
         self._notes.charge(len(text), typed)
         try:
             return filled(text, indices)

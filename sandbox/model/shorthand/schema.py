@@ -1,4 +1,4 @@
-"""The JSON Schema of shorthand, so that editors complete it like the rest."""
+"""The JSON Schema of shorthand, so that editors complete it as well."""
 
 from collections.abc import Iterator, Mapping
 from typing import Annotated, Any
@@ -54,7 +54,7 @@ TEMPLATE = r"^[A-Za-z]([A-Za-z0-9_]|\{[^{}]+\})*$"
 
 
 def with_repeats(made: Part, each: Part) -> Part:
-    """Let everything repeat in a schema that may, and put its keys in order.
+    """Allow repeats in a schema wherever they are possible, and order its keys.
 
     Parameters
     ----------
@@ -83,7 +83,7 @@ def _definition(made: Part, one: Part) -> Part:
 
 
 def _members(part: Any) -> Iterator[tuple[Part, str]]:  # noqa: ANN401 (whatever JSON holds)
-    """Yield the schema of the members of every list and of every part that has names."""
+    """Yield the schema of the members of every list and of every part with named members."""
     if isinstance(part, list):
         for one in part:
             yield from _members(one)

@@ -1,4 +1,4 @@
-"""What must hold in a level over the whole ranges of its parameters, one topic a file."""
+"""Conditions on a level over the whole ranges of its parameters; a module for each topic."""
 
 from collections.abc import Iterator
 from itertools import chain
@@ -33,5 +33,5 @@ _TOPICS = (
 
 
 def conditions(level: Level) -> Iterator[Condition]:
-    """Yield everything that must hold in a level for every choice of its parameters."""
+    """Yield all conditions on a level's parameters."""
     yield from chain.from_iterable(topic.conditions(level) for topic in _TOPICS)

@@ -1,4 +1,4 @@
-"""A condition: what must hold in a level for every choice of its parameters."""
+"""A condition that a level must satisfy for all values of its parameters."""
 
 from collections.abc import Callable
 from typing import NamedTuple
@@ -10,18 +10,18 @@ from sandbox.model.message import Message
 
 
 class Condition(NamedTuple):
-    """What must hold for every choice of the parameters."""
+    """A condition that must hold for all values of the parameters."""
 
     path: Path
     names: frozenset[str]
     """The parameters that it depends on."""
     broken: Callable[[Values], Message | None]
-    """Say what is wrong for the given parameters, if anything is."""
+    """A function that returns what is wrong for given parameters; None if nothing is."""
     work: float = 10.0
-    """µs, about what it takes to look: so that what a whole level takes can be bounded."""
+    """The work of checking it, about [µs], by which the time for a whole level is bounded."""
 
     def fault(self, values: Values) -> Message | None:
-        """Return what is wrong; expressions without a value are reported by their own condition."""
+        """Return what is wrong; an expression without a value has a condition of its own."""
         try:
             return self.broken(values)
         except ExpressionError:

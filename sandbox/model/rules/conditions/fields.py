@@ -21,7 +21,7 @@ from sandbox.model.shapes import evaluate
 
 
 def conditions(level: Level) -> Iterator[Condition]:
-    """Yield what must hold of the formulas of fields and potentials, at the start."""
+    """Yield the conditions on the formulas of fields and potentials at the start."""
     for effect, place, said in level.effects.said:
         if effect.name not in ("field", "potential"):
             continue
@@ -35,7 +35,7 @@ def conditions(level: Level) -> Iterator[Condition]:
 
 
 def _formulas(said: Field | Potential, place: Path) -> Iterator[tuple[Path, Function]]:
-    """Yield the formulas that must have a value; of a potential, its slopes as well."""
+    """Yield the formulas that must have a value, including the gradient of a potential."""
     if isinstance(said, Field):
         yield from (((*place, "force", axis), part) for axis, part in enumerate(said.force))
     else:
@@ -45,7 +45,7 @@ def _formulas(said: Field | Potential, place: Path) -> Iterator[tuple[Path, Func
 
 
 def _lost(formula: Function, bodies: dict[str, Body], values: Values) -> Message | None:
-    """Say at which body it has no value, or one that is too large."""
+    """Name the body at which it has no value, or too large a value."""
     for name, body in bodies.items():
         (x, y), (vx, vy) = evaluate(body.position, values), evaluate(body.velocity, values)
         start = {"x": x, "y": y, "vx": vx, "vy": vy, "t": 0.0}

@@ -11,14 +11,14 @@ from sandbox.model.rules.conditions.condition import Condition
 
 
 def conditions(level: Level) -> Iterator[Condition]:
-    """Yield what must hold of a level's coefficients of friction."""
+    """Yield the conditions on a level's coefficients of friction."""
     for path, kinetic, static in _coefficients(level):
         wrong = partial(_friction_fault, kinetic, static)
         yield Condition(path, kinetic.names | static.names, wrong)
 
 
 def _coefficients(level: Level) -> Iterator[tuple[Path, NonNegative, NonNegative]]:
-    """Yield where two coefficients of friction stand, the kinetic and the static one."""
+    """Yield each pair of a kinetic and a static coefficient of friction, with its path."""
     for name, body in level.bodies.items():
         if body.friction is not None and body.static_friction is not None:
             yield ("bodies", name, "static_friction"), body.friction, body.static_friction

@@ -1,4 +1,4 @@
-"""Bodies start away from what attracts them: each other, and fixed centres."""
+"""Bodies start at a distance from what attracts them: each other, and fixed centres."""
 
 from collections.abc import Iterator, Mapping
 from functools import partial
@@ -15,11 +15,11 @@ from sandbox.model.rules.conditions.condition import Condition
 from sandbox.model.shapes import Point, evaluate
 
 NEAR = 1e-9
-"""m, places closer than this count as one."""
+"""The distance below which positions count as equal [m]."""
 
 
 def conditions(level: Level) -> Iterator[Condition]:
-    """Yield what must hold of a level's attraction between bodies, and to fixed centres."""
+    """Yield the conditions on the attraction between bodies, and to fixed centres."""
     dynamic = [name for name, body in level.bodies.items() if body.type == "dynamic"]
     for index, center in enumerate(level.effects.attraction or ()):
         places = {name: level.bodies[name].position for name in dynamic}
@@ -39,7 +39,7 @@ def conditions(level: Level) -> Iterator[Condition]:
 def _meeting_fault(
     pull: Gravitation, places: Mapping[str, Point], values: Values
 ) -> Message | None:
-    """Without softening there is no force between bodies at one place."""
+    """Without softening, no force is defined between bodies at the same position."""
     found: dict[tuple[float, float], str] = {}
     if pull.softening(values):
         return None
@@ -57,7 +57,7 @@ def _meeting_fault(
 
 
 def _centre_fault(pull: Attraction, places: Mapping[str, Point], values: Values) -> Message | None:
-    """There is no force at a centre, unless it grows with the distance from there."""
+    """No force is defined at a centre, unless it grows with the distance."""
     if pull.power(values) <= -1:
         return None
     x, y = evaluate(pull.center, values)

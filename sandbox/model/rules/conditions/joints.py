@@ -1,4 +1,4 @@
-"""Joints are as long as the distance between their ends."""
+"""Joints fit the distances between their ends at the start."""
 
 from collections.abc import Iterator
 from functools import partial
@@ -36,11 +36,11 @@ from sandbox.model.rules.conditions.condition import Condition
 from sandbox.model.shapes import evaluate
 
 NEAR = 1e-9
-"""How much two lengths that should be equal may differ, as a share or in m."""
+"""The tolerance for equal lengths, as a share or in m."""
 
 
 def conditions(level: Level) -> Iterator[Condition]:
-    """Yield what must hold of a level's joints, at the start of those that no event ties."""
+    """Yield the conditions on a level's joints at the start, except those that an event ties."""
     later = tied(level.events)
     for name, joint in level.joints.items():
         if isinstance(joint, Wire):
@@ -57,7 +57,7 @@ def conditions(level: Level) -> Iterator[Condition]:
 
 
 def _turning_fault(joint: Joint, level: Level, _values: Values) -> Message | None:
-    """Say that what a joint turns cannot; a run in which rotation is switched off may do that."""
+    """Say that a joint's bodies cannot turn; a run with rotation switched off may do that."""
     wheel = level.bodies[joint.ends[1]].type == "dynamic" if isinstance(joint, Winding) else False
     turns = isinstance(joint, Motor | Gear | Rack | AngleStop)
     if level.effects.rotation or not (wheel or turns):
@@ -66,7 +66,7 @@ def _turning_fault(joint: Joint, level: Level, _values: Values) -> Message | Non
 
 
 def _law_fault(spring: Spring, level: Level, values: Values) -> Message | None:
-    """Say that a spring's own law has no value where the spring is at the start, or no slope."""
+    """Say that a spring's own law has no value, or no slope, at the spring's initial length."""
     assert spring.law
     distance = span(spring, level.bodies, values)
     slack = distance if spring.length is None else spring.length(values)
@@ -109,7 +109,7 @@ def _span_fault(joint: Joint, level: Level, values: Values) -> Message | None:
 
 
 def _later_fault(joint: Joint, _level: Level, values: Values) -> Message | None:
-    """Say what is wrong with a joint that an event ties, wherever its ends are by then."""
+    """Say what is wrong with a joint that an event ties, for any positions of its ends."""
     return _direction_fault(joint, values) if isinstance(joint, Rail | Stop | Rack) else None
 
 
@@ -122,7 +122,7 @@ def _direction_fault(joint: Rail | Stop | Rack, values: Values) -> Message | Non
 def _way_fault(
     joint: Rail | Stop | AngleStop | Rack, level: Level, values: Values
 ) -> Message | None:
-    """Say what is wrong with the way along which a joint lets its ends go."""
+    """Say what is wrong with the direction or range in which a joint lets its ends move."""
     if isinstance(joint, AngleStop):
         return _angle_fault(joint, level, values)
     fault = _direction_fault(joint, values)
@@ -160,7 +160,7 @@ def _angle_fault(stop: AngleStop, level: Level, values: Values) -> Message | Non
 
 
 def _range_fault(start: float, limits: tuple[float, float], unit: str) -> Message | None:
-    """Say that what is to stay between two stops does not start there."""
+    """Say that a coordinate does not start between its two stops."""
     least, most = limits
     if not least < most:
         return Message(

@@ -17,7 +17,7 @@ from sandbox.model.shapes import Point, evaluate
 
 
 def conditions(level: Level) -> Iterator[Condition]:
-    """Yield what must hold of a level's landscape."""
+    """Yield the conditions on a level's landscape."""
     landscape = level.view.landscape
     if landscape is None:
         return

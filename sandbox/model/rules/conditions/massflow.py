@@ -1,4 +1,4 @@
-"""Nothing burns all its mass."""
+"""No rocket burns all of its mass."""
 
 from collections.abc import Iterator, Sequence
 from functools import partial
@@ -12,7 +12,7 @@ from sandbox.model.rules.conditions.condition import Condition
 
 
 def conditions(level: Level) -> Iterator[Condition]:
-    """Yield what must hold of a level's rockets."""
+    """Yield the conditions on a level's rockets."""
     thrusts = level.effects.thrust or ()
     for index, thrust in enumerate(thrusts):
         if mass := level.bodies[thrust.body].mass:

@@ -1,4 +1,4 @@
-"""Every expression has a value, and no run lasts for ever."""
+"""Every expression has a value, and no run is endless."""
 
 from collections.abc import Iterator
 from functools import partial
@@ -15,7 +15,7 @@ MAX_STEPS = 10_000_000
 
 
 def conditions(level: Level) -> Iterator[Condition]:
-    """Yield what must hold of a level's numbers."""
+    """Yield the conditions on a level's numbers."""
     for path, expression in expressions(level):
         if expression.written and not expression.variables:
             work = 3 + len(str(expression.source)) / 50

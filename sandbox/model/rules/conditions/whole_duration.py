@@ -17,23 +17,23 @@ from sandbox.model.message import Message
 from sandbox.model.rules.conditions.condition import Condition
 
 MOST = 1000
-"""At how many times a formula is evaluated, at most: at every step, if there are fewer."""
+"""The most times at which a formula is evaluated; each step, if there are fewer."""
 
 HALVINGS = 40
-"""How often an interval is halved to see whether a length jumps in it."""
+"""The number of bisections of an interval in search of a jump."""
 
 JUMP = 1e-6
-"""A formula jumps if it still changes by this share of its range in a 10¹²th of a step."""
+"""The change within a 10¹²th of a step from which a formula jumps, as a share of its range."""
 
 LENGTH, MOTION = Message("the rod's length"), Message("the motion")
-"""What may jump, in words."""
+"""The names of the formulas that may jump."""
 
 STARTS = 1e-12
-"""By which share, or by how many metres or radians, a motion may be off at the start."""
+"""The tolerance of a motion's start, as a share, or in m or rad."""
 
 
 def conditions(level: Level) -> Iterator[Condition]:
-    """Yield what must hold of the formulas over time by which a scene moves."""
+    """Yield the conditions on the formulas over time in a scene."""
     for path, formula in _formulas(level):
         yield Condition(path, _names(formula, level), partial(_lost, formula, level), 50)
     for name, joint in level.joints.items():
@@ -60,7 +60,7 @@ def _formulas(level: Level) -> Iterator[tuple[Path, Formula]]:
 
 
 def _motions(level: Level) -> Iterator[tuple[Path, Formula]]:
-    """Yield the formulas by which kinematic bodies move, with the paths to them."""
+    """Yield the formulas of kinematic bodies' motions, with their paths."""
     for name, body in level.bodies.items():
         if body.motion:
             path = ("bodies", name, "motion")
@@ -76,7 +76,7 @@ def _times(level: Level, values: Values) -> Array:
 
 
 def _lost(formula: Formula, level: Level, values: Values) -> Message | None:
-    """Say when a formula first has no value, or one that is too large."""
+    """Say when a formula first has no value, or too large a value."""
     times = _times(level, values)
     try:
         found = formula.over(values, times)
@@ -103,11 +103,11 @@ def _lost(formula: Formula, level: Level, values: Values) -> Message | None:
 
 
 def _gone(length: Formula, level: Level, values: Values) -> Message | None:
-    """Say when a rod is not longer than nothing any more."""
+    """Say when the length of a rod is no longer positive."""
     times = _times(level, values)
     long = length.over(values, times)
     if not np.isfinite(long).all() or not (gone := long <= 0).any():
-        return None  # what is not finite is told by itself
+        return None  # values that are not finite have a condition of their own
     first = gone.argmax()
     return Message(
         "the rod is {long:.3g} m long at t = {t:.3g} s", long=long[first], t=times[first]
@@ -115,7 +115,7 @@ def _gone(length: Formula, level: Level, values: Values) -> Message | None:
 
 
 def _displaced(formula: Formula, values: Values) -> Message | None:
-    """Say that a motion does not begin where its body starts, or not at any speed."""
+    """Say that a motion does not begin at its body's position, or not at a finite velocity."""
     at_start = np.zeros(())
     start, speed = (f.at(values, {"t": at_start}) for f in (formula, formula.slope("t")))
     if abs(start) > STARTS * (1 + np.abs(formula.over(values, at_start + 1))):
@@ -130,7 +130,7 @@ def _displaced(formula: Formula, values: Values) -> Message | None:
 
 
 def _jumps(what: Message, formula: Formula, level: Level, values: Values) -> Message | None:
-    """Say when a length or a motion changes all at once."""
+    """Say when a length or a motion jumps."""
     times = _times(level, values)
     over = formula.over(values, times)
     if not np.isfinite(over).all() or "t" not in formula.names:

@@ -18,34 +18,34 @@ from sandbox.model.shapes import Curve
 from sandbox.model.wires import NEAR, PIECES, Points, along, is_closed, places
 
 COARSE = 256
-"""The number of pieces of a wire or curve between which crossings are looked for."""
+"""The number of pieces of a wire or curve that are tested for crossings."""
 
 SHARPEST = 0.1
-"""rad, the largest turn of a smooth course from one piece to the next."""
+"""The largest angle between successive pieces of a smooth curve [rad]."""
 
 ROUGH = 1e-8
-"""By which share of its size a curve may differ from its interpolation between points."""
+"""The largest deviation of a curve from its interpolation, as a share of its size."""
 
 TIGHT = 1e-3
 """The least radius of curvature of a curve, as a share of its size."""
 
 WORK = 3500
-"""µs, about, to check a wire or curve."""
+"""The work of checking a wire or curve, about [µs]."""
 
 PARALLEL = 1e-9
-"""rad, pieces at a smaller angle are parallel."""
+"""The angle below which pieces count as parallel [rad]."""
 
 ZOOMS = 6
 
 _MIDDLE = np.array([3.0, -25.0, 150.0, 150.0, -25.0, 3.0]) / 256
-"""What the quintic through six points is half-way between the third and the fourth;"""
+"""The weights of the quintic through six points, half-way between the third and the fourth,"""
 
 _FIRST = np.array([63.0, 315.0, -210.0, 126.0, -45.0, 7.0]) / 256
-"""and between the first and the second."""
+"""and half-way between the first and the second."""
 
 
 def conditions(level: Level) -> Iterator[Condition]:
-    """Yield what must hold of a level's wires, and of its curves."""
+    """Yield the conditions on a level's wires and curves."""
     for name, wire in level.joints.items():
         if isinstance(wire, Wire):
             beads = [level.bodies[body] for body in bodies_of(wire)]
@@ -72,7 +72,7 @@ def _wire_fault(wire: Wire, level: Level, values: Values) -> Message | None:
 
 
 def _curve_fault(curve: Curve, values: Values) -> Message | None:
-    """Say what keeps a curve from being touched: it must be round everywhere, on both sides."""
+    """Say why a curve cannot be touched: it must be smooth everywhere, and not too sharply bent."""
     points, rule = _looked_at(curve, values)
     if rule:
         return rule
@@ -103,7 +103,7 @@ def _curve_fault(curve: Curve, values: Values) -> Message | None:
 
 
 def _roughness(curve: Curve, values: Values, points: Points) -> Array:
-    """Return how far pieces are off the quintics through six points, in their middles [m]."""
+    """Return the distances of the pieces' midpoints from quintics through six points [m]."""
     first, last = (end(values) for end in curve.s)
     between = places(curve, values, np.linspace(first, last, 2 * PIECES + 1)[1::2])
     quintic = between.copy()
@@ -114,7 +114,7 @@ def _roughness(curve: Curve, values: Values, points: Points) -> Array:
 
 
 def _looked_at(wire: Wire | Curve, values: Values) -> tuple[Points, Message | None]:
-    """Return the points of a wire or curve, and what is wrong with them, if anything is."""
+    """Return the points of a wire or curve, and what is wrong with them; None if nothing is."""
     first, last = (end(values) for end in wire.s)
     points, what = along(wire, values), word(wire.type)
     if not first < last:
@@ -172,7 +172,7 @@ def _shape_fault(points: Points, what: Message) -> Message | None:
 
 
 def _crossing(points: Points) -> complex | None:
-    """Return where a polyline meets itself, None if it does not."""
+    """Return the point where a polyline crosses or touches itself; None if it does not."""
     i, k = np.nonzero(np.triu(_near(points.real) & _near(points.imag), 2))
     a, b, along = points[i], points[k], np.diff(points)
     along_a, along_b = along[i], along[k]
@@ -186,18 +186,18 @@ def _crossing(points: Points) -> complex | None:
 
 
 def _near(ends: Array) -> NDArray[np.bool_]:
-    """Return which pieces have a place in common along an axis: (n, n)."""
+    """Return which pieces overlap along an axis: (n, n)."""
     low, high = np.minimum(ends[:-1], ends[1:]), np.maximum(ends[:-1], ends[1:])
     over: NDArray[np.bool_] = low[:, None] <= high
     return over & over.T
 
 
 def _cross(a: Points, b: Points) -> Array:
-    return a.real * b.imag - a.imag * b.real  # of real numbers: half the time
+    return a.real * b.imag - a.imag * b.real  # with real numbers, in half the time
 
 
 def _distance(wire: Wire, place: complex, values: Values) -> float:
-    """Return how far a place is from a wire [m]; it looks closer and closer."""
+    """Return the distance of a point from a wire [m], by successive refinement."""
     first, last = (end(values) for end in wire.s)
     low, high = first, last
     for zoom in range(ZOOMS):

@@ -1,6 +1,6 @@
-"""What must hold between the parts of a level whatever the values of its parameters.
+"""Rules on how the parts of a level fit together, for any values of its parameters.
 
-Each rule yields what contradicts it; a file a topic.
+Each rule yields the faults that it finds; there is a module for each topic.
 """
 
 from collections.abc import Callable, Iterator
@@ -29,7 +29,7 @@ _NAMES: tuple[Rule, ...] = (
     names.known_quantities,
     events.known_parts,
 )
-"""Every name leads to something."""
+"""The rules that every name refers to something."""
 
 _ALONE: tuple[Rule, ...] = (
     names.parameters_fit,
@@ -47,7 +47,7 @@ _ALONE: tuple[Rule, ...] = (
     stepping.accuracy_alone,
     stepping.accuracy_within_reach,
 )
-"""What can be checked although a joint or an effect names a body that does not exist."""
+"""The rules that can be checked even if a joint or an effect names a body that does not exist."""
 
 _TOGETHER: tuple[Rule, ...] = (
     challenge.goals_can_be_met,
@@ -79,8 +79,8 @@ _TOGETHER: tuple[Rule, ...] = (
     events.drifts_cut_once,
     stepping.scheme_fits,
 )
-"""What cannot: these rules look up the bodies that joints and effects name, and would fail, or
-report what only follows from a wrong name."""
+"""The rules that look up the bodies that joints and effects name: after a wrong name they would
+fail, or report only its consequences."""
 
 
 _SIZES: tuple[Rule, ...] = (
@@ -90,7 +90,7 @@ _SIZES: tuple[Rule, ...] = (
     sizes.not_too_many_pulls,
     sizes.not_too_many_sticking,
 )
-"""What is checked before anything whose work grows with the level."""
+"""The rules that are checked before anything whose work grows with the level."""
 
 
 def too_much(level: Level) -> Iterator[Fault]:
@@ -99,18 +99,18 @@ def too_much(level: Level) -> Iterator[Fault]:
 
 
 def inconsistencies(level: Level) -> Iterator[Fault]:
-    """Yield everything in a level that contradicts something else in it."""
+    """Yield every contradiction between parts of a level."""
     misnamed = next(names.known_bodies(level), None)
     return _broken((*_NAMES, *_ALONE, *(() if misnamed else _TOGETHER)), level)
 
 
 def contradictions(level: Level) -> Iterator[Fault]:
-    """Yield the same of a level in which every name leads to something."""
+    """Yield every contradiction in a level in which all names refer to something."""
     return _broken((*_ALONE, *_TOGETHER), level)
 
 
 def dangling(level: Level) -> Iterator[Fault]:
-    """Yield the names that lead to nothing: parameters, bodies and quantities that do not exist."""
+    """Yield the names of parameters, bodies and quantities that do not exist."""
     return _broken(_NAMES, level)
 
 

@@ -25,7 +25,7 @@ _FORBIDDEN: Mapping[str, tuple[str, ...]] = {
 
 
 def fields_fit(level: Level) -> Iterator[Fault]:
-    """Bodies have what their type needs, and nothing that it cannot have."""
+    """Bodies have the fields that their type needs, and no others."""
     for name, body in level.bodies.items():
         path = ("bodies", name)
         if body.type == "dynamic" and body.mass is None:
@@ -43,7 +43,7 @@ def fields_fit(level: Level) -> Iterator[Fault]:
 
 
 def motions_fit(level: Level) -> Iterator[Fault]:
-    """Refuse a motion that is given twice, or with which nothing else moves."""
+    """Refuse a motion that is given twice, or that nothing else can react to."""
     dynamic = any(body.type == "dynamic" for body in level.bodies.values())
     for name, body in level.bodies.items():
         if body.motion is None:
@@ -122,7 +122,7 @@ def one_way_fits(level: Level) -> Iterator[Fault]:
 
 
 def in_one_group(level: Level) -> Iterator[Fault]:
-    """No body is selected with two groups."""
+    """No body is in two of the groups that are selected together."""
     taken: set[str] = set()
     for index, group in enumerate(level.view.together):
         for name in sorted(taken.intersection(group)):
@@ -134,12 +134,12 @@ def in_one_group(level: Level) -> Iterator[Fault]:
 
 
 def given(body: Body, field: str) -> bool:
-    """Whether a field says anything; its default may be written out."""
+    """Whether a field differs from its default, which may be written out."""
     return bool(getattr(body, field) != type(body).model_fields[field].default)
 
 
 def not_too_many_edges(level: Level) -> Iterator[Fault]:
-    """Polygons have no more edges than can be held against each other."""
+    """Polygons have no more edges than can be compared in pairs."""
     corners = [len(b.shape.vertices) for b in level.bodies.values() if isinstance(b.shape, Polygon)]
     pairs = sum(count**2 for count in corners)
     if pairs > MAX_PAIRS_OF_EDGES:
@@ -154,7 +154,7 @@ def not_too_many_edges(level: Level) -> Iterator[Fault]:
 
 
 def not_too_many(level: Level) -> Iterator[Fault]:
-    """Bodies that touch have no more surfaces than pymunk holds in reasonable time."""
+    """Touching bodies have no more surfaces than pymunk can handle in reasonable time."""
     if level.effects.contact is None:
         return
     count = sum(_pieces(body.shape) for body in level.bodies.values() if not body.sensor)
@@ -168,7 +168,7 @@ def not_too_many(level: Level) -> Iterator[Fault]:
 
 
 def _pieces(shape: Shape) -> int:
-    """Return the most convex pieces of which a shape may be made."""
+    """Return the most convex pieces that a shape may be divided into."""
     match shape:
         case Polyline(points=corners):
             return len(corners) - 1
@@ -178,7 +178,7 @@ def _pieces(shape: Shape) -> int:
 
 
 def points_fit(level: Level) -> Iterator[Fault]:
-    """Points of bodies have names that no quantity has."""
+    """Points of bodies do not have the names of quantities."""
     for body, said in level.bodies.items():
         for name in sorted(ATTRIBUTES_OF_BODIES.intersection(said.points)):
             rule = Message(

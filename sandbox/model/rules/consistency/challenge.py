@@ -12,7 +12,7 @@ from sandbox.model.rules.consistency.mentions import named_parameters
 
 
 def known_parameters(level: Level) -> Iterator[Fault]:
-    """Free parameters exist and stand once; a solution changes no others."""
+    """Free parameters exist and are listed once; a solution changes no others."""
     if level.challenge is None:
         return
     for path, name in named_parameters(level):
@@ -36,7 +36,7 @@ def known_parameters(level: Level) -> Iterator[Fault]:
 
 
 def solution_within_ranges(level: Level) -> Iterator[Fault]:
-    """Solutions can be chosen by a person: they lie within the ranges of the parameters."""
+    """Solutions lie within the ranges of the parameters, so that a person can choose them."""
     solution = level.challenge.solution if level.challenge else {}
     for name, value in solution.items():
         parameter = level.parameters.get(name)
@@ -51,7 +51,7 @@ def solution_within_ranges(level: Level) -> Iterator[Fault]:
 
 
 def goals_are_bounded(level: Level) -> Iterator[Fault]:
-    """Goals say within which bounds a quantity has to lie."""
+    """Goals have bounds for their quantity."""
     for kind in ("goals", "stars"):
         for index, goal in enumerate(getattr(level.challenge, kind, ())):
             if goal.above is None and goal.below is None:
@@ -59,7 +59,7 @@ def goals_are_bounded(level: Level) -> Iterator[Fault]:
 
 
 def goals_can_be_met(level: Level) -> Iterator[Fault]:
-    """No goal has its bounds the wrong way round with the solution's values."""
+    """No goal has contradictory bounds with the solution's values."""
     if level.challenge is None:
         return
     values = {**level.defaults, **level.challenge.solution}
@@ -68,7 +68,7 @@ def goals_can_be_met(level: Level) -> Iterator[Fault]:
             if goal.above is None or goal.below is None:
                 continue
             if not goal.above.names | goal.below.names <= values.keys():
-                continue  # an unknown parameter is told elsewhere, and so is what has no value
+                continue  # unknown parameters and missing values are reported elsewhere
             try:
                 least, most = goal.above(values), goal.below(values)
             except ExpressionError:

@@ -15,7 +15,7 @@ from sandbox.model.shapes import Area
 
 
 def laws_act(level: Level) -> Iterator[Fault]:
-    """Effects do something, and what a force acts on can move."""
+    """Effects have an effect, and the bodies that forces act on can move."""
     for effect, place, said in level.effects.said:
         if effect.needs and all(getattr(said, field).source == 0 for field in effect.needs):
             rule = Message("needs {needs} greater than 0", needs=either(map(repr, effect.needs)))
@@ -56,7 +56,7 @@ def effects_used(level: Level) -> Iterator[Fault]:
 
 
 def turned_apart(level: Level) -> Iterator[Fault]:
-    """Torques act on bodies that turn, and between two different ones."""
+    """Torques act on bodies that can turn, and between two different ones."""
     for effect, place, said in level.effects.said:
         if effect.name not in ("torque", "torsion"):
             continue
@@ -68,7 +68,7 @@ def turned_apart(level: Level) -> Iterator[Fault]:
 
 
 def rotation_used(level: Level) -> Iterator[Fault]:
-    """Rotation: declared if a dynamic body is to turn, and only if something can turn one."""
+    """Rotation is declared if a dynamic body can turn, and only if something can turn one."""
     dynamic = {name: body for name, body in level.bodies.items() if body.type == "dynamic"}
     turning = any(given(body, "angular_velocity") for body in dynamic.values())
     if level.effects.rotation:
@@ -97,7 +97,7 @@ def _levers(level: Level) -> bool:
 
 
 def liquid_fits(level: Level) -> Iterator[Fault]:
-    """Bodies that a liquid carries have an area that can be displaced."""
+    """Bodies in a liquid have an area that displaces it."""
     buoyancy = level.effects.buoyancy
     if buoyancy is None:
         return
@@ -116,7 +116,7 @@ def liquid_fits(level: Level) -> Iterator[Fault]:
 
 
 def landscape_fits(level: Level) -> Iterator[Fault]:
-    """Landscapes belong to bodies that have energy, and their place has a name of its own."""
+    """Landscapes show bodies that have energy, and no parameter is named as their variable."""
     landscape = level.view.landscape
     if landscape is None:
         return

@@ -1,4 +1,4 @@
-"""Events name what exists, can be observed, and can be cut or switched."""
+"""Events name parts that exist and can be observed, cut or switched."""
 
 from collections.abc import Iterator
 
@@ -40,7 +40,7 @@ def known_parts(level: Level) -> Iterator[Fault]:
 
 
 def _named(level: Level, of: str) -> Iterator[tuple[Path, str]]:
-    """Yield every part of a kind that is named in a list, and where."""
+    """Yield every part of a kind that is named in a list, with the path of its name."""
     for path, names, mention in mentions(level):
         if mention.of == of:
             yield from (((*path, index), name) for index, name in enumerate(names))
@@ -57,7 +57,7 @@ def names_apart(level: Level) -> Iterator[Fault]:
 
 
 def events_act(level: Level) -> Iterator[Fault]:
-    """Events do something, and what they wait for can be seen at every instant."""
+    """Events do something, and their triggers can be observed at every instant."""
     for name, event in level.events.items():
         path = ("events", name)
         if not event.acts:
@@ -94,7 +94,7 @@ def _seen(name: str, path: Path, level: Level) -> Iterator[Fault]:
     try:
         found = quantity(name, level)
     except QuantityError:
-        return  # which is told by itself
+        return  # reported elsewhere
     if not found.momentary or found.attribute.startswith("contact."):
         rule = Message(
             "'{name}' is not known between two steps; wait for a place, a velocity, a length or a"
@@ -105,7 +105,7 @@ def _seen(name: str, path: Path, level: Level) -> Iterator[Fault]:
 
 
 def _what(level: Level) -> Message:
-    """Return what happens in a level between two steps."""
+    """Return what happens between two steps in a level."""
     if level.events:
         return Message("'events'")
     if any(True for _ in breakable(level.joints)):
@@ -114,7 +114,7 @@ def _what(level: Level) -> Message:
 
 
 def drifts_cut_once(level: Level) -> Iterator[Fault]:
-    """Nothing else happens where impacts, or ends of slipping, cut a drift as well."""
+    """No events happen in drifts that are also cut by located impacts or ends of slipping."""
     if not level.happens:
         return
     effects, what = level.effects, _what(level)

@@ -22,8 +22,8 @@ from sandbox.model.rules.consistency.mentions import bodies_of_flows
 from sandbox.model.shapes import Curve
 
 MAX_WIRES = 200
-"""The most wires and curves of a level: checking one takes 3 ms, at the defaults and at both
-ends."""
+"""The most wires and curves in a level: checking one takes 3 ms, at the defaults and at both ends
+of the ranges."""
 
 
 NO_WIRE = Message(
@@ -33,11 +33,11 @@ AS_FOUND = Message("a joint that an event ties is as long as it is found; leave 
 SLACK_AT = Message(
     "a joint that an event ties must say the 'length' at which it is slack, if it is a spring"
 )
-"""What is wrong with a joint that an event ties."""
+"""The message about a slack joint that an event ties."""
 
 
 def something_to_hold(level: Level) -> Iterator[Fault]:
-    """Joints hold something that moves, and tie nothing to itself."""
+    """Joints hold something that moves, and do not connect a part to itself."""
     for name, joint in level.joints.items():
         path = ("joints", name, "ends")
         held = [level.bodies[body] for body in bodies_of(joint) if body in level.bodies]
@@ -100,7 +100,7 @@ def ties_fit(level: Level) -> Iterator[Fault]:
 
 
 def stops_bounce(level: Level) -> Iterator[Fault]:
-    """Contacts are solved directly where stops give back speed."""
+    """Contacts are solved directly if stops rebound."""
     contact = level.effects.contact
     if contact and contact.solver == "iterative":
         for name, _ in bouncing(level.joints):
@@ -111,7 +111,7 @@ def stops_bounce(level: Level) -> Iterator[Fault]:
 
 
 def _untied(joint: Joint) -> Iterator[tuple[str, Message]]:
-    """Yield the fields of a joint that does not fit an event which ties it, and why."""
+    """Yield the fields of a joint that prevent an event from tying it, with the reasons."""
     if isinstance(joint, Wire):
         yield "type", NO_WIRE
     if isinstance(joint, Rod) and joint.length is not None:
@@ -126,7 +126,7 @@ def _untied(joint: Joint) -> Iterator[tuple[str, Message]]:
 
 
 def not_too_many_wires(level: Level) -> Iterator[Fault]:
-    """There are not too many wires and curves to check for corners and crossings."""
+    """Refuse more wires and curves than can be checked for corners and crossings."""
     wires, curves = _wires_and_curves(level)
     if wires + curves > MAX_WIRES:
         have = Message("{count:,} wires and curves", count=wires + curves)
@@ -139,15 +139,15 @@ def not_too_many_wires(level: Level) -> Iterator[Fault]:
 
 
 def _wires_and_curves(level: Level) -> tuple[int, int]:
-    """Return how many there are of each."""
+    """Return the numbers of wires and curves."""
     wires = sum(isinstance(joint, Wire) for joint in level.joints.values())
     return wires, sum(isinstance(body.shape, Curve) for body in level.bodies.values())
 
 
 def _twice(joint: Joint) -> str | None:
-    """Return the body that a joint ties to itself, if it does.
+    """Return the body that a joint connects to itself, if it does.
 
-    A string may run over several pegs of one body.
+    A string may run over several pegs of the same body.
     """
     path = [body_of(end) for end in points(joint)]
     pairs = [path[:2], path[-2:], (path[0], path[-1])]
@@ -155,7 +155,7 @@ def _twice(joint: Joint) -> str | None:
 
 
 def constant_masses(level: Level) -> Iterator[Fault]:
-    """Exact joints are solved with the masses of the start, so they hold nothing that changes."""
+    """Exact joints do not hold bodies of changing mass: they are solved with the initial masses."""
     changing = {name for _, name in bodies_of_flows(level)}
     for name, joint in level.joints.items():
         for body in changing.intersection(bodies_of(joint)):

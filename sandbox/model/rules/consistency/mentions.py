@@ -1,4 +1,4 @@
-"""The places where a level names bodies and quantities, found from the types of its fields."""
+"""The places where a level names its parts, found from the types of its fields."""
 
 from collections.abc import Iterator, Sequence
 from typing import Any, NamedTuple
@@ -15,7 +15,7 @@ from sandbox.model.reference_fields import Mention
 
 
 class Mentioned(NamedTuple):
-    """A name, or a list of names, that stands in a level."""
+    """A name, or a list of names, in a level."""
 
     path: Path
     value: Any
@@ -23,7 +23,7 @@ class Mentioned(NamedTuple):
 
 
 def mentions(part: Model, path: Path = ()) -> Iterator[Mentioned]:
-    """Yield everything that a part of a level names, and where."""
+    """Yield everything that a part of a level names, with its path."""
     if isinstance(part, Level) and not path:
         return iter(_all_of(part))
     return (Mentioned(*found) for found in marked(part, Mention, path))
@@ -31,22 +31,22 @@ def mentions(part: Model, path: Path = ()) -> Iterator[Mentioned]:
 
 @of_the_last
 def _all_of(level: Level) -> Sequence[Mentioned]:
-    """Return everything that a level names: nearly every rule asks for some of it."""
+    """Return everything that a level names, cached because nearly every rule needs it."""
     return [Mentioned(*found) for found in marked(level, Mention)]
 
 
 def named_bodies(level: Level) -> Iterator[tuple[Path, str]]:
-    """Yield every mention of a body, and where it stands."""
+    """Yield every mention of a body, with its path."""
     return ((path, name) for path, name, mention in mentions(level) if mention.of == "body")
 
 
 def named_quantities(level: Level) -> Iterator[tuple[Path, str]]:
-    """Yield every quantity that is measured, and where it is asked for."""
+    """Yield every mention of a quantity, with its path."""
     return ((path, name) for path, name, mention in mentions(level) if mention.of == "quantity")
 
 
 def named_parameters(level: Level) -> Iterator[tuple[Path, str]]:
-    """Yield every parameter that is named outside of a formula, and where."""
+    """Yield every parameter that is named outside of a formula, with its path."""
     return ((path, name) for path, name, mention in mentions(level) if mention.of == "parameter")
 
 
@@ -56,12 +56,12 @@ def acted_on(level: Level) -> Iterator[tuple[Path, str]]:
 
 
 def lists_of_bodies(level: Level) -> Iterator[tuple[Path, tuple[str, ...]]]:
-    """Yield the lists that name the bodies an effect acts on."""
+    """Yield the lists of bodies that an effect acts on."""
     return ((path, names) for path, names, mention in mentions(level) if mention.of == "bodies")
 
 
 def couples(level: Level) -> Iterator[tuple[Path, tuple[str, str]]]:
-    """Yield everything that two bodies are named for."""
+    """Yield every mention of a pair of bodies."""
     return ((path, names) for path, names, mention in mentions(level) if mention.of == "couple")
 
 
@@ -74,5 +74,5 @@ def bodies_of_flows(level: Level) -> Iterator[tuple[Path, str]]:
 
 
 def coefficients(level: Level) -> dict[str, Friction | Restitution]:
-    """Return those effects that have a coefficient a body."""
+    """Return the effects that have a coefficient for each body."""
     return {effect.name: said for effect, _, said in level.effects.said if effect.coefficient}

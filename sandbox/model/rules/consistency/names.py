@@ -15,7 +15,7 @@ from sandbox.model.quantities import QuantityError, quantity
 from sandbox.model.rules.consistency.mentions import couples, named_bodies, named_quantities
 
 LONGEST_CIRCLE = 10
-"""Up to how many constants of a circle are named; of a longer one, only its two ends."""
+"""The most constants of a cycle that are named; of a longer one, only its two ends."""
 
 
 def parameters_fit(level: Level) -> Iterator[Fault]:
@@ -56,7 +56,7 @@ def parameters_fit(level: Level) -> Iterator[Fault]:
 
 
 def constants_fit(level: Level) -> Iterator[Fault]:
-    """Constants have names of their own, and something uses them."""
+    """Constants have names of their own, and are used."""
     if not level.constants:
         return
     used = set().union(*(expression.written for _, expression in expressions(level)))
@@ -80,7 +80,7 @@ def _is_taken(name: str) -> bool:
 
 
 def _used(level: Level, *, scene: bool) -> set[str]:
-    """Return the names that the scene uses, or that only its checks use."""
+    """Return the names that the scene uses, or else that only its checks use."""
     beside = ("checks", "ghosts", "view", "challenge")
     known = not circle(level.constants)
     used = (
@@ -93,7 +93,7 @@ def _used(level: Level, *, scene: bool) -> set[str]:
 
 
 def known_names(level: Level) -> Iterator[Fault]:
-    """Expressions use parameters that exist, and nothing has a name that is taken."""
+    """Expressions use parameters that exist, and no part has a reserved name."""
     named = ((path, expression) for path, expression in expressions(level) if expression.written)
     for path, expression in named:
         known = [*level.parameters, *level.constants, *expression.variables]
@@ -124,7 +124,7 @@ def _taken_names(level: Level) -> Iterator[Fault]:
 
 
 def no_circle(level: Level) -> Iterator[Fault]:
-    """No constant leads back to itself."""
+    """No constant depends on itself."""
     if found := circle(level.constants):
         shown = found if len(found) <= LONGEST_CIRCLE else [*found[:3], "…", *found[-2:]]
         rule = Message(
@@ -150,7 +150,7 @@ def variables_apart(level: Level) -> Iterator[Fault]:
 
 
 def timeless_conditions(level: Level) -> Iterator[Fault]:
-    """Conditions of checks hold for a whole run or not at all."""
+    """Conditions of checks do not depend on time."""
     for index, check in enumerate(level.checks):
         if check.valid_if and "t" in check.valid_if.names:
             rule = Message("is a condition over the parameters; it cannot depend on the time 't'")
@@ -158,7 +158,7 @@ def timeless_conditions(level: Level) -> Iterator[Fault]:
 
 
 def known_bodies(level: Level) -> Iterator[Fault]:
-    """Bodies that are named exist, and pairs are of two."""
+    """Named bodies exist, and pairs consist of two."""
     for path, name in named_bodies(level):
         if name not in level.bodies:
             yield Fault(
@@ -181,10 +181,10 @@ def known_bodies(level: Level) -> Iterator[Fault]:
 
 
 def known_quantities(level: Level) -> Iterator[Fault]:
-    """Quantities that are named can be measured.
+    """Named quantities exist.
 
-    Which accounts the system has depends on what its joints hold: only where that is known are they
-    looked for.
+    The accounts of the system depend on the bodies that its joints hold: they are checked only if
+    those are known.
     """
     misnamed = next(known_bodies(level), None)
     for path, name in named_quantities(level):

@@ -1,4 +1,4 @@
-"""A step is not too much to compute, whatever else the level says."""
+"""A step is not too expensive, whatever else the level declares."""
 
 from collections.abc import Iterator
 
@@ -7,7 +7,7 @@ from sandbox.model.level_parts import Fault
 from sandbox.model.message import Message
 
 MOST_PULLS = 4_000_000
-"""The most attractions per step, between bodies and from centres: so many take a quarter of a
+"""The most attractions per step, between bodies and from centres: these take a quarter of a
 second."""
 
 MOST_STICKING = 20_000
@@ -16,7 +16,7 @@ MOST_STICKING = 20_000
 
 
 def not_too_many_pulls(level: Level) -> Iterator[Fault]:
-    """Bodies and centres that attract can be gone through in a step."""
+    """Attractions between bodies and to centres can be computed in a step."""
     effects = level.effects
     dynamic = sum(body.type == "dynamic" for body in level.bodies.values())
     if mutual := effects.gravitation:
@@ -43,7 +43,7 @@ def not_too_many_pulls(level: Level) -> Iterator[Fault]:
 
 
 def not_too_many_sticking(level: Level) -> Iterator[Fault]:
-    """Pairs of bodies that stick more than they rub can all be watched."""
+    """Pairs with static above kinetic friction are not too many to be watched."""
     if level.effects.friction is None:
         return
     rub = [body for body in level.bodies.values() if body.friction is not None]

@@ -1,4 +1,4 @@
-"""The stepping fits what is simulated."""
+"""The stepping fits the simulated scene."""
 
 from collections.abc import Iterator
 
@@ -9,13 +9,13 @@ from sandbox.model.schemes import unsmooth
 
 
 def scheme_fits(level: Level) -> Iterator[Fault]:
-    """Fourth order: only where all forces are smooth."""
+    """Refuse a scheme of fourth order where forces are not smooth."""
     if level.stepping.scheme == "fourth-order" and (rule := unsmooth(level)):
         yield Fault(("stepping", "scheme"), rule)
 
 
 def accuracy_alone(level: Level) -> Iterator[Fault]:
-    """Refuse a setting that is chosen and asked for by its accuracy as well."""
+    """Refuse settings that are given in addition to an accuracy."""
     if level.stepping.accuracy is not None:
         for name in sorted(level.stepping.model_fields_set - {"accuracy"}):
             rule = Message(
@@ -25,7 +25,7 @@ def accuracy_alone(level: Level) -> Iterator[Fault]:
 
 
 def accuracy_within_reach(level: Level) -> Iterator[Fault]:
-    """Refuse an accuracy that no run can have."""
+    """Refuse an accuracy that no run can reach."""
     asked = level.stepping.accuracy
     if asked is not None and asked < FINEST:
         rule = Message(

@@ -1,4 +1,4 @@
-"""What concerns touching bodies is declared, is used, and is consistent."""
+"""Everything about touching bodies is declared, used, and consistent."""
 
 from collections.abc import Iterator, Sequence
 
@@ -23,7 +23,7 @@ from sandbox.model.shapes import Arc, Curve, Disc, Hoop
 
 
 def contact_declared(level: Level) -> Iterator[Fault]:
-    """Whatever waits for bodies to touch needs bodies that can."""
+    """Whatever depends on contact needs bodies that can touch."""
     contact = level.effects.contact
     if contact:
         if contact.piles and contact.slop is not None:
@@ -101,7 +101,7 @@ def _static_alone(level: Level) -> Iterator[Fault]:
 
 
 def sensors_untouched(level: Level) -> Iterator[Fault]:
-    """Nothing waits for a sensor to be touched, or says how it is."""
+    """No event or setting needs contact with a sensor."""
     sensors = {name for name, body in level.bodies.items() if body.sensor}
     if not sensors:
         return
@@ -115,7 +115,7 @@ def sensors_untouched(level: Level) -> Iterator[Fault]:
 
 
 def apart_fits(level: Level) -> Iterator[Fault]:
-    """Pairs that never meet neither rub, bounce nor stick, and are no more than can be kept."""
+    """Pairs that never meet neither rub, bounce nor stick, and are not too many."""
     contact = level.effects.contact
     if contact is None:
         return
@@ -163,7 +163,7 @@ def sticking_fits(level: Level) -> Iterator[Fault]:
 
 
 def located_slips_fit(level: Level) -> Iterator[Fault]:
-    """Bodies whose slipping is located in time hang on nothing that contacts settle with late."""
+    """Bodies with located slipping have no joints that are settled late together with contacts."""
     friction = level.effects.friction
     flows = {body for _, body in bodies_of_flows(level)}
     for index, body in enumerate((friction and friction.located) or ()):
@@ -186,7 +186,7 @@ def located_slips_fit(level: Level) -> Iterator[Fault]:
 
 
 def impacts_of_constant_masses(level: Level) -> Iterator[Fault]:
-    """Impacts that pymunk does not solve are solved with the masses of the start."""
+    """Masses are constant if pymunk does not solve the impacts: others take the initial ones."""
     changing = sorted({name for _, name in bodies_of_flows(level)})
     if not changing:
         return
@@ -206,7 +206,7 @@ def impacts_of_constant_masses(level: Level) -> Iterator[Fault]:
 
 
 def arcs_fit(level: Level) -> Iterator[Fault]:
-    """Arcs and curves: what is found at the step after it is not located before, nor sticks."""
+    """Impacts on arcs and curves are found at the next step: they are not located nor stick."""
     contact, sticking = level.effects.contact, level.effects.sticking
     arcs = {
         name: Message("an arc") if isinstance(body.shape, Arc) else Message("a curve")
@@ -230,7 +230,7 @@ def arcs_fit(level: Level) -> Iterator[Fault]:
 
 
 def curves_fit(level: Level) -> Iterator[Fault]:
-    """Curves are of static and kinematic bodies, and no arc that moves touches one."""
+    """Only static and kinematic bodies are curves, and no moving arc touches one."""
     curves = [name for name, body in level.bodies.items() if isinstance(body.shape, Curve)]
     for name in curves:
         if level.bodies[name].type == "dynamic":
@@ -250,7 +250,7 @@ def curves_fit(level: Level) -> Iterator[Fault]:
 
 
 def sticking_or_bouncing(level: Level) -> Iterator[Fault]:
-    """Pairs that stick at their first touch have no coefficient of restitution."""
+    """Pairs that stick have no coefficient of restitution."""
     effects = level.effects
     if effects.sticking is None or effects.restitution is None:
         return
@@ -264,7 +264,7 @@ def sticking_or_bouncing(level: Level) -> Iterator[Fault]:
 
 
 def belts_fit(level: Level) -> Iterator[Fault]:
-    """Belts carry by friction, and have straight sides that do not turn."""
+    """Belts act by friction, and have straight sides that do not turn."""
     seen: set[str] = set()
     for index, belt in enumerate(level.effects.belt or ()):
         path = ("effects", "belt", index, "body")
@@ -279,7 +279,7 @@ def belts_fit(level: Level) -> Iterator[Fault]:
 
 
 def _no_belt(name: str, body: Body) -> Iterator[Message]:
-    """Yield why a body can be no belt."""
+    """Yield why a body cannot be a belt."""
     if body.type == "dynamic":
         yield Message("'{name}' is dynamic, but a belt is static or kinematic", name=brief(name))
     if isinstance(body.shape, Disc | Hoop | Arc | Curve):
@@ -292,7 +292,7 @@ def _no_belt(name: str, body: Body) -> Iterator[Message]:
 
 
 def undeclared(path: Path, used: str, effect: str) -> Fault:
-    """Say that something is used whose effect is not declared."""
+    """Return the fault of a field whose effect is not declared."""
     return Fault(
         path,
         Message(
