@@ -1,1 +1,1 @@
-"""The sandbox's runs, held against closed forms that know nothing of the engine."""
+"""Comparison of the sandbox's runs with closed forms that are independent of the engine."""

@@ -4,12 +4,12 @@ from sandbox import environment_defaults, interrupts, streams
 
 
 def main() -> None:
-    """Run the command line, and leave the process with its exit status."""
+    """Run the command line, and exit with its status."""
     interrupts.install()
     streams.install()
     environment_defaults.install()
     with streams.standard():
-        from validation.cli import app  # that takes a while, and may be interrupted, too
+        from validation.cli import app  # takes a while, and may be interrupted as well
 
         app()
 

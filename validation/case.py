@@ -1,4 +1,4 @@
-"""A validation case, and how one is run."""
+"""A validation case, and running it."""
 
 from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -24,7 +24,7 @@ from sandbox.physics.run import build, simulate
 from sandbox.physics.state.errors import SimulationError
 
 Expected = Callable[[Values, Array], ArrayLike]
-"""A closed form, as a function of all parameters and of the times that count [s]."""
+"""A closed form, as a function of all parameters and of the sampled times [s]."""
 
 Parameters = Mapping[str, float]
 """The parameters that differ from a level's defaults."""
@@ -35,7 +35,7 @@ SECOND_ORDER = 1.9
 """The least power of the step with which an error of second order must fall."""
 
 FOURTH_ORDER = 3.8
-"""The same for fourth order."""
+"""The same for an error of fourth order."""
 
 HALVINGS = 3
 """How often the step is halved, down to the level's own, to measure the order."""
@@ -43,15 +43,15 @@ HALVINGS = 3
 
 @cache
 def textbook(name: str) -> Level:
-    """Return a level of the catalog: it never changes."""
+    """Return a level of the catalog, which never changes."""
     return load(find(name))
 
 
 def ends(level: str, *turned: str) -> Choices:
-    """Return two corners of a level's ranges that have all ends of all ranges between them.
+    """Return two opposite corners of a level's ranges, which include all ends of all ranges.
 
-    At one all parameters are lowest but those turned round, which are highest; the other is
-    opposite.
+    At the first corner the parameters named in `turned` have their maximum, and all others their
+    minimum.
     """
     ranges = textbook(level).parameters.items()
     low = {name: range_.max if name in turned else range_.min for name, range_ in ranges}
@@ -61,34 +61,34 @@ def ends(level: str, *turned: str) -> Choices:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Case:
-    """A quantity of a level, for certain parameters, and the closed form that it must meet.
+    """A quantity of a level with certain parameters, and the closed form that it must match.
 
     Attributes
     ----------
     name
         The claim, in a few words.
     level
-        Such as `newton/atwood`.
+        The name of the level, such as `newton/atwood`.
     quantity
         The measured quantity.
     expected
-        The closed form, of the parameters and the times that count [s].
+        The closed form, of the parameters and the sampled times [s].
     tolerance
-        How large the error may be: relative, or absolute where nothing but zero is expected.
+        The largest allowed error: relative, or absolute if only zero is expected.
     because
-        Why that much.
+        The reason for that tolerance.
     parameters
-        Those that differ from the level's defaults.
+        The parameters that differ from the level's defaults.
     at
-        A time or an event; every step if None.
+        A time or an event; None for every step.
     duration
-        How long it runs [s]; as the level says if None.
+        The length of the run [s]; None for the level's own.
     naive_misses
-        By how much naive pymunk must be off at least: proof that the case can fail. None where
-        pymunk does as well by itself.
+        The least error of naive pymunk, which proves that the case can fail. None if pymunk does
+        as well by itself.
     order
-        The power of the step by which the error must fall at least, as the step is halved three
-        times down to the level's own; None where nothing but rounding is left.
+        The least power of the step with which the error must fall, as the step is halved three
+        times down to the level's own; None if only rounding remains.
     """
 
     name: str
@@ -106,26 +106,27 @@ class Case:
 
 @dataclass(frozen=True, slots=True)
 class Outcome:
-    """How a case came out; `naive` is stock pymunk, on the same level at the same rate.
+    """The outcome of a case; `naive` is stock pymunk, on the same level at the same rate.
 
     Attributes
     ----------
     name, level, parameters, quantity, tolerance
-        As in the case, all parameters included.
+        As in the case, with all parameters.
     because
-        Why that much is tolerated.
+        The reason for that tolerance.
     unit
-        Of the measured and the expected value.
+        The unit of the measured and the expected value.
     measured, expected
-        The two where they are furthest apart; NaN if the event never came.
+        The two values where they differ most; NaN if the event never occurred.
     error, naive_error
-        See `relative_error`; infinite if the event never came.
+        See `relative_error`; infinite if the event never occurred.
     passed
-        Whether the error is within its bound, the naive one beyond its own, and the order reached.
+        Whether the error is within its bound, the naive error beyond its own, and the order
+        reached.
     step_seconds, naive_step_seconds
-        What one step of the level costs [s], with its defaults.
+        The time of a step of the level with its defaults [s].
     order
-        The power of the step by which the error falls; None if the case does not claim any.
+        The power of the step with which the error falls; None if the case claims no order.
     """
 
     name: str
@@ -155,7 +156,7 @@ def run(cases: Sequence[Case]) -> Iterator[Outcome]:
 
 
 def together(cases: Sequence[Case]) -> list[list[int]]:
-    """Return which cases share their runs, by their numbers."""
+    """Return the groups of cases that share their runs, by their indices."""
     groups: dict[Hashable, list[int]] = {}
     for row, case in enumerate(cases):
         key = case.level, tuple(sorted(case.parameters.items())), case.duration
@@ -164,12 +165,12 @@ def together(cases: Sequence[Case]) -> list[list[int]]:
 
 
 class _Runs:
-    """What cases of one level and parameters have in common: their runs.
+    """The runs that cases of one level and parameters share.
 
     Attributes
     ----------
     level, values
-        The run.
+        The level, and its parameters.
     """
 
     def __init__(self, cases: Sequence[Case]) -> None:
@@ -200,11 +201,11 @@ class _Runs:
 
 
 def naive(level: Level) -> Level:
-    """Return a level with stock pymunk: its scheme, at the level's own rate, and its joints.
+    """Return a level with stock pymunk: its scheme at the level's own rate, and its joints.
 
-    What pymunk lacks (strings over pegs, wires, rails, lengths that change with time, joints that
-    events tie) stays exact, and with it the other joints of that level: the two ways cannot hold
-    one body.
+    Joints that pymunk lacks (strings over pegs, wires, rails, lengths that change with time, joints
+    that events tie) stay exact, and with them the other joints of that level: one body cannot be
+    held in both ways.
     """
     stepping = Stepping(rate=level.stepping.rate, scheme="symplectic-euler")
     exact = [joint for joint in level.joints.values() if is_exact(joint)]
@@ -220,9 +221,9 @@ def naive(level: Level) -> Level:
 
 @cache
 def _seconds(name: str) -> tuple[float, float]:
-    """Return what a step of a level costs [s], and of stock pymunk; they are timed in turn.
+    """Return the time of a step of a level and of stock pymunk [s], measured in turn.
 
-    With the level's defaults: what its parameters are matters little.
+    The level has its default parameters, which hardly matter.
     """
     level = textbook(name)
     ours, theirs = step_costs(*(partial(build, each) for each in (level, naive(level))))
@@ -230,7 +231,7 @@ def _seconds(name: str) -> tuple[float, float]:
 
 
 class _Found(NamedTuple):
-    """What was found about a case; as it stands, that its run had to stop."""
+    """The results of a case; the defaults are those of a run that had to stop."""
 
     measured: float = nan
     expected: float = nan
@@ -270,7 +271,7 @@ def _judged(case: Case, runs: _Runs) -> _Found:
 
 
 def _order(case: Case, runs: _Runs, error: float) -> float:
-    """Return the slope of the error over the step, both logarithmic; NaN if there is none."""
+    """Return the slope of log error over log step; NaN if it has none."""
     errors = np.array([error, *(_compare(case, trace)[2] for trace in runs.coarser)])
     if not (np.isfinite(errors) & (errors > 0)).all():
         return nan
@@ -278,7 +279,7 @@ def _order(case: Case, runs: _Runs, error: float) -> float:
 
 
 def _compare(case: Case, trace: Trace) -> tuple[float, float, float]:
-    """Return measured, expected and the error."""
+    """Return the measured and the expected value, and the error."""
     found = samples(trace, case.quantity, case.at)
     if found is None:
         return nan, nan, inf

@@ -1,7 +1,7 @@
-"""Reads cases from literal tables, and calls their closed forms.
+"""Reads cases from tables, and evaluates their closed forms.
 
-A phenomenon is a file of tables, `validation/cases/<phenomenon>.toml`; docs/how-to/add-a-case.md
-says what may stand in it.
+Each phenomenon has a file of tables, `validation/cases/<phenomenon>.toml`;
+docs/how-to/add-a-case.md describes their content.
 """
 
 import builtins
@@ -67,7 +67,7 @@ _INSTANT: TypeAdapter[Instant] = TypeAdapter(Instant)
 
 
 class TableError(SandboxError):
-    """A mistake in a table: its file, its case, and why."""
+    """A mistake in a table, with its file, its case, and the reason."""
 
     def __init__(self, text: str) -> None:
         super().__init__(Message("{text}", text=text))
@@ -75,9 +75,9 @@ class TableError(SandboxError):
 
 @dataclass(frozen=True, slots=True)
 class ClosedForm:
-    """A formula of a table: of a level's parameters, and of the times that count, `t` [s].
+    """A formula in a table, of a level's parameters and of the sampled times, `t` [s].
 
-    `p` are all parameters at once, for a function of `own` that takes them so.
+    `p` is the mapping of all parameters, for functions of `own` that take it.
     """
 
     source: str
@@ -88,13 +88,13 @@ class ClosedForm:
         object.__setattr__(self, "code", compile(self.source, "formula", "eval"))
 
     def __call__(self, values: Values, t: Array) -> ArrayLike:
-        """Return what is to be measured."""
+        """Return the expected values."""
         scope = {**self.names, **values, "p": values, "t": t}
-        found: ArrayLike = eval(self.code, scope)  # written here, not by those who write levels
+        found: ArrayLike = eval(self.code, scope)  # written here, not by authors of levels
         return found
 
     def unknown(self, parameters: Sequence[str]) -> list[str]:
-        """Return the unknown names that it uses."""
+        """Return the unknown names in it."""
         local = set(self.code.co_names) - {"p", "t", *self.names, *parameters, *vars(builtins)}
         return sorted(name for name in local if f".{name}" not in self.source)
 
@@ -120,7 +120,7 @@ def read(phenomenon: str) -> tuple[Case, ...]:
 
 @cache
 def _names(phenomenon: str) -> Mapping[str, object]:
-    """Return what the formulas of a phenomenon may call, its own module included."""
+    """Return the names for the formulas of a phenomenon, including its own module."""
     name = f"validation.cases.{phenomenon}"
     return {**NAMES, "own": import_module(name)} if find_spec(name) else NAMES
 
@@ -150,7 +150,7 @@ def _choices(level: str, over: Sequence[Mapping[str, Any]]) -> Iterator[Paramete
 
 
 def _filled(said: object, item: Mapping[str, object]) -> object:
-    """Put what an item of `each` says in place of its names in braces."""
+    """Replace names in braces by the values of an item of `each`."""
     match said:
         case str() if item:
             return said.format(**item)
@@ -204,5 +204,5 @@ def _instant(text: str) -> Instant:
 
 
 def _number(said: float | str | None) -> float | None:
-    """Return a number, also where an item of `each` has written it as a text, or 'none'."""
+    """Return a number, which an item of `each` may have given as a text; None for 'none'."""
     return None if said is None or said == "none" else float(said)

@@ -1,4 +1,4 @@
-"""The textbook's chapter, part by part, with the levels that play each part.
+"""The textbook's chapter, part by part, with the levels that show each part.
 
 `python -m validation.chapter` writes it to `docs/reference/chapter.md`.
 """
@@ -17,7 +17,7 @@ PAGE = Path("docs") / "reference" / "chapter.md"
 
 
 class Part(NamedTuple):
-    """A set-up, example, figure or claim of the document; without levels it is still owed."""
+    """A set-up, example, figure or claim of the document; one without levels is still missing."""
 
     section: str
     text: str

@@ -1,4 +1,4 @@
-"""The cases: a file of tables a phenomenon, and beside it what its formulas call `own`."""
+"""The cases: a file of tables for each phenomenon, and a module for its functions under `own`."""
 
 from collections.abc import Iterator
 from pathlib import Path
@@ -18,7 +18,7 @@ _ORDER = (
 _FOUND = {path.stem for path in Path(__file__).parent.glob("*.toml")}
 
 PHENOMENA = (*_ORDER, *sorted(_FOUND.difference(_ORDER)))
-"""The files of tables, in the order of the chapter; others follow by name."""
+"""The files of tables, in the order of the chapter; any others follow by name."""
 
 
 def all_cases() -> Iterator[Case]:

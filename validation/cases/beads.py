@@ -6,11 +6,11 @@ from sandbox.model.expressions import Array, Values
 from validation.formulas import energy, lagrange
 
 ROUND = 0.85
-"""How sharp the corners of the zigzag are: 1 for a real one."""
+"""The sharpness of the zigzag's corners: 1 for perfectly sharp ones."""
 
 
 def race(bead: str, p: Values, _: Array) -> float:
-    """Return the time to the bottom [s]; of the straight wire, by its slope of 2 over π."""
+    """Return the time to the bottom [s]; the straight wire's slope is 2 over π."""
     if bead == "cycloid":
         return lagrange.cycloid_time(p["R"], p["g"])
     return energy.time_of_descent(

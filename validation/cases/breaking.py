@@ -25,7 +25,7 @@ def across(p: Values) -> float:
 
 
 def landing(p: Values, height: float) -> float:
-    """Return where the climber comes down to a height [m]."""
+    """Return the horizontal position at which the climber reaches a height [m]."""
     angle = _breaks(p)
     down = _speed(p, angle) * sin(angle)
     drop = BRANCH - p["L"] * cos(angle) - height
@@ -34,7 +34,7 @@ def landing(p: Values, height: float) -> float:
 
 
 def _breaks(p: Values) -> float:
-    """Return the angle from the lowest point at which the pull is what the vine bears."""
+    """Return the angle from the lowest point at which the tension breaks the vine."""
     return acos(p["k"] / 3 + 2 * cos(radians(p["angle"])) / 3)
 
 

@@ -13,11 +13,11 @@ def after(name: str, piece: str) -> Expected:
 
 
 def across(p: Values, t: Array) -> Array:
-    """Return where the centre of mass is, across [m]."""
+    """Return the horizontal position of the centre of mass [m]."""
     start = 0.25 * (p["m3"] - p["m1"]) / (p["m1"] + p["m2"] + p["m3"])
     return momentum.center_of_mass([(1.0, start, p["vx"])], t)
 
 
 def up(p: Values, t: Array) -> Array:
-    """Return how high the centre of mass is [m]."""
+    """Return the height of the centre of mass [m]."""
     return kinematics.uniform_position(p["vy"], -p["g"], t)

@@ -4,5 +4,5 @@ from sandbox.model.expressions import Values
 
 
 def carts(p: Values) -> list[tuple[float, float, float]]:
-    """Return each cart's mass [kg], and its position [m] and velocity [m/s] at the start."""
+    """Return the mass [kg], initial position [m] and initial velocity [m/s] of each cart."""
     return [(p["m1"], -2.5, p["v1"]), (p["m2"], 0.0, 0.0), (p["m3"], 2.0, p["v3"])]

@@ -5,16 +5,16 @@ from validation.formulas import newton
 
 
 def rate(p: Values) -> float:
-    """Return what the rocket burns [kg/s]."""
+    """Return the rate at which the rocket burns propellant [kg/s]."""
     return p["share"] * p["mass"] / p["burn"]
 
 
 def mass(p: Values, t: Array) -> Array:
-    """Return what the rocket still weighs [kg]."""
+    """Return the remaining mass of the rocket [kg]."""
     return p["mass"] - rate(p) * t
 
 
 def cart(p: Values, t: Array) -> tuple[Array, Array]:
-    """Return mass and velocity of the cart under the hopper [kg, m/s]."""
+    """Return the mass and velocity of the cart under the hopper [kg, m/s]."""
     force = p["drive"] * p["rate"] * p["v"]
     return newton.filling_cart(force, p["rate"], p["mass"], p["v"], t)

@@ -7,7 +7,7 @@ from validation.formulas import chapter_code
 
 
 def drop(p: Values) -> float:
-    """Return how far the bob hangs below its pin at the start [m]."""
+    """Return the initial distance of the bob below its pin [m]."""
     return p["L"] * float(np.cos(p["start"]))
 
 
@@ -17,6 +17,6 @@ def plain(p: Values, t: Array) -> Array:
 
 
 def symplectic(p: Values, t: Array) -> Array:
-    """Start the chapter, which kicks first, with what that first kick takes away."""
+    """Return the chapter's angles, started so that its first kick, which comes first, cancels."""
     ahead = p["g"] / p["L"] * float(np.sin(p["start"])) * chapter_code.DT
     return chapter_code.swings(chapter_code.step_symplectic, p["start"], ahead, p["L"], p["g"], t)

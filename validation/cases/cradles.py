@@ -6,5 +6,5 @@ from sandbox.model.expressions import Values
 
 
 def lifted(p: Values) -> float:
-    """Return the energy of a ball that was drawn aside [J]."""
+    """Return the energy of a ball that is drawn aside [J]."""
     return p["g"] * p["L"] * float(1 - np.cos(np.radians(p["angle"])))

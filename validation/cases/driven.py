@@ -14,7 +14,7 @@ Swing = Callable[[Array, float, float, float, float, float], Array]
 
 
 def driven(swing: Swing) -> Expected:
-    """Return the closed form of a driven spring, by one of the chapter's [m]."""
+    """Return the closed form of a driven spring's displacement, from one of the chapter's [m]."""
 
     def expected(p: Values, t: Array) -> Array:
         drive = p["ratio"] * sqrt(p["k"] / MASS)
@@ -24,7 +24,7 @@ def driven(swing: Swing) -> Expected:
 
 
 def in_row(ratio: float) -> Expected:
-    """Return the closed form of a spring in the row, for the ratio of its drive [m]."""
+    """Return the closed form of a spring in the row, for the frequency ratio of its drive [m]."""
 
     def expected(p: Values, t: Array) -> Array:
         drive = ratio * sqrt(p["k"] / MASS)

@@ -10,7 +10,7 @@ RING = 2.0  # m
 
 
 def throw(direction: complex, g: float) -> Expected:
-    """Return the closed form of a throw with drag, along a direction [m]."""
+    """Return the closed form of a throw with drag, as the distance along a direction [m]."""
 
     def expected(p: Values, t: Array) -> Array:
         velocity = p["speed"] * np.exp(1j * np.radians(p["angle"]))

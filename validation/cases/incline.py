@@ -11,7 +11,7 @@ HALF_HEIGHT = 0.25  # m, of the block
 
 
 def x(start: float) -> Expected:
-    """Return the closed form of the block's place across, for where it starts on the ramp [m]."""
+    """Return the closed form of the block's horizontal position, given its start [m]."""
 
     def x(p: Values, t: Array) -> Array:
         angle = radians(p["angle"])

@@ -11,7 +11,7 @@ START = 6.0  # m, along the ramp from its foot, where a block's face begins
 
 
 def along(p: Values, t: Array) -> Array:
-    """Return how far the block is from the foot of the ramp [m]."""
+    """Return the distance of the block from the foot of the ramp [m]."""
     return START - newton.incline_acceleration(radians(p["angle"]), p["g"]) * t**2 / 2
 
 
@@ -21,5 +21,5 @@ def acceleration(p: Values, _: Array) -> float:
 
 
 def x(above: float) -> Expected:
-    """Return the closed form of a block's place across, for half its height [m]."""
+    """Return the closed form of a block's horizontal position, given half its height [m]."""
     return lambda p, t: newton.incline_point(along(p, t), above, radians(p["angle"]))

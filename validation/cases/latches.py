@@ -9,18 +9,17 @@ ARM = 0.6 * 1.4**2 / 3 + 0.6 * 0.12**2 / 12  # kg m², of the hammer about its e
 
 
 def speed(p: Values, standing: int) -> float:
-    """Return how fast the first wagon is with so many others coupled to it [m/s].
+    """Return the speed of the first wagon with a number of others coupled to it [m/s].
 
-    By the momentum, m v = (m + Σ m_i) v'.
+    By momentum, m v = (m + Σ m_i) v'.
     """
     return p["m"] * p["v"] / (p["m"] + sum(WAGONS[:standing]))
 
 
 def lost(p: Values) -> float:
-    """Return what both couplings take together [J]: μ u² / 2 of each in turn.
+    """Return the energy that both couplings dissipate together [J]: Σ μ u² / 2.
 
-    Of two masses that come to go on as one, with the reduced mass μ and the speed u against each
-    other (Koenig's theorem).
+    μ is the reduced mass and u the relative speed of two masses that couple (Koenig's theorem).
     """
     masses = p["m"], p["m"] + WAGONS[0]
     return sum(
@@ -30,14 +29,14 @@ def lost(p: Values) -> float:
 
 
 def push(p: Values) -> float:
-    """Return the force of the spring that has stopped the train [N]: k x²/2 = M v²/2."""
+    """Return the force of the spring that stops the train [N]: k x²/2 = M v²/2."""
     return -speed(p, 2) * sqrt(p["k"] * (p["m"] + sum(WAGONS)))
 
 
 def rings(p: Values, blows: int) -> float:
-    """Return when the hammer is upright again after so many blows [s].
+    """Return when the hammer is upright again after a number of blows [s].
 
-    Between two it swings with ω = √(k/I); of the speed with which it meets a stop it keeps e.
+    Between blows it swings with ω = √(k/I); at each stop it keeps e of its speed.
     """
     omega = sqrt(p["k"] / ARM)
     stop = omega * radians(p["gap"])
@@ -47,11 +46,11 @@ def rings(p: Values, blows: int) -> float:
 
 
 def spin(p: Values, blows: int) -> float:
-    """Return how fast the hammer is upright after so many blows [rad/s]."""
+    """Return the upright hammer's angular velocity after a number of blows [rad/s]."""
     stop = sqrt(p["k"] / ARM) * radians(p["gap"])
     return sqrt(stop**2 + _left(p, blows) * (p["rate"] ** 2 - stop**2))
 
 
 def _left(p: Values, blows: int) -> float:
-    """Return the share of the energy at a stop that is left after so many blows."""
+    """Return the share of the energy at a stop that is left after a number of blows."""
     return float(p["e"] ** (2 * blows))

@@ -9,7 +9,7 @@ LANDING = Expression("2*v/9.81")
 
 
 def action(side: int, waves: int) -> Expected:
-    """Return the closed form of the action of a way that strays [J s]."""
+    """Return the closed form of the action of a path that deviates from the true one [J s]."""
     return lambda p, t: lagrange.action_of_throw(
         t, p["m"], (ACROSS, p["v"]), 9.81, side * p["a"], waves
     )

@@ -12,28 +12,28 @@ G = 9.81  # m/s²
 
 
 def _speed(p: Values, angle: float) -> float:
-    """Return how fast the hammer is at an angle from the lowest point [m/s]."""
+    """Return the speed of the hammer at an angle from the lowest point [m/s]."""
     return sqrt(p["v"] ** 2 - 2 * G * RADIUS * (1 - cos(angle)))
 
 
 def across(p: Values) -> float:
-    """Return how fast it flies across, which nothing changes before the top [m/s]."""
+    """Return the horizontal speed of the flight, which is constant up to the apex [m/s]."""
     angle = radians(p["angle"])
     return _speed(p, angle) * cos(angle)
 
 
 def rise(p: Values) -> float:
-    """Return how long it rises after it is let go [s]."""
+    """Return the time from the release to the apex [s]."""
     angle = radians(p["angle"])
     return _speed(p, angle) * sin(angle) / G
 
 
 def swing(p: Values) -> float:
-    """Return how long it swings before: ∫ R dφ / v(φ) [s]."""
+    """Return the time of the swing before the release: ∫ R dφ / v(φ) [s]."""
     time, _ = quad(lambda angle: RADIUS / _speed(p, angle), 0, radians(p["angle"]))
     return float(time)
 
 
 def height(p: Values) -> float:
-    """Return how high it flies [m]."""
+    """Return the height of the apex [m]."""
     return CENTER - RADIUS * cos(radians(p["angle"])) + G * rise(p) ** 2 / 2

@@ -9,7 +9,7 @@ G = 9.81  # m/s²
 
 
 def axle_load(axle: int, p: Values, _: object) -> float:
-    """Return what an axle of the car carries [N]."""
+    """Return the load on an axle of the car [N]."""
     weights = [(200.0, 0.0), (40.0, 0.8), (p["load"], p["x"]), (15.0, -1.1), (15.0, 1.1)]
     return machines.axle_loads([(G * m, x) for m, x in weights], (-1.1, 1.1))[axle]
 
@@ -18,7 +18,7 @@ HELD = 3.7 - 0.28j  # m, where the stone lies on the arm
 
 
 def arm_spin(p: Values, angle: float) -> float:
-    """Return how fast the arm turns at an angle [rad/s]."""
+    """Return the angular velocity of the arm at an angle [rad/s]."""
     return machines.trebuchet_spin(
         pi + radians(p["start"]),
         angle,
@@ -31,7 +31,7 @@ def arm_spin(p: Values, angle: float) -> float:
 
 
 def drop(p: Values) -> float:
-    """Return how far the ball falls [m]."""
+    """Return the drop of the ball [m]."""
     return 4.5 * (1 - cos(radians(p["angle"])))
 
 
@@ -39,7 +39,7 @@ AT, SHOT = -1.5 + 0.33j, 1.7 + 0.28j  # m, weight and ball on the plank
 
 
 def struck(p: Values) -> float:
-    """Return how fast the plank turns after the blow [rad/s]."""
+    """Return the angular velocity of the plank after the blow [rad/s]."""
     moments = 18.0 + p["m"] * AT.real**2 + p["ball"] * abs(SHOT) ** 2
     return machines.struck_spin(p["m"] * sqrt(2 * G * p["h"]), -AT.real, moments)
 
@@ -51,5 +51,5 @@ def marble_speed(turned: float, p: Values, _: object) -> float:
 
 
 def wire_force(turned: float, p: Values, _: object) -> float:
-    """Return what the wire gives after a turn round the spiral [N]."""
+    """Return the force of the wire after a turn round the spiral [N]."""
     return machines.spiral_force(0.5, p["R"], 0.12, -radians(p["start"]), turned, p["g"])

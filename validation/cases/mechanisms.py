@@ -11,7 +11,7 @@ G = 9.81  # m/s²
 
 
 def rise(p: Values, t: Array) -> Array:
-    """Return the acceleration of the crane's load [m/s²]: its speed is v sin² (π t / 3)."""
+    """Return the acceleration of the crane's load [m/s²]; its speed is v sin² (π t / 3)."""
     return np.asarray(p["v"] * np.pi / 3 * np.sin(2 * np.pi * t / 3))
 
 
@@ -21,7 +21,7 @@ def cable(p: Values, t: Array) -> Array:
 
 
 def stay(p: Values, t: Array) -> Array:
-    """Return the tension of the stay [N]: beam, trolley, drum and cable about the jib's pin."""
+    """Return the tension of the stay [N]: of beam, trolley, drum and cable about the pin."""
     twist = rotation.round_moment(rotation.DISC, 40.0, 0.3) * rise(p, t) / 0.3
     weights = G * (400 * 4 + (50 + 40) * (p["r"] - 0.4))
     torque = weights + cable(p, t) * (p["r"] + 0.3 - 0.4) + twist
@@ -35,7 +35,7 @@ def back_stay(p: Values, _: Array) -> Array:
 
 
 def feet(p: Values, t: Array) -> list[Array]:
-    """Return what the two feet bear [N]: a couple of forces 1 m apart turns the drum."""
+    """Return the loads on the two feet [N]; a couple of forces 1 m apart turns the drum."""
     parts = ((-2, 50), (2, 50), (0, 1800), (4.4, 400), (-2.4, 200), (-3.6, p["C"]), (p["r"], 90))
     twist = rotation.round_moment(rotation.DISC, 40.0, 0.3) * rise(p, t) / 0.3
     weights = [(x, np.full_like(t, G * mass)) for x, mass in parts]
@@ -49,7 +49,7 @@ def rate(p: Values) -> float:
 
 
 def piston(p: Values, t: Array) -> mechanisms.Slider:
-    """Return place, speed and acceleration of the piston."""
+    """Return the position, velocity and acceleration of the piston."""
     return mechanisms.slider(rate(p) * t, rate(p), p["r"], p["l"])
 
 
@@ -73,13 +73,13 @@ def ram(p: Values, t: Array) -> Array:
 
 
 def foot(ahead: float, part: Callable[[Array], Array], p: Values, t: Array) -> Array:
-    """Return where a foot is: the motor has turned by ∫ ω (1 − e^(−3 t)) dt."""
+    """Return the position of a foot; the motor has turned by ∫ ω (1 − e^(−3 t)) dt."""
     turned = rate(p) * (t + np.expm1(-3 * t) / 3)
     return part(mechanisms.chebyshev_foot(ahead + turned, p["a"]))
 
 
 def tension(row: int, p: Values, t: Array) -> Array:
-    """Return a side of the belt, or the motor's torque; two marks of 20 g go with it."""
+    """Return the tension of a side of the belt, or the motor's torque; 2 × 20 g add mass."""
     grows = 3 * p["w"] * np.exp(-3 * t)
     wheel = rotation.round_moment(rotation.DISC, 2.0, p["b"]) * grows * p["a"] / p["b"]
     driver = rotation.round_moment(rotation.DISC, 2.0, p["a"]) * grows

@@ -7,25 +7,25 @@ from validation.formulas import lagrange
 
 
 def cart(p: Values, t: Array) -> Array:
-    """Return where the cart is: the centre of mass stays at 0."""
+    """Return the position of the cart; the centre of mass stays at 0."""
     start = -p["m"] * p["l"] * float(np.sin(amplitude(p))) / (p["M"] + p["m"])
     return start + lagrange.cart_pendulum(t, p["M"], p["m"], p["l"], 9.81, amplitude(p))[0]
 
 
 def amplitude(p: Values) -> float:
-    """Return the angle at the start [rad]."""
+    """Return the initial angle [rad]."""
     return float(np.radians(p["angle"]))
 
 
 def lower(p: Values, t: Array) -> Array:
-    """Return where the lower bob of the double pendulum is, across [m]."""
+    """Return the horizontal position of the double pendulum's lower bob [m]."""
     start = amplitude(p), amplitude(p)
     theta, phi = lagrange.double_pendulum(t, (1.0, p["m"]), (1.0, 0.8), 9.81, start)
     return np.asarray(np.sin(theta) + 0.8 * np.sin(phi))
 
 
 def sprung(p: Values, t: Array) -> Array:
-    """Return where the bob of the spring pendulum is, across [m]."""
+    """Return the horizontal position of the spring pendulum's bob [m]."""
     r, theta = lagrange.spring_pendulum(t, 1.0, p["k"], 1.0, 9.81, amplitude(p))
     return np.asarray(r * np.sin(theta))
 

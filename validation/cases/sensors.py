@@ -13,13 +13,13 @@ G = 9.81  # m/s²
 
 
 def landing_speed(p: Values) -> float:
-    """Return how fast it comes down [m/s]: the coils' work and that of its weight, whatever way."""
+    """Return the speed of landing [m/s], from the work of the coils and of the weight."""
     pushed = sqrt(p["v0"] ** 2 + 2 * COILS * p["F"] * WIDTH / MASS)
     return energy.landing_speed(pushed, G, START)
 
 
 def reach(p: Values) -> float:
-    """Return where it comes down [m]: a parabola from the end of the barrel."""
+    """Return the position of landing [m], on a parabola from the end of the barrel."""
     slope = radians(p["angle"])
     top = START + BARREL * sin(slope)
     speed = sqrt(landing_speed(p) ** 2 - 2 * G * top)

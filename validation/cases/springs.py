@@ -13,7 +13,7 @@ def quarter(against: bool) -> Expected:
 
 
 def beating(index: int) -> Expected:
-    """Return the closed form of a beating oscillator's place [m]."""
+    """Return the closed form of a beating oscillator's position [m]."""
 
     def expected(p: Values, t: Array) -> Array:
         swing = lagrange.coupled_oscillations(t, 1.0, p["k"], (p["a"], 0.0), p["c"])[index]
@@ -23,7 +23,7 @@ def beating(index: int) -> Expected:
 
 
 def coupled(index: int) -> Expected:
-    """Return the closed form of a coupled oscillator's place [m]."""
+    """Return the closed form of a coupled oscillator's position [m]."""
 
     def expected(p: Values, t: Array) -> Array:
         swing = lagrange.coupled_oscillations(t, p["m"], p["k"], (p["a"], p["b"]))[index]
@@ -33,7 +33,7 @@ def coupled(index: int) -> Expected:
 
 
 def damped(damping: float) -> Expected:
-    """Return the closed form of the place of a spring with some damping [m]."""
+    """Return the closed form of the position of a spring with some damping [m]."""
 
     def expected(p: Values, t: Array) -> Array:
         mass, stiffness = p.get("m", 2.0), p.get("k", 50.0)

@@ -10,13 +10,13 @@ HALF_HEIGHT = 0.25  # m
 
 
 def pulled(p: Values, t: Array) -> tuple[Array, Array]:
-    """Return way and velocity of the block that is pulled loose [m, m/s]."""
+    """Return the distance and velocity of the block that is pulled loose [m, m/s]."""
     normal = p["mass"] * p["g"]
     return newton.pulled_loose(p["mu_s"] * normal, p["mu_k"] * normal, p["mass"], p["pull"], t)
 
 
 def on_slope(p: Values, t: Array) -> Array:
-    """Return where the block on the slope is, across [m]."""
+    """Return the horizontal position of the block on the slope [m]."""
     angle = radians(p["angle"])
     a = newton.sticking_acceleration(angle, p["g"], p["mu_s"], p["mu_k"])
     return newton.incline_point(START - a * t**2 / 2, HALF_HEIGHT, angle)

@@ -13,13 +13,13 @@ def net(p: Values) -> float:
 
 
 def inertia(p: Values) -> float:
-    """Return the moment of the beam and its weights about the pin [kg m²]."""
+    """Return the moment of inertia of the beam and its weights about the pin [kg m²]."""
     weights = ((p["r1"], p["m1"]), (p["r2"], p["m2"]))
     beam = rotation.rod_moment(BEAM, 2 * HALF)
     return beam + sum(rotation.round_moment(rotation.HOOP, mass, arm) for arm, mass in weights)
 
 
 def turning(p: Values, _: Array) -> float:
-    """Return the angular velocity from the work of the weights, I ω² / 2 = τ [rad/s]."""
+    """Return the angular velocity, from the work of the weights, I ω² / 2 = τ [rad/s]."""
     torque = net(p)
     return (1 if torque > 0 else -1) * (2 * abs(torque) / inertia(p)) ** 0.5

@@ -9,7 +9,7 @@ from validation.formulas import energy
 
 
 def worked(share: float, right: float) -> Expected:
-    """Return the energy after a push downwards by a share of φ, or by so many right angles."""
+    """Return the energy after a downward push by a share of φ, or by a number of right angles."""
 
     def expected(p: Values, _: Array) -> float:
         push = rect(p["F"], -share * radians(p["phi"]) - right * pi / 2)

@@ -1,7 +1,7 @@
 """The commands of `python -m validation`: one module each, and one list of them.
 
-A module has one function, `command`, which says its arguments and its help. What takes long to
-import is imported when it is called.
+Each module has one function, `command`, which declares its arguments and its help. Slow imports are
+made when it is called.
 """
 
 import typer

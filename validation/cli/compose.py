@@ -51,7 +51,7 @@ def _seeds(seed: int, count: int) -> list[int]:
 
 
 def _composer() -> Callable[..., bool]:
-    """Return what judges compositions, which needs a library that nothing else does."""
+    """Return the judge of compositions, which needs a library of its own."""
     with needed_for("a judgement of compositions"):
         from validation.compose.command import measure
     return measure

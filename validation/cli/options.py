@@ -1,4 +1,4 @@
-"""What several commands share: options, exit statuses, and error messages."""
+"""Options, exit statuses and error messages that several commands share."""
 
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -27,7 +27,7 @@ FAILED, MISUSED = 1, 2
 
 @contextmanager
 def reported_errors() -> Iterator[None]:
-    """Tell an error, and leave: with 1 if a level failed, with 2 for wrong usage."""
+    """Print an error and exit: with 1 if a level failed, with 2 for wrong usage."""
     try:
         yield
     except SandboxError as error:

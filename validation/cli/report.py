@@ -34,7 +34,7 @@ def command(
 
 
 def _writer() -> Callable[..., bool]:
-    """Return what writes reports, which needs libraries that nothing else does."""
+    """Return the writer of reports, which needs libraries of its own."""
     with needed_for("a report"):
         from validation.report.command import write
     return write

@@ -1,1 +1,1 @@
-"""Random compositions of everything that a level may hold, judged without a formula."""
+"""Random compositions of everything that a level may contain, judged without closed forms."""

@@ -18,18 +18,18 @@ from validation.environment import environment
 def measure(
     chosen: Sequence[int], json_file: Path | None, folder: Path | None, jobs: int | None
 ) -> bool:
-    """Judge scenes, print failures by family, and write the requested files.
+    """Judge scenes, print the failures by family, and write the requested files.
 
     Parameters
     ----------
     chosen
-        Their seeds.
+        The seeds of the scenes.
     json_file
-        Where the outcome goes, if anywhere.
+        The file for the outcomes, if any.
     folder
-        Where the levels of those that fail go, if anywhere.
+        The folder for the levels of failed scenes, if any.
     jobs
-        How many processes share them at the most; as many as there are cores if None.
+        The most processes to use; None for as many as there are cores.
 
     Returns
     -------
@@ -39,7 +39,7 @@ def measure(
     Raises
     ------
     SandboxError
-        If something cannot be written.
+        If a file cannot be written.
     """
     if json_file:
         check_writable(json_file)
@@ -56,19 +56,19 @@ def measure(
 
 
 def outcomes(chosen: Sequence[int], jobs: int | None = None) -> list[Outcome]:
-    """Judge scenes, with progress on a terminal, and return them in the same order."""
+    """Judge scenes, with progress on a terminal, and return the outcomes in the same order."""
     jobs = jobs or os.cpu_count() or 1
     found = output.progress(spread(judged, chosen, jobs), "Judging scenes", len(chosen))
     return [outcome for _, outcome in sorted(found, key=lambda pair: pair[0])]
 
 
 def content(found: Sequence[Outcome]) -> dict[str, object]:
-    """Return outcomes as the JSON file holds them."""
+    """Return outcomes as the content of the JSON file."""
     return {"environment": environment(), "scenes": [outcome.content() for outcome in found]}
 
 
 def _save(failed: Sequence[Outcome], folder: Path) -> None:
-    """Write the levels that fail, so that they can be played."""
+    """Write the levels of failed scenes, so that they can be played."""
     make_folder(folder)
     for outcome in failed:
         write_atomically(folder / f"{outcome.name}.json", text(playable(outcome)))

@@ -1,4 +1,4 @@
-"""The energy of a run, worked out from the bodies' positions, and how far it may be off."""
+"""The energy of a run, computed from the bodies' positions, and bounds on its error."""
 
 import numpy as np
 
@@ -9,36 +9,36 @@ from validation.compose.shapes import is_dynamic, moment
 from validation.stability.scene import Document
 
 ROUGHEST = 0.067
-"""The share by which leapfrog's energy swings at the rate that the sandbox advises: four times the
-least, so ω dt = 1/2, and 1 / (1 − (ω dt / 2)²) = 1.067."""
+"""The relative error of leapfrog's energy at the rate that the sandbox advises: there ω dt = 1/2,
+and 1 / (1 − (ω dt / 2)²) = 1.067."""
 
 USUAL = 0.9
-"""The share of a run in which the second-order error must stay within its bound where bodies touch:
-impacts do not count, and a run that goes wrong must not set its own bound."""
+"""The share of a run that determines the second-order error where bodies touch: impacts do not
+count, and a run that goes wrong must not set its own bound."""
 
 PEAKS = 4
-"""The largest second-order error, as a multiple of that bound."""
+"""The largest second-order error, as a multiple of that of this share."""
 
 ROUNDING = 1e-12
-"""The rounding of a thousand steps, as a share of all energies."""
+"""The rounding of a thousand steps, as a share of the largest energy."""
 
 TINY = 1e-15
-"""J, the energy scale of a scene without energy."""
+"""The energy scale of a scene without energy [J]."""
 
 NEXT = 2
-"""All terms of an error as a multiple of its leading term: they fall by ω dt <= 1/2."""
+"""All terms of an error as a multiple of its leading term, since they fall by ω dt <= 1/2."""
 
 SLIGHT = 1e-4
-"""s, the step of a second difference along straight lines; for ω = 200 rad/s its error is 3e-5."""
+"""The step of a second difference along straight lines [s]; its error is 3e-5 at ω = 200 rad/s."""
 
 SINGULAR = 1e-12
-"""Joints are redundant below this share of the stiffest row."""
+"""The share of the stiffest row's stiffness below which joints count as redundant."""
 
 TAUT = 1e-9
-"""m, by which a rope may be too short and still hold; see `invariants.JOINTS`."""
+"""The tolerance within which a rope is taut [m]; see `invariants.JOINTS`."""
 
 KNOWN = 3e-9
-"""m, the precision of heights: surfaces have a skin of 1e-9 m, and joints hold to as much."""
+"""The precision of heights [m]: surfaces have a skin of 1e-9 m, and joints hold to as much."""
 
 
 class Energies:
@@ -63,7 +63,7 @@ class Energies:
 
     @property
     def momentum(self) -> Array:
-        """Of x, y, and about the origin: (T, 3) [N s, N s, N m s]."""
+        """The momentum in x and y, and about the origin: (T, 3) [N s, N s, N m s]."""
         seen = self._course.seen
         linear = np.einsum("n,tnc->tc", self._mass, seen.velocity)
         x, y = seen.position[..., 0], seen.position[..., 1]
@@ -72,7 +72,7 @@ class Energies:
 
     @property
     def bustle(self) -> Array:
-        """What momenta there are, whichever way they go: (T, 3)."""
+        """The sums of the bodies' absolute momenta: (T, 3)."""
         seen = self._course.seen
         sizes = np.hypot(seen.velocity[..., 0], seen.velocity[..., 1])
         linear = sizes @ self._mass
@@ -81,16 +81,16 @@ class Energies:
         return np.column_stack((linear, linear, (sizes * far) @ self._mass + spin))
 
     def weight(self) -> float:
-        """All weights together [N]."""
+        """Return the total weight [N]."""
         return float(self._mass.sum() * np.hypot(*self._gravity))
 
     def turned(self) -> float:
-        """Return the energy that was turned over, by works or from one kind to another [J]."""
+        """Return the energy that was converted, or was added by drives [J]."""
         swings = [float(np.ptp(e)) for e in (self.kinetic, self.stored, self.high)]
         return max(min(max(swings), self._there()), self._course.worked)
 
     def _there(self) -> float:
-        """Return what could be turned over, if all fell freely: a bound of its own [J]."""
+        """Return the energy that could be converted in free fall, an independent bound [J]."""
         t = float(self._course.seen.t[-1])
         speeds = np.hypot(*self._course.seen.velocity[0].T)
         fallen = self._mass @ (speeds * t + np.hypot(*self._gravity) * t**2 / 2)
@@ -98,11 +98,11 @@ class Energies:
         return float(self.kinetic[0] + self.stored[0]) + lifted
 
     def second_order(self) -> float:
-        """Return what leapfrog's energy is off by at a step of this size [J].
+        """Return the second-order error of leapfrog's energy [J].
 
-        It keeps H + dt² (v · V'' v / 12 − F · M⁻¹ F / 24) to higher order (Hairer, Lubich and
-        Wanner, Geometric Numerical Integration, IX.8): |v · V'' v| = |m v · da/dt|, and the force
-        of a joint is one of those. Both at two times may differ by twice as much.
+        Leapfrog conserves H + dt² (v · V'' v / 12 − F · M⁻¹ F / 24) to higher order (Hairer, Lubich
+        and Wanner, Geometric Numerical Integration, IX.8). Here |v · V'' v| = |m v · da/dt|, and F
+        includes the forces of joints. The difference between two times may be twice as large.
         """
         seen, dt = self._course.seen, self._course.dt
         pulls = np.sum(seen.acceleration**2, axis=-1) @ self._mass
@@ -120,12 +120,13 @@ class Energies:
         return float(peak * dt**2 * usual)
 
     def swings(self) -> float:
-        """Return what leapfrog's energy is off by where joints swing what they hold hardest [J].
+        """Return the error of leapfrog's energy where joints curve motion the most [J].
 
-        Their forces do no work, v · M a = 0, so v · M da/dt = −a · M a, and the terms of
-        `second_order` are a · M a dt² / 4. What a joint makes of a by holding follows from places
-        and velocities alone: J a = −dJ/dt v, with the least a · M a (Gauss). So a kick that goes
-        wrong does not set its own bound; what flies off with it does by the share (ω dt)² / 2.
+        Constraint forces do no work, v · M a = 0, so v · M da/dt = −a · M a, and the terms of
+        `second_order` become a · M a dt² / 4. The acceleration by a constraint follows from
+        positions and velocities alone: J a = −dJ/dt v, with the least a · M a (Gauss). So a kick
+        that goes wrong does not set its own bound, except by the share (ω dt)² / 2 of the motion it
+        causes.
         """
         seen = self._course.seen
         places = Places(seen.position[..., 0], seen.position[..., 1], seen.angle, seen.t)
@@ -142,7 +143,7 @@ class Energies:
         return float(np.einsum("ti,ti->t", bends, pulls[..., 0]).max() * self._course.dt**2 / 4)
 
     def _bends(self, places: Places) -> Array:
-        """Return how what joints keep bends along straight ways: (T, m) [m/s², rad/s²]."""
+        """Return the second time derivatives of the constraints in straight motion: (T, m)."""
         seen = self._course.seen
         x, y = np.moveaxis(seen.velocity, -1, 0)
         there = []
@@ -154,11 +155,11 @@ class Energies:
         return np.asarray((there[0] - 2 * there[1] + there[2]) / SLIGHT**2)
 
     def landings(self) -> float:
-        """Return what is off where bodies come down on each other, and stop in a drift [J].
+        """Return the error of the energy where bodies land on each other within a drift [J].
 
-        The books have that at the step. What acts in a kick, m a dt, does its work with the mean of
-        the velocities before and after it, each for half of the step: by so much may half of it be
-        wrong, for as much as they differ, m a dt Δv / 4.
+        The ledger books the impact at the step. A force in a kick, with impulse m a dt, does its
+        work at the mean of the velocities before and after it, each for half of the step. Half of
+        that work may therefore be off by their difference: m a dt Δv / 4.
         """
         course, seen = self._course, self._course.seen
         met = [i for i in range(2, course.steps) if course.pairs[i] - course.pairs[i - 1]]
@@ -171,13 +172,13 @@ class Energies:
         return float(np.sum((pulls * jumps) @ self._mass)) * course.dt / 4
 
     def allowed(self, overlapped: float) -> float:
-        """Return by how much energy may be wrong [J].
+        """Return the largest allowed error of the energy [J].
 
         Parameters
         ----------
         overlapped
-            The ways by which bodies were within each other, added up [m]: an impact that is found
-            late is found that deep, and who lies there is lifted out again.
+            The sum of the depths of overlaps [m]: an impact that is found late begins with one, and
+            the bodies in it are then pushed apart.
         """
         largest = max(float(np.abs(e).max()) for e in (self.kinetic, self.stored, self.high))
         late = self.weight() * overlapped + self.landings()
@@ -186,7 +187,7 @@ class Energies:
         return NEXT * leading + self.weight() * KNOWN + ROUNDING * largest + TINY
 
     def _springs(self, document: Document, keeping: Keeping) -> Array:
-        """Return what springs store: (T,) [J]."""
+        """Return the energy stored in springs: (T,) [J]."""
         seen = self._course.seen
         places = Places(seen.position[..., 0], seen.position[..., 1], seen.angle, seen.t)
         total = np.zeros(len(seen.t))

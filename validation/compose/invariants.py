@@ -1,7 +1,7 @@
-"""Invariants: what must hold in any run, without a formula for it.
+"""Invariants: what must hold in any run, without a closed form.
 
-A judge returns judgements: a name, a figure, a bound, and whether the one is within the other. Not
-every scene has something to be judged by each; then there is none.
+A judge yields judgements, each with a name, a figure, its bound, and whether it is met. A judge
+that does not apply to a scene yields none.
 """
 
 from collections.abc import Callable, Iterator, Sequence
@@ -26,50 +26,53 @@ from validation.stability.case import make
 from validation.stability.scene import Document
 
 FORCES = 1e-6
-"""Of all weights together. The linear programme is solved to 1e-7, and surfaces are where they are
-to a skin of 1e-9 m, a millionth of the least arm of 1 cm at a lever of ten."""
+"""The tolerance of forces, relative to the total weight. The linear programme is solved to 1e-7,
+and surfaces are located to a skin of 1e-9 m: a millionth of the shortest arm of 1 cm at a leverage
+of ten."""
 
 MARGIN = 0.9
-"""The share of its friction with which a scene must stand to be called at rest: what stands by a
-hair may fall."""
+"""The share of its friction with which a scene must stand to be expected at rest, since rounding
+may tip one that barely stands."""
 
 DRIFT = 1e-5
-"""m: touching bodies may sink by the skin, 1e-6 m, and a lever of ten may magnify it."""
+"""The tolerance of a scene at rest [m]: contacts may sink by the skin of 1e-6 m, at a leverage of
+ten."""
 
 JOINTS = 1e-9
-"""m: rounding is 1e-15 m of the scenes' 10 m, a thousand times in some hundred of equations that
-masses of 1000 : 1 may amplify by as much."""
+"""The tolerance of joints [m]: the rounding of positions of 10 m is 1e-15 m, times a thousand for a
+hundred or more equations, times a thousand for mass ratios of 1000 : 1."""
 
 MOMENTUM = 1e-10
-"""Of all that is in motion: rounding, 1e-16, of a thousand steps, and a thousand times for masses
-of 1000 : 1."""
+"""The relative tolerance of momentum: rounding, 1e-16, times a thousand steps, times a thousand for
+mass ratios of 1000 : 1."""
 
 ORDER = 1.8
 """The least power of the step with which errors fall: 2, less the effect of the next term."""
 
 EXACT = 1e-9
-"""m, below which an error is rounding; see `JOINTS`."""
+"""The error below which it is rounding [m]; see `JOINTS`."""
 
 COARSE = 0.03
-"""m, errors beyond this show no order: the runs have diverged."""
+"""The error above which no order can show, since the runs have diverged [m]."""
 
 FEW = 12
-"""The least number of steps within which an order, or a symmetry, can be seen."""
+"""The least number of steps that show an order or a symmetry."""
 
 SYMMETRY = 1e-9
-"""m: rounding that grows as e^(t √(g / l)): in `WINDOW`, for l = 2 cm, by 7000 times."""
+"""The tolerance of symmetries [m]: rounding that grows as e^(t √(g / l)), which within `WINDOW` and
+for l = 2 cm is a factor of 7000."""
 
 WINDOW = 0.4
-"""s, for which a symmetry is checked, or until a new contact: after that, the last digit decides
-which corner hits first."""
+"""The time for which a symmetry is checked, unless a new contact ends it [s]: after that, rounding
+decides which corner hits first."""
 
 TURN = 0.7
-"""rad, the angle by which a scene is turned."""
+"""The angle by which a scene is turned [rad]."""
 
 
 @dataclass(frozen=True, slots=True)
 class Judgement:
-    """One judgement; the figure of `order` and `runs` is to be at least the bound."""
+    """A judgement; the figures of `order` and `runs` must be at least their bounds."""
 
     name: str
     figure: float
@@ -86,7 +89,7 @@ def _least(name: str, figure: float, bound: float) -> Judgement:
 
 
 class Case:
-    """A run, and what several judges need of it."""
+    """A run, and the data that several judges need."""
 
     def __init__(self, course: Course) -> None:
         self.course = course
@@ -102,19 +105,20 @@ class Case:
         self.extents = np.array([extent(b) if is_dynamic(b) else 0.0 for b in bodies])
 
     def places(self, at: int | None = None) -> Places:
-        """Return where bodies are: at all instants, or at one."""
+        """Return the positions of the bodies, at all instants or at one."""
         seen, rows = self.course.seen, slice(None) if at is None else slice(at, at + 1)
         x, y = seen.position[rows, :, 0], seen.position[rows, :, 1]
         return Places(x, y, seen.angle[rows], seen.t[rows])
 
     def rough(self) -> bool:
-        """Whether surfaces rub."""
+        """Whether there is friction."""
         return "friction" in self.document["effects"]
 
     def steady(self) -> int:
-        """Return how many steps pass before rounding tips what stood in balance, if it did.
+        """Return the number of steps until rounding tips a scene that is in unstable balance.
 
-        A strut that stands upright under its load falls one way or the other, by the last digit.
+        A strut that stands upright under its load falls to a side that rounding decides. A scene
+        that moves from the start returns all of its steps.
         """
         places = self.course.seen.position[:, self.extents > 0]
         gone = np.abs(places - places[0]).max(axis=(1, 2), initial=0.0)
@@ -125,14 +129,14 @@ class Case:
 
 
 def runs(case: Case) -> Iterator[Judgement]:
-    """Ask that it comes to its end."""
+    """Require that the run reaches its end."""
     course = case.course
     came = float(course.seen.t[-1])
     yield Judgement("runs", came, course.asked, not course.failure)
 
 
 def statics(case: Case) -> Iterator[Judgement]:
-    """Require that bodies at rest stay so, held by forces that can hold them."""
+    """Require that bodies at rest stay so, held by forces in equilibrium."""
     course = case.course
     if not course.scene.rests:
         return
@@ -149,7 +153,7 @@ def statics(case: Case) -> Iterator[Judgement]:
 
 
 def _furthest(case: Case, seen: Snapshot, start: Snapshot) -> float:
-    """Return how far any point of a body that moves is from where it started [m]."""
+    """Return the largest distance of any point of a dynamic body from its start [m]."""
     moved = np.hypot(*np.moveaxis(seen.position - start.position[0], -1, 0))
     turns = np.abs(seen.angle - start.angle[0]) * case.extents
     kinetic = np.array([not is_dynamic(b) for b in case.document["bodies"].values()])
@@ -157,10 +161,10 @@ def _furthest(case: Case, seen: Snapshot, start: Snapshot) -> float:
 
 
 def energy(case: Case) -> Iterator[Judgement]:
-    """Ask that no energy comes from nowhere, and that the books close.
+    """Require that no energy appears, and that the energy balance closes.
 
-    It must not grow from the start on, nor later: read between two steps, for at the step of an
-    impact what is held is read as the mean of before and after.
+    Energy must not grow, neither from the start nor later. The latter is read between steps, since
+    velocities at the step of an impact are the mean of those before and after it.
     """
     energies = case.energies
     allowed = energies.allowed(case.overlapped)
@@ -173,10 +177,10 @@ def energy(case: Case) -> Iterator[Judgement]:
 
 
 def momentum(case: Case) -> Iterator[Judgement]:
-    """Ask that momentum changes by impulses, and not at all where nothing gives any.
+    """Require that momentum changes by impulses only, and otherwise not at all.
 
-    What is pushed out of an overlap takes its momentum elsewhere: that much angular momentum is let
-    pass.
+    Bodies that are pushed out of an overlap carry their momentum along; that much angular momentum
+    is allowed.
     """
     course, energies = case.course, case.energies
     far, t = 1 + np.abs(course.seen.position).max(), course.seen.t[-1]
@@ -192,17 +196,17 @@ def momentum(case: Case) -> Iterator[Judgement]:
 
 
 def joints(case: Case) -> Iterator[Judgement]:
-    """Ask that joints hold at every step."""
+    """Require that joints hold at every step."""
     kept = case.keeping(case.places())
     if kept:
         yield _most("joints", max(float(k.error.max()) for k in kept), JOINTS)
 
 
 def overlap(case: Case) -> Iterator[Judgement]:
-    """Ask that bodies keep out of each other.
+    """Require that bodies do not overlap.
 
-    An impact is found at the first step after it, as deep as the way of that step; so much is let
-    pass, for a while. Where the other corner of a side comes down later, that is another impact.
+    An impact is found at the first step after it, at a depth of up to the motion in that step; this
+    depth is allowed for a while. If the other corner of a side lands later, that is another impact.
     """
     if case.couples:
         yield _most(
@@ -213,7 +217,7 @@ def overlap(case: Case) -> Iterator[Judgement]:
 
 
 def order(case: Case) -> Iterator[Judgement]:
-    """Ask that errors fall with the square of the step, where nothing sets in or ends at once."""
+    """Require that errors fall with the square of the step, while forces change smoothly."""
     course = case.course
     steps = min(_smooth(case), int(WINDOW * course.rate))
     if steps < FEW:
@@ -221,7 +225,7 @@ def order(case: Case) -> Iterator[Judgement]:
     try:
         errors = _errors(case, 1, steps)
         if COARSE > errors[1] > EXACT and log2(errors[0] / errors[1]) < ORDER:
-            errors = _errors(case, 2, steps)  # the next power of the step may still have a say
+            errors = _errors(case, 2, steps)  # the next power of the step may still matter
     except SandboxError:
         yield _least("order", 0.0, ORDER)
         return
@@ -232,18 +236,18 @@ def order(case: Case) -> Iterator[Judgement]:
 
 
 def _smooth(case: Case) -> int:
-    """Return how many steps pass without anything that sets in or ends at once."""
+    """Return the number of steps before any force sets in or ends suddenly."""
     course = case.course
     if course.scene.rests or (case.rough() and any(course.pairs)):
-        return 0  # nothing moves, or slipping may end anywhere
-    taut = course.taut[1:]  # not every scheme knows its pulls at the start
+        return 0  # nothing moves, or slipping may end at any time
+    taut = course.taut[1:]  # not all schemes know the tensions at the start
     changed = np.flatnonzero((taut != taut[:1]).any(axis=1))
     setting_in = int(changed[0]) if changed.size else course.steps
     return min(course.undisturbed(), setting_in, case.steady()) - 1
 
 
 def _errors(case: Case, finer: int, steps: int) -> tuple[float, float]:
-    """Return how far runs at a rate, twice and four times that are apart [m]."""
+    """Return the differences between runs at a rate, twice and four times that [m]."""
     course = case.course
     seen = [
         positions(course.level, course.rate * factor, steps, factor)
@@ -253,15 +257,15 @@ def _errors(case: Case, finer: int, steps: int) -> tuple[float, float]:
 
 
 def _apart(case: Case, one: Snapshot, other: Snapshot) -> float:
-    """Return how far points of bodies are apart in two runs [m]."""
+    """Return the largest distance between corresponding points in two runs [m]."""
     apart = np.hypot(*np.moveaxis(one.position - other.position, -1, 0))
     return float((apart + np.abs(one.angle - other.angle) * case.extents).max())
 
 
 def symmetry(case: Case) -> Iterator[Judgement]:
-    """Ask that a scene does the same in a mirror, or turned with its gravity.
+    """Require that a mirrored scene, and one rotated with its gravity, move accordingly.
 
-    Looked at until something touches that did not, and for no longer than `WINDOW`.
+    This is checked until there is a new contact, and for no longer than `WINDOW`.
     """
     course = case.course
     steps = min(course.undisturbed(), case.steady(), int(WINDOW * course.rate))
@@ -275,7 +279,7 @@ def symmetry(case: Case) -> Iterator[Judgement]:
 
 
 class Back(NamedTuple):
-    """What brings a scene that was changed back: places by a matrix, angles by sign and offset."""
+    """The inverse transformation of a changed scene: a matrix for positions, and one for angles."""
 
     matrix: Array
     sign: float
@@ -283,7 +287,7 @@ class Back(NamedTuple):
 
 
 def _astray(case: Case, document: Document, back: Back, steps: int) -> float:
-    """Return how far a changed scene, brought back, is from the run [m]; infinite if it stops."""
+    """Return the distance of a changed scene from the run [m]; infinite if it stops."""
     course = case.course
     try:
         there = positions(make(document), course.rate, steps, 1)
@@ -304,7 +308,7 @@ JUDGES: Sequence[Judge] = (
 
 
 def judge(course: Course, judges: Sequence[Judge] = JUDGES) -> list[Judgement]:
-    """Return all judgements of a run, or those of some judges."""
+    """Return all judgements of a run, or those of given judges."""
     with np.errstate(all="ignore"):
         case = Case(course)
         return [found for one in judges for found in one(case)]

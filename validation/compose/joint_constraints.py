@@ -1,7 +1,7 @@
 """The constraints of joints, derived independently from the level's file, and their violation.
 
-Each function takes complex coordinates, too: a step of 1e-30 i along one of them gives the slope to
-the last digit. So the Jacobian that judges the forces is a derivative of the very lengths that
+The functions accept complex coordinates: a step of 1e-30 i along one of them gives the derivative
+to full precision. So the Jacobian that judges the forces is the derivative of the same lengths that
 judge the joints, and neither is the engine's.
 """
 
@@ -21,11 +21,11 @@ Numbers = NDArray[Any]
 """Real numbers, or complex ones for a derivative."""
 
 STEP = 1e-30
-"""The imaginary step of a derivative: its square vanishes beside 1."""
+"""The imaginary step of a derivative, whose square vanishes beside 1."""
 
 
 class Places(NamedTuple):
-    """Where the bodies of a level are, in its order: (T, n) each, and when: (T,)."""
+    """The positions of a level's bodies, in its order, (T, n) each, and the times, (T,)."""
 
     x: Numbers
     y: Numbers
@@ -35,16 +35,16 @@ class Places(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Kept:
-    """Something that a joint keeps.
+    """A constraint of a joint.
 
     Attributes
     ----------
     joint
         The name of the joint.
     off
-        (T,), by how much it is off [m; rad where an angle is kept].
+        (T,), its violation [m; rad for an angle].
     pulls_only
-        Whether it may be less, as of a rope.
+        Whether the violation may be negative, as for a rope.
     """
 
     joint: str
@@ -53,18 +53,18 @@ class Kept:
 
     @property
     def error(self) -> Numbers:
-        """By how much it is broken: (T,)."""
+        """The absolute violation of the constraint: (T,)."""
         off = self.off.real
         return np.asarray(np.maximum(off, 0.0) if self.pulls_only else np.abs(off))
 
 
 class Keeping:
-    """The exact joints of a level, held against where they were at the start.
+    """The constraints of a level's exact joints, relative to the start.
 
     Parameters
     ----------
     document, level
-        The level, as its file and as read.
+        The level, as in its file and as parsed.
     """
 
     def __init__(self, document: Document, level: Level) -> None:
@@ -81,11 +81,11 @@ class Keeping:
         }
 
     def __call__(self, places: Places) -> list[Kept]:
-        """Return what all joints keep."""
+        """Return the constraints of all joints."""
         return [kept for name in self._joints for kept in self.of(name, places)]
 
     def of(self, name: str, places: Places) -> list[Kept]:
-        """Return what a joint keeps, an entry an equation; none of a spring."""
+        """Return the constraints of a joint, one for each equation; none for a spring."""
         joint = self._joints[name]
         measured = self._measure(name, joint, places)
         pulls = joint["type"] in ("rope", "pulley", "winding")
@@ -95,7 +95,7 @@ class Keeping:
         ]
 
     def _aim(self, joint: Document, index: int, start: Numbers, t: Numbers) -> Numbers:
-        """Return the required values of a measure at the times: by default, that of the start."""
+        """Return the required values of a measure at given times: by default, that of the start."""
         if joint["type"] in ("pivot", "motor", "rail") and index < 2:
             return np.zeros_like(t)
         if joint["type"] == "motor":
@@ -126,7 +126,7 @@ class Keeping:
         return []
 
     def _pinned(self, joint: Document, places: Places) -> list[Numbers]:
-        """Return the offset of two points, along the axes of the first's body if it is welded."""
+        """Return the offset of two points, in the frame of the first body if it is welded."""
         (ax, ay), (bx, by) = (self.point(end, places) for end in joint["ends"])
         dx, dy = bx - ax, by - ay
         if joint["type"] == "pivot":
@@ -139,7 +139,7 @@ class Keeping:
         return [dx, dy, *turns]
 
     def _wound(self, joint: Document, places: Places) -> Numbers:
-        """Return how long a string is, free and wound on its wheel [m]."""
+        """Return the length of a string, both free and wound on its wheel [m]."""
         (ax, ay), (bx, by) = (self.point(end, places) for end in joint["ends"])
         radius = float(joint["radius"])
         sense = 1.0 if joint["unwinds"] == "counterclockwise" else -1.0
@@ -152,7 +152,7 @@ class Keeping:
         return np.asarray(free + sense * radius * (around - self._angle(joint["ends"][1], places)))
 
     def _astray(self, name: str, joint: Document, places: Places) -> Numbers:
-        """Return how far a bead is from its wire, by Newton's method for the nearest point [m]."""
+        """Return the distance of a bead from its wire, by Newton's method [m]."""
         wire: Any = self._level.joints[name]
         first, last = (float(end) for end in joint["s"])
         along = np.linspace(first, last, 4001)
@@ -171,7 +171,7 @@ class Keeping:
         return np.asarray((tx * (y - py) - ty * (x - px)) / speed)
 
     def point(self, end: object, places: Places) -> tuple[Numbers, Numbers]:
-        """Return where an end of a joint is: (T,) each [m]."""
+        """Return the position of a joint's end: (T,) each [m]."""
         if isinstance(end, Sequence) and not isinstance(end, str):
             still = np.ones_like(places.t)
             return end[0] * still, end[1] * still
@@ -188,19 +188,19 @@ class Keeping:
         return np.zeros_like(places.t) if name is None else places.angle[:, self._rows[name]]
 
     def slopes(self, places: Places) -> tuple[list[str], NDArray[np.float64]]:
-        """Return the joint of each equation, and how it changes with places and angles.
+        """Return the joint of each equation, and its Jacobian with respect to positions and angles.
 
         Parameters
         ----------
         places
-            At T instants.
+            The positions at T instants.
 
         Returns
         -------
         list
-            (m,), the names.
+            (m,), the names of the joints.
         array
-            (T, m, n, 3), the slopes.
+            (T, m, n, 3), the Jacobian.
         """
         times, count = places.x.shape
         names = [kept.joint for kept in self(places)]
@@ -216,12 +216,12 @@ class Keeping:
 
 
 def length(dx: Numbers, dy: Numbers) -> Numbers:
-    """Return √(dx² + dy²), of complex numbers as well."""
+    """Return √(dx² + dy²), for complex numbers as well."""
     return np.asarray(np.sqrt(dx * dx + dy * dy))
 
 
 def direction(dx: Numbers, dy: Numbers) -> Numbers:
-    """Return atan2(dy, dx), of numbers with a tiny imaginary part as well [rad]."""
+    """Return atan2(dy, dx), also for numbers with a tiny imaginary part [rad]."""
     angle = np.arctan2(dy.real, dx.real)
     if not (np.iscomplexobj(dx) or np.iscomplexobj(dy)):
         return np.asarray(angle)

@@ -13,26 +13,26 @@ from validation.stability.scene import Document
 
 @dataclass(frozen=True, slots=True)
 class Outcome:
-    """A scene, judged.
+    """The outcome of a scene.
 
     Attributes
     ----------
     seed, family
-        Of the scene.
+        The seed and the family of the scene.
     bodies, joints
-        How many it has.
+        The numbers of bodies and joints.
     judgements
-        The verdicts; none for a scene that was refused.
+        The judgements; none for a scene that was refused.
     passed
-        Whether all of it holds.
+        Whether all of them hold.
     refused
         Whether it was refused before its first step.
     reason
-        Why, or why it stopped; empty if it did neither.
+        Why it was refused, or why it stopped; empty if it did neither.
     rate
-        Of its steps [Hz].
+        The rate of its steps [Hz].
     seconds
-        How long all of this took [s].
+        The total time [s].
     """
 
     seed: int
@@ -48,7 +48,7 @@ class Outcome:
 
     @property
     def name(self) -> str:
-        """What it is called: its family and its seed."""
+        """Its name: the family and the seed."""
         return f"{self.family}-{self.seed}"
 
     @property
@@ -57,7 +57,7 @@ class Outcome:
         return tuple(judgement for judgement in self.judgements if not judgement.passed)
 
     def content(self) -> dict[str, object]:
-        """Return it as JSON takes it."""
+        """Return it as the content of a JSON file."""
         judgements = [finite(asdict(judgement)) for judgement in self.judgements]
         return {**finite(asdict(self)), "judgements": judgements}
 
@@ -88,7 +88,7 @@ def judge_scene(found: Scene) -> Outcome:
 
 
 def playable(found: Outcome) -> Document:
-    """Return the level of a scene as it was run, what is wrong with it in its summary."""
+    """Return the level of a scene as it was run, with what is wrong in its summary."""
     document = scene(found.seed).document
     judgements = ", ".join(f"{j.name} {j.figure:.2g} (bound {j.bound:.2g})" for j in found.failed)
     summary = f"{judgements}; {found.reason}" if found.reason else judgements

@@ -1,4 +1,4 @@
-"""How deep bodies overlap in a run, and how deep they may."""
+"""The overlaps of bodies in a run, and the overlaps that are allowed."""
 
 import numpy as np
 
@@ -8,31 +8,31 @@ from validation.compose.recorded_run import Course
 from validation.compose.separation import Couple
 
 SKIN = 1.1e-6
-"""m: the overlap that the engine leaves alone is 1e-6 m, approached from above."""
+"""The overlap that is always allowed [m]: the engine leaves 1e-6 m, approached from above."""
 
 SOON = 0.25
-"""s, within which the overlap of an impact that was found late must be gone."""
+"""The time within which the overlap of a late impact must vanish [s]."""
 
 SLOWLY = 0.2
-"""The share of an overlap that a step takes back where it is left to pymunk and nothing bounces; of
-what bounces it takes back none (docs/how-to/write-a-level.md, `correction`). So much may be left of
-it later."""
+"""The share of an overlap that a step removes if contacts are pymunk's and nothing bounces; with
+bounces it removes none (docs/how-to/write-a-level.md, `correction`). The rest may remain after that
+time."""
 
 
 def overlapped(couple: Couple) -> float:
-    """Return how deep two bodies came into each other, each time that they did, added up [m]."""
+    """Return the sum of the greatest depths of two bodies' successive overlaps [m]."""
     depth = np.maximum(-couple.separation, 0.0)
     begins = np.flatnonzero((depth > 0) & (np.concatenate(([0.0], depth[:-1])) == 0))
     return float(np.maximum.reduceat(depth, begins).sum()) if begins.size else 0.0
 
 
 def excess(course: Course, couple: Couple, extents: Array) -> float:
-    """Return by how much two bodies overlap beyond what a fresh impact explains [m].
+    """Return the overlap of two bodies beyond what a recent impact explains [m].
 
     Parameters
     ----------
     extents
-        (n,), how far bodies reach from their centres [m].
+        (n,), the reach of the bodies from their centres [m].
     """
     depth = np.maximum(-couple.separation, 0.0)
     if not (depth > SKIN).any():
@@ -47,14 +47,14 @@ def excess(course: Course, couple: Couple, extents: Array) -> float:
 
 
 def _left(course: Course) -> float:
-    """Return the share of an overlap that a step leaves; 0 where it must soon be gone."""
+    """Return the share of an overlap that a step leaves; 0 if it must vanish soon."""
     if is_direct(course.level):
         return 0.0
     return 1.0 if course.level.effects.restitution else 1 - SLOWLY
 
 
 def _ways(course: Course, couple: Couple, extents: Array) -> Array:
-    """Return how far two bodies at most came closer in each step: (T,) [m]."""
+    """Return the greatest possible approach of two bodies in each step: (T,) [m]."""
     seen, names = course.seen, list(course.scene.document["bodies"])
     a, b = (names.index(name) for name in couple.names)
     apart = np.diff(seen.position[:, a] - seen.position[:, b], axis=0)

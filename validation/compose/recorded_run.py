@@ -25,48 +25,48 @@ MOST_STEPS = 720
 """The most steps of a run; a run with a high rate is shorter."""
 
 LIMIT = 20.0
-"""s of processor time that a run may take: 28 ms for each of the most steps."""
+"""The processor time that a run may take [s]: 28 ms for each of the most steps."""
 
 TRIES = 8
-"""How often a proposed rate is tried."""
+"""The most rates that are tried in turn."""
 
 Pairs = frozenset[tuple[int, int]]
 
 
 class Refused(Exception):  # noqa: N818 (an outcome, and no error)
-    """A scene that cannot start, and why."""
+    """A scene that cannot start, with the reason."""
 
 
 @dataclass(slots=True)
 class Course:
-    """What was seen of a run; T instants, the first at the start.
+    """The record of a run; T instants, the first at the start.
 
     Attributes
     ----------
     scene, level
         The scene, and the level that was run.
     rate
-        Of its steps [Hz].
+        The rate of its steps [Hz].
     seen
-        The states, time in front.
+        The states, with time as the first axis.
     pairs
-        (T,), the numbers of the bodies that touched at each.
+        (T,), the pairs of bodies that touch at each instant, by their indices.
     taut
-        (T, j), which joints pulled, or pushed.
+        (T, j), which joints exert a force.
     booked
-        (T,), the energy in the books, as it stands in the middle of the drifts [J].
+        (T,), the energy in the ledger, in the middle of the drifts [J].
     unexplained
-        (T,), what the ledger cannot explain of the energy [J].
+        (T,), the energy that the ledger cannot explain [J].
     lost_momentum
-        (T, 3), and of the momentum [N s, N s, N m s].
+        (T, 3), the momentum that it cannot explain [N s, N s, N m s].
     worked
-        The energy that what drives the scene has put in, or taken out, in the end [J].
+        The energy that the scene's drives have put in, or taken out, at the end [J].
     asked
-        How long it was to last [s].
+        The intended length of the run [s].
     failure
-        Why it stopped before that; empty if it did not.
+        Why it stopped earlier; empty if it did not.
     advised
-        The rate at which it should not, if that is told [Hz].
+        The rate at which it should not stop, if one is advised [Hz].
     """
 
     scene: Scene
@@ -90,7 +90,7 @@ class Course:
 
     @property
     def steps(self) -> int:
-        """How many were taken."""
+        """The number of steps taken."""
         return len(self.pairs) - 1
 
     def undisturbed(self) -> int:
@@ -100,19 +100,19 @@ class Course:
 
 
 def start(level: Level, rate: float | None = None) -> World:
-    """Return the world of a level, at a rate that the sandbox itself asks for.
+    """Return the world of a level, at a rate that the sandbox accepts.
 
     Parameters
     ----------
     level
-        Which.
+        The level.
     rate
-        With which to begin, instead of its own [Hz].
+        The first rate to try; the level's own if left out [Hz].
 
     Raises
     ------
     Refused
-        If it is refused without a rate that would do.
+        If no sufficient rate is advised.
     """
     rate = rate or level.stepping.rate
     for _ in range(TRIES):
@@ -133,7 +133,7 @@ def start(level: Level, rate: float | None = None) -> World:
 
 
 def led(scene: Scene, level: Level) -> Course:
-    """Run a level, and again at the rate that is advised, where it stops and one is.
+    """Run a level and, if it stops and a rate is advised, run it again at that rate.
 
     Raises
     ------
@@ -151,7 +151,7 @@ def led(scene: Scene, level: Level) -> Course:
 def run(scene: Scene, level: Level, world: World, duration: float | None = None) -> Course:
     """Run a world, and record every step and its ledger.
 
-    Without a duration it is as long as the level says, or as many steps as a run has at the most.
+    By default it is as long as the level, but has at most `MOST_STEPS` steps.
     """
     steps = count_steps(world, duration)
     if duration is None:
@@ -174,7 +174,7 @@ def run(scene: Scene, level: Level, world: World, duration: float | None = None)
 
 @dataclass(slots=True)
 class _Notes:
-    """What is written down of a run."""
+    """The notes on a run in progress."""
 
     world: World
     ledger: Ledger = field(init=False)
@@ -191,7 +191,7 @@ class _Notes:
         self.unexplained, self.lost = [0.0], [np.zeros(3)]
 
     def take(self) -> None:
-        """Write down a step."""
+        """Record a step."""
         self.ledger.note()
         balance = self.ledger.balance
         self.seen.append(self.world.snapshot)
@@ -203,7 +203,7 @@ class _Notes:
     def course(
         self, scene: Scene, level: Level, asked: float, failure: str, advised: float | None
     ) -> Course:
-        """Return all of it."""
+        """Return the complete record."""
         seen = Snapshot.stack(self.seen)
         return Course(
             scene, level, self.world.stepping.rate, seen, self.pairs,
@@ -227,7 +227,7 @@ def positions(level: Level, rate: float, steps: int, every: int) -> Snapshot:
     Raises
     ------
     SandboxError
-        If it does not come so far, or not in time.
+        If the run stops before the last state, or takes too long.
     """
     world = build(level, stepping=level.stepping.at(rate))
     seen, deadline = [world.snapshot], process_time() + LIMIT

@@ -8,11 +8,11 @@ from rich.table import Table
 from validation.compose.outcome import Outcome
 
 TOLD = 20
-"""How many failed scenes are named."""
+"""The most failed scenes that are named."""
 
 
 def by_family(found: Sequence[Outcome]) -> Table:
-    """Return a row a family: how many of its scenes hold, and what the others miss."""
+    """Return a table with a row per family: how many scenes pass, and which judgements fail."""
     table = Table(title="Random compositions", header_style="bold", row_styles=("", "dim"))
     table.add_column("family")
     for heading in ("scenes", "hold", "refused"):
@@ -31,7 +31,7 @@ def by_family(found: Sequence[Outcome]) -> Table:
 
 
 def _counted(members: Sequence[Outcome]) -> Iterator[str]:
-    """Yield each judgement that fails, how often, and of how many."""
+    """Yield each judgement that fails, with how often, and out of how many."""
     made = Counter(judgement.name for outcome in members for judgement in outcome.judgements)
     missed = Counter(judgement.name for outcome in members for judgement in outcome.failed)
     for name in made:
@@ -40,7 +40,7 @@ def _counted(members: Sequence[Outcome]) -> Iterator[str]:
 
 
 def complaints(found: Sequence[Outcome]) -> Iterator[str]:
-    """Yield the scenes that fail, with what they miss; of many only the first."""
+    """Yield the failed scenes with their judgements, at most `TOLD` of them."""
     failed = [outcome for outcome in found if outcome.failed]
     for outcome in failed[:TOLD]:
         missed = ", ".join(f"{j.name} {j.figure:.1e} of {j.bound:.1e}" for j in outcome.failed)

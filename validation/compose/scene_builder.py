@@ -1,4 +1,4 @@
-"""The builder with which families put their scenes together."""
+"""The builder with which families compose their scenes."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
@@ -14,27 +14,27 @@ from validation.stability.scene import Document, G, Place, level, rounded
 T = TypeVar("T")
 
 End = object
-"""An end of a joint, as it stands in a file."""
+"""An end of a joint, as in a file."""
 
 RATES = (60, 120, 240, 240, 480, 1000, 2000)
-"""Hz, the rates to draw from; the last is only for scenes that need it."""
+"""The rates to draw from [Hz]; the last is only for scenes that need it."""
 
 FLOOR = 40.0  # m, the width of floors
-"""m, wide enough that nothing reaches its end within a run."""
+"""m, wide enough that nothing reaches an end within a run."""
 
 
 @dataclass(slots=True)
 class Draft:
-    """A scene in the making.
+    """A scene under construction.
 
     Attributes
     ----------
     rng
-        What everything random is drawn from.
+        The source of all randomness.
     rests
-        Whether it is at rest, and stays so.
+        Whether the scene is at rest, and stays so.
     free
-        The momenta that nothing outside can change but gravity: of x, y, angle.
+        The momenta that no outside force but gravity changes: of x, y, angle.
     rotation
         Whether bodies turn.
     contact
@@ -42,9 +42,9 @@ class Draft:
     gravity
         m/s², (x, y).
     friction, restitution
-        Between which bounds the bodies' coefficients are drawn; None without the effect.
+        The range of the bodies' coefficients; None without the effect.
     sticky
-        How many times as large the static coefficient is; None if it is the same.
+        The ratio of static to kinetic coefficients; None if they are equal.
     """
 
     rng: np.random.Generator
@@ -62,19 +62,19 @@ class Draft:
     duration: float = 1.5  # s
 
     def number(self, low: float, high: float) -> float:
-        """Return a number between two, in the digits that a person would write."""
+        """Return a number in a range, with as many digits as a person would write."""
         return float(f"{self.rng.uniform(low, high):.4g}")
 
     def scaled(self, low: float, high: float) -> float:
-        """Return a number between two, all orders of magnitude alike."""
+        """Return a number in a range, uniform in its logarithm."""
         return float(f"{np.exp(self.rng.uniform(np.log(low), np.log(high))):.3g}")
 
     def ratio(self) -> float:
-        """Return a ratio of masses, from 1 to 1000."""
+        """Return a mass ratio from 1 to 1000."""
         return self.scaled(1, 1000)
 
     def mass(self) -> float:
-        """Return a mass for which all ratios to others are up to 1000 [kg]."""
+        """Return a mass such that all ratios to others are at most 1000 [kg]."""
         return self.scaled(0.1, 100)
 
     def count(self, low: int, high: int) -> int:
@@ -82,11 +82,11 @@ class Draft:
         return int(self.rng.integers(low, high + 1))
 
     def chance(self, share: float = 0.5) -> bool:
-        """Return whether something is so, in a share of all cases."""
+        """Return true with a given probability."""
         return bool(self.rng.random() < share)
 
     def pick(self, options: Sequence[T]) -> T:
-        """Return one of several."""
+        """Return one of several options."""
         return options[int(self.rng.integers(len(options)))]
 
     def add(self, name: str, shape: Document, place: Place, **rest: object) -> str:
@@ -95,7 +95,7 @@ class Draft:
         return name
 
     def box(self, name: str, place: Place, size: Place, mass: float, **rest: object) -> str:
-        """Add a dynamic box of a width and a height."""
+        """Add a dynamic box of given width and height."""
         shape = {"type": "box", "width": size[0], "height": size[1]}
         return self.add(name, shape, place, mass=mass, **rest)
 
@@ -123,16 +123,16 @@ class Draft:
         return name
 
     def rough(self, low: float = 0.0, high: float = 1.0) -> None:
-        """Let bodies rub, with coefficients between bounds; sometimes they stick better."""
+        """Declare friction, with coefficients in a range; sometimes with higher static ones."""
         self.friction = (low, high)
         self.sticky = self.number(1.05, 1.5) if self.chance(0.3) else None
 
     def bouncy(self, low: float = 0.0, high: float = 1.0) -> None:
-        """Let bodies bounce, with coefficients between bounds."""
+        """Declare restitution, with coefficients in a range."""
         self.restitution = (low, high)
 
     def surfaces(self) -> None:
-        """Let bodies rub, or bounce, or both, or neither."""
+        """Declare friction, restitution, both, or neither."""
         if self.chance(0.6):
             self.rough()
         if self.chance(0.4):
@@ -148,10 +148,10 @@ class Draft:
         )  # fmt: skip
 
     def _rate(self) -> float:
-        """Return a rate, at which nothing that falls goes far in a step [Hz].
+        """Return a rate at which no falling body moves far in a step [Hz].
 
-        The sandbox asks for that of the speeds at the start; here it is asked of those at the end
-        of a fall, too.
+        The sandbox requires that of the initial speeds; here it is also required of the speeds at
+        the end of a fall.
         """
         drawn = self.pick(RATES[:-1])
         if not self.contact or self.rests:
@@ -161,14 +161,14 @@ class Draft:
         return next((rate for rate in sorted(RATES) if rate >= max(drawn, needed)), RATES[-1])
 
     def _speed(self) -> float:
-        """Return how fast something may become [m/s]: as it falls from its place to y = 0."""
+        """Return the greatest speed of a fall [m/s]: from a body's position to y = 0."""
         moving = [body for body in self.bodies.values() if is_dynamic(body)]
         given = max(hypot(*body.get("velocity", (0, 0))) for body in self.bodies.values())
         high = max(float(body["position"][1]) for body in moving) if any(self.gravity) else 0.0
         return hypot(given, (2 * G * max(high, 0.0)) ** 0.5)
 
     def _surfaced(self, body: Document) -> Document:
-        """Return a body with the coefficients that the effects ask for, where it has none."""
+        """Return a body with the coefficients of the declared effects, unless it has its own."""
         given: Document = {}
         if self.contact and self.friction:
             mu = body.get("friction", self.number(*self.friction))

@@ -1,4 +1,4 @@
-"""The scene that belongs to a seed, always the same."""
+"""The scene of a seed, which is always the same."""
 
 from dataclasses import dataclass
 
@@ -26,13 +26,13 @@ class Scene:
     seed
         The seed.
     family
-        What put it together.
+        The family that built it.
     document
-        The level, as its file has it.
+        The level, as in its file.
     rests
-        Whether it is to stay as it is.
+        Whether it must stay at rest.
     free
-        The momenta that nothing outside can change but gravity: of x, y, angle.
+        The momenta that no outside force but gravity changes: of x, y, angle.
     """
 
     seed: int
@@ -43,7 +43,7 @@ class Scene:
 
     @property
     def name(self) -> str:
-        """What it is called: its family and its seed."""
+        """Its name: the family and the seed."""
         return f"{self.family}-{self.seed}"
 
     def level(self) -> Level:
@@ -58,12 +58,12 @@ class Scene:
 
 
 def seeds(seed: int, count: int) -> list[int]:
-    """Return a seed for each scene; the first ones are the same for any number of scenes."""
+    """Return a seed for each scene; the first ones do not depend on the number of scenes."""
     return [int(np.random.SeedSequence((seed, i)).generate_state(1)[0]) for i in range(count)]
 
 
 def scene(seed: int, family: str | None = None) -> Scene:
-    """Return the scene of a seed, of a family if one is named."""
+    """Return the scene of a seed, from a given family if one is named."""
     draft = Draft(np.random.default_rng(seed))
     drawn = TREE if draft.chance(TREES) else draft.pick([n for n in FAMILIES if n != TREE])
     chosen = family or drawn

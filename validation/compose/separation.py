@@ -1,8 +1,8 @@
 """The distances between bodies over a whole run at once, negative where they overlap.
 
-Two convex polygons are apart by the largest gap that any direction shows, of those across their
-sides and of that between their nearest corners; within each other they are by the least way that
-would part them, which lies across a side.
+The distance of two convex polygons is the largest gap along any direction, out of the normals of
+their sides and the direction between their nearest corners. If they overlap, its negative is the
+shortest translation that separates them, which is along the normal of a side.
 """
 
 from collections.abc import Iterator, Sequence
@@ -17,22 +17,22 @@ from validation.compose.shapes import Part, is_dynamic, outline
 from validation.stability.scene import Document
 
 NEAR = 0.02
-"""m, parts are examined if the boxes around them come closer than this."""
+"""The distance between bounding boxes below which parts are examined [m]."""
 
 TINY = 1e-12
-"""m, below which the line between two corners has no direction."""
+"""The distance of two corners below which it has no direction [m]."""
 
 
 @dataclass(frozen=True, slots=True)
 class Gap:
-    """Two convex parts over a run; T instants.
+    """The distance between two convex parts over a run; T instants.
 
     Attributes
     ----------
     separation
-        (T,), the way between them, negative where they overlap; infinite where it is large [m].
+        (T,), the distance, negative for overlaps; infinite if it is large [m].
     normal
-        (T, 2), the direction in which that is, from the first to the second.
+        (T, 2), its direction, from the first part to the second.
     """
 
     separation: Array
@@ -40,14 +40,14 @@ class Gap:
 
 
 def placed(part: Part, position: Array, angle: Array) -> Array:
-    """Return the corners of a part of a body in the plane: (T, k, 2) [m].
+    """Return the corners of a body's part in the plane: (T, k, 2) [m].
 
     Parameters
     ----------
     part
-        Of its outline.
+        A part of the outline.
     position, angle
-        (T, 2) and (T,), of the body [m, rad].
+        (T, 2) and (T,), those of the body [m, rad].
     """
     c, s = np.cos(angle)[:, None], np.sin(angle)[:, None]
     x, y = part.corners.T
@@ -55,14 +55,14 @@ def placed(part: Part, position: Array, angle: Array) -> Array:
 
 
 def gap(a: Array, b: Array, radii: float = 0.0) -> Gap:
-    """Return how far the hulls of corners are apart, less the radii of both.
+    """Return the distance between the convex hulls of corners, less their radii.
 
     Parameters
     ----------
     a, b
         (T, k, 2), the corners of each, counter-clockwise [m].
     radii
-        How far both reach beyond their corners, added up [m].
+        The sum of both radii around the corners [m].
     """
     directions = np.concatenate([_across(a), -_across(b), _nearest(a, b)], axis=1)
     start = np.einsum("tkc,tdc->tdk", a, directions).max(axis=2)
@@ -74,7 +74,7 @@ def gap(a: Array, b: Array, radii: float = 0.0) -> Gap:
 
 
 def _across(corners: Array) -> Array:
-    """Return the directions across the sides, outwards: (T, k, 2); both ways across a line."""
+    """Return the outward normals of the sides, (T, k, 2); both normals of a line."""
     if corners.shape[1] == 1:
         return np.zeros((len(corners), 0, 2))
     sides = np.roll(corners, -1, axis=1) - corners
@@ -83,7 +83,7 @@ def _across(corners: Array) -> Array:
 
 
 def _nearest(a: Array, b: Array) -> Array:
-    """Return the direction from the corner of one to that of the other that is nearest."""
+    """Return the direction between the nearest corners of the two."""
     ways = b[:, None] - a[:, :, None]
     lengths = np.hypot(ways[..., 0], ways[..., 1]).reshape(len(a), -1)
     nearest = lengths.argmin(axis=1)
@@ -104,11 +104,11 @@ class Couple:
     Attributes
     ----------
     names
-        Of both.
+        Their names.
     separation
-        (T,), the smallest way between their parts [m].
+        (T,), the smallest distance between their parts [m].
     parts
-        Those of each.
+        The parts of each.
     """
 
     names: tuple[str, str]
@@ -116,7 +116,7 @@ class Couple:
     parts: tuple[Sequence[Placed], Sequence[Placed]]
 
     def entered(self, depth: float) -> Booleans:
-        """Return when one is first seen so deep in the other, or one of its corners is: (T,)."""
+        """Return when a corner of either first reaches a depth in the other: (T,)."""
         within = np.concatenate([_within(*both, depth) for both in product(*self.parts)], axis=1)
         before = np.zeros_like(within)
         before[1:] = within[:-1]
@@ -124,7 +124,7 @@ class Couple:
 
 
 def _within(first: Placed, second: Placed, depth: float) -> Booleans:
-    """Return which corners of two parts are so deep in the other, across which they are: (T, k)."""
+    """Return which corners of two parts are at least that deep in the other part: (T, k)."""
     (a, own), (b, others) = first, second
     found = gap(a, b, own + others)
     over = np.einsum("tkc,tc->tk", a, found.normal)
@@ -134,14 +134,14 @@ def _within(first: Placed, second: Placed, depth: float) -> Booleans:
 
 
 def couples(document: Document, position: Array, angle: Array) -> Iterator[Couple]:
-    """Yield the bodies of a run that come near each other and are not welded.
+    """Yield the pairs of bodies that come near each other in a run and are not welded.
 
     Parameters
     ----------
     document
         The level.
     position, angle
-        (T, n, 2) and (T, n), of its bodies [m, rad].
+        (T, n, 2) and (T, n), those of the bodies [m, rad].
     """
     bodies = document["bodies"]
     welded = solids(document)
@@ -159,7 +159,7 @@ def couples(document: Document, position: Array, angle: Array) -> Iterator[Coupl
 
 
 def _near(a: Array, first: float, b: Array, second: float) -> Array:
-    """Return the way between two parts where their boxes are near: (T,) [m]."""
+    """Return the distance between two parts where their bounding boxes are near: (T,) [m]."""
     room = first + second + NEAR
     above = (a.min(axis=1) - b.max(axis=1)).max(axis=1) < room
     below = (b.min(axis=1) - a.max(axis=1)).max(axis=1) < room
@@ -171,7 +171,7 @@ def _near(a: Array, first: float, b: Array, second: float) -> Array:
 
 
 def solids(document: Document) -> dict[str, int]:
-    """Return the number of the solid that each body is part of: those that are welded share one."""
+    """Return the number of the solid that each body belongs to; welded bodies share one."""
     solid = {name: number for number, name in enumerate(document["bodies"])}
     for joint in document.get("joints", {}).values():
         if joint["type"] != "weld":
@@ -184,7 +184,7 @@ def solids(document: Document) -> dict[str, int]:
 
 
 def body_of(end: object) -> str | None:
-    """Return the body that an end of a joint holds on to; None if that is the plane."""
+    """Return the body of a joint's end; None if that is the plane."""
     if isinstance(end, dict):
         return str(end["body"])
     return end if isinstance(end, str) else None

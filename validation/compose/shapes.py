@@ -1,7 +1,7 @@
 """The shapes in a level's file: masses, moments and outlines, derived independently.
 
-Nothing here is the engine's: what judges it must not share its mistakes. All numbers of a scene are
-plain numbers, for no person plays with its parameters.
+Nothing here is taken from the engine, so that its judge does not share its mistakes. All numbers of
+a scene are plain numbers, since it has no parameters.
 """
 
 from dataclasses import dataclass
@@ -15,14 +15,14 @@ from validation.stability.scene import Document
 
 @dataclass(frozen=True, slots=True)
 class Part:
-    """A convex part of an outline: the hull of some corners, and all that is near it.
+    """A convex part of an outline: the hull of some corners, with a radius around it.
 
     Attributes
     ----------
     corners
-        (k, 2), from the body's centre along its axes, counter-clockwise; one of a disc [m].
+        (k, 2), relative to the body's centre along its axes, counter-clockwise; one for a disc [m].
     radius
-        How far beyond them it reaches [m].
+        The radius around them [m].
     """
 
     corners: Array
@@ -45,7 +45,7 @@ def corners(shape: Document) -> Array:
 
 
 def outline(body: Document) -> list[Part]:
-    """Return the convex parts of a body; its polygons are convex."""
+    """Return the convex parts of a body; its polygons must be convex."""
     shape = body["shape"]
     if "radius" in shape:
         return [Part(np.zeros((1, 2)), float(shape["radius"]))]
@@ -59,12 +59,12 @@ def outline(body: Document) -> list[Part]:
 
 
 def is_dynamic(body: Document) -> bool:
-    """Return whether forces move a body."""
+    """Return whether a body is dynamic."""
     return bool(body.get("type", "dynamic") == "dynamic")
 
 
 def twice_area(points: Array) -> float:
-    """Return twice the area of a polygon, positive if its corners go counter-clockwise [m²]."""
+    """Return twice the area of a polygon, positive if it is counter-clockwise [m²]."""
     return float(_crosses(points).sum())
 
 
@@ -74,7 +74,7 @@ def _crosses(points: Array) -> Array:
 
 
 def centroid(shape: Document) -> Array:
-    """Return the centre of mass of a uniform shape where it is written: (2,) [m]."""
+    """Return the centre of mass of a uniform shape, in the coordinates of its file: (2,) [m]."""
     points = corners(shape)
     if not len(points):
         return np.zeros(2)
@@ -106,13 +106,13 @@ def moment(body: Document) -> float:
 
 
 def extent(body: Document) -> float:
-    """Return how far the outline of a body reaches from its centre [m]."""
+    """Return the reach of a body's outline from its centre [m]."""
     reach = [np.hypot(*part.corners.T).max() + part.radius for part in outline(body)]
     return float(max(reach))
 
 
 def thinnest(document: Document) -> float:
-    """Return the least distance across a body that moves [m]."""
+    """Return the least width of a dynamic body [m]."""
     return min(map(_width, filter(is_dynamic, document["bodies"].values())), default=inf)
 
 

@@ -1,9 +1,9 @@
-"""Whether forces can hold a scene in place, and whether they match those measured.
+"""Whether forces can hold a scene at rest, and whether the measured forces do.
 
-At rest the forces on each body add up to nothing. Contacts press, n >= 0, and rub no more than
-Coulomb lets them, |f| <= mu n; ropes pull; rods, pins, rails and welds do whatever is needed. Where
-there are more of these than equations single forces are not unique, but what is measured must
-still be among those that are possible: a linear programme tells by how much it is not.
+At rest the forces on each body sum to zero. Normal forces are n >= 0, friction obeys Coulomb's law,
+|f| <= mu n, and ropes only pull; rods, pins, rails and welds give any force. If there are more
+unknowns than equations, single forces are not unique, but the measured ones must be among those
+that are possible: a linear programme finds their distance from these.
 """
 
 from collections.abc import Iterator
@@ -21,29 +21,29 @@ from validation.compose.shapes import extent, is_dynamic, outline
 from validation.stability.scene import Document
 
 TOUCHING = 2e-6
-"""m, bodies closer than this touch: twice the overlap that the engine tolerates."""
+"""The distance below which bodies touch [m]: twice the overlap that the engine tolerates."""
 
 UNIQUE = 1e-9
-"""A force is determined if its undetermined share is below this: rounding."""
+"""The undetermined share of a force below which it counts as unique: rounding."""
 
 Wrench = tuple[int, Array]
-"""The effect of a unit force on a body: the body's number, and (3,) [N, N, N m]."""
+"""The effect of a unit force on a body: the body's index, and (3,) [N, N, N m]."""
 
 
 @dataclass(frozen=True, slots=True)
 class Contact:
-    """A point at which two bodies touch; the force is on the second, its opposite on the first.
+    """A contact point; the force on the second body is positive, that on the first is opposite.
 
     Attributes
     ----------
     bodies
-        Their numbers.
+        The indices of the two bodies.
     place
-        (2,) [m].
+        (2,), its position [m].
     normal
-        (2,), from the first to the second.
+        (2,), from the first body to the second.
     coefficient
-        Of friction, while it sticks.
+        The coefficient of static friction.
     """
 
     bodies: tuple[int, int]
@@ -54,19 +54,19 @@ class Contact:
 
 @dataclass(frozen=True, slots=True)
 class Measured:
-    """What a run says: (n,) the normal forces on each body added up, (j,) the joints' [N]."""
+    """The measured forces: (n,) the sum of normal forces on each body, (j,) those of joints [N]."""
 
     normal: Array
     tension: Array
 
 
 class Statics:
-    """The equilibrium of a scene where its bodies are.
+    """The equilibrium of a scene with its bodies at given positions.
 
     Parameters
     ----------
     document, keeping
-        The level, and what its joints keep.
+        The level, and the constraints of its joints.
     places
         The state of its bodies at one instant.
     """
@@ -87,13 +87,13 @@ class Statics:
         self._load = given.ravel()[self._moves] * self._evened() / self.scale
 
     def _rows(self) -> Integers:
-        """Return which of the 3 n equations there are."""
+        """Return the indices of the equations that apply, out of 3 n."""
         moves = np.repeat([is_dynamic(body) for body in self._bodies], 3)
         moves[2::3] &= self._turns
         return np.flatnonzero(moves)
 
     def _evened(self) -> Array:
-        """Return what makes forces of torques: one over the size of each body [1/m]."""
+        """Return factors that turn torques into forces: one over the size of each body [1/m]."""
         even = np.ones((len(self._bodies), 3))
         even[:, 2] = [1 / extent(body) for body in self._bodies]
         return np.asarray(even.ravel()[self._moves])
@@ -116,7 +116,7 @@ class Statics:
         return float(np.prod([c.get("static_friction", c["friction"]) for c in (one, other)]))
 
     def _points(self, a: int, b: int) -> Iterator[tuple[Array, Array]]:
-        """Yield where two bodies touch: the corners of each that lie on the other."""
+        """Yield the contact points of two bodies: the corners of each that lie on the other."""
         angle = self._places.angle[0]
         for first in outline(self._bodies[a]):
             corners = placed(first, self._position[a][None], angle[a : a + 1])
@@ -131,14 +131,14 @@ class Statics:
                 yield from _on(others, corners, radii, normal, -second.radius)
 
     def _held(self) -> Iterator[tuple[str, Array, bool]]:
-        """Yield the joints that can pull, an entry an equation, and what a unit does: (3 n,)."""
+        """Yield each equation of the joints that can pull, with its unit wrenches: (3 n,)."""
         names, slopes = self._keeping.slopes(self._places)
         for name, slope, kept in zip(names, slopes[0], self._keeping(self._places), strict=True):
             if not kept.pulls_only or kept.off[0].real > -TOUCHING:
                 yield name, -slope.ravel(), kept.pulls_only
 
     def _given(self) -> Array:
-        """Return gravity and the springs: (n, 3) [N, N m]."""
+        """Return the forces of gravity and springs: (n, 3) [N, N m]."""
         force = np.zeros((len(self._bodies), 3))
         for row, body in enumerate(self._bodies):
             if is_dynamic(body):
@@ -164,9 +164,9 @@ class Statics:
         return np.array([*force, x * force[1] - y * force[0]])
 
     def _columns(self) -> Array:
-        """Return what a unit of each unknown does to the bodies: (3 n, unknowns).
+        """Return the wrenches of a unit of each unknown on the bodies: (3 n, unknowns).
 
-        Unknown are the normal forces, friction, and what joints do.
+        The unknowns are the normal forces, friction, and the forces of joints.
         """
         count = len(self.contacts)
         columns = np.zeros((3 * len(self._bodies), 2 * count + len(self._joints)))
@@ -181,15 +181,15 @@ class Statics:
         return columns
 
     def stands(self, share: float = 1.0) -> bool:
-        """Return whether forces exist that hold it with a share of the available friction."""
+        """Return whether equilibrium is possible with a share of the available friction."""
         count = self._matrix.shape[1]
         found = self._solve(np.zeros((0, count)), np.zeros(0), share)
         return found is not None
 
     def error(self, measured: Measured) -> float:
-        """Return by how much measured forces miss equilibrium, relative to all weights.
+        """Return the error of measured forces from equilibrium, relative to the total weight.
 
-        Infinite where none do.
+        Infinite if no equilibrium is possible.
         """
         rows, values, unique = self._unknowns(measured)
         found = self._solve(rows, values / self.scale)
@@ -198,7 +198,7 @@ class Statics:
         return max(found, unique)
 
     def _solve(self, rows: Array, values: Array, share: float = 1.0) -> float | None:
-        """Return the least t for which rows · forces are within t of values; None if none hold."""
+        """Return the least t with |rows · forces − values| <= t; None if nothing holds it."""
         contacts, unknowns = len(self.contacts), self._matrix.shape[1]
         cone = np.zeros((2 * contacts, unknowns + 1))
         for index, contact in enumerate(self.contacts):
@@ -247,7 +247,7 @@ class Statics:
 def _on(
     corners: Array, others: Array, radii: float, normal: Array, radius: float
 ) -> Iterator[tuple[Array, Array]]:
-    """Yield the corners that touch the other part, and the normal of the contact."""
+    """Yield the corners that touch the other part, with the normal of the contact."""
     for corner in corners[0]:
         here = gap(corner[None, None], others, radii)
         if here.separation[0] <= TOUCHING:
@@ -255,7 +255,7 @@ def _on(
 
 
 def _open(matrix: Array) -> Array:
-    """Return the directions of unknowns that change nothing: (unknowns, m)."""
+    """Return an orthonormal basis of the unknowns that change nothing: (unknowns, m)."""
     _, sizes, right = np.linalg.svd(matrix)
     rank = int(np.sum(sizes > 1e-10 * sizes.max(initial=0.0)))
     return np.asarray(right[rank:].T)

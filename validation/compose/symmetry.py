@@ -1,4 +1,4 @@
-"""The mirror image of a scene, and the scene turned together with its gravity."""
+"""The mirror image of a scene, and the scene rotated together with its gravity."""
 
 from collections.abc import Callable
 from copy import deepcopy
@@ -13,18 +13,18 @@ Move = Callable[[Place], list[float]]
 
 @dataclass(frozen=True, slots=True)
 class Motion:
-    """A motion of the plane that leaves the origin where it is.
+    """A motion of the plane that fixes the origin.
 
     Attributes
     ----------
     move
-        What becomes of a point of the plane.
+        The transformation of a point of the plane.
     local
-        And of a point of a body, along its axes.
+        The transformation of a point of a body, along its axes.
     sign, turn
         An angle becomes sign · angle + turn [rad].
     curve
-        What becomes of the formulas of a curve.
+        The transformation of a curve's formulas.
     """
 
     move: Move
@@ -35,12 +35,12 @@ class Motion:
 
 
 def mirrored(document: Document) -> Document:
-    """Return a level in which left is right."""
+    """Return the mirror image of a level, with left and right exchanged."""
     return _moved(document, Motion(_flip, _flip, -1, 0.0, lambda x, y: [f"-({x})", y]))
 
 
 def turned(document: Document, angle: float) -> Document:
-    """Return a level that is turned about the origin, with its gravity [rad]."""
+    """Return a level that is rotated about the origin, with its gravity [rad]."""
     c, s = cos(angle), sin(angle)
 
     def move(point: Place) -> list[float]:

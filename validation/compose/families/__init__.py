@@ -1,7 +1,7 @@
-"""The families of scenes; what is listed here is drawn from.
+"""The families of scenes, which scenes are drawn from.
 
-A family is a function that puts a scene together from a draft, which is where chance comes from.
-Each takes what a person would build, and lets masses, sizes, surfaces and joints vary.
+A family is a function that builds a scene with a draft, the source of randomness. It builds what a
+person might build, and varies masses, sizes, surfaces and joints.
 """
 
 from collections.abc import Callable, Mapping

@@ -6,7 +6,7 @@ from validation.compose.scene_builder import Draft, held
 
 
 def motor_car(draft: Draft) -> None:
-    """Build a car whose rear wheel a motor turns, on a rough floor, perhaps against a box."""
+    """Build a car with a motor on its rear wheel, on a rough floor, perhaps against a box."""
     draft.rough(0.3, 1)
     draft.floor()
     radius, wide = draft.number(0.1, 0.24), draft.number(1, 2)
@@ -26,7 +26,7 @@ def motor_car(draft: Draft) -> None:
 
 
 def belt(draft: Draft) -> None:
-    """Build bodies tied together ride on a belt."""
+    """Build bodies tied together, which ride on a belt."""
     draft.rough(0.3, 1)
     draft.block("belt", (0, -0.5), (40, 1))
     draft.effects["belt"] = [{"body": "belt", "velocity": [draft.number(-3, 3), 0]}]
@@ -41,7 +41,7 @@ def belt(draft: Draft) -> None:
 
 
 def lift(draft: Draft) -> None:
-    """Build a platform on a rod whose length changes, between rails, with a box upon it."""
+    """Build a platform between rails on a rod of changing length, with a box on it."""
     draft.rotation = False
     if draft.chance():
         draft.rough()
@@ -54,7 +54,7 @@ def lift(draft: Draft) -> None:
 
 
 def pusher(draft: Draft) -> None:
-    """Build a kinematic wall pushes boxes with bars between them."""
+    """Build a kinematic wall that pushes boxes with bars between them."""
     draft.surfaces()
     draft.floor()
     shape = {"type": "box", "width": 0.2, "height": 1}

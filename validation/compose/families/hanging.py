@@ -1,4 +1,4 @@
-"""Hanging scenes that stay in place: cranes, platforms, weights over pegs and on wheels."""
+"""Hanging scenes that stay at rest: cranes, platforms, weights over pegs and on wheels."""
 
 from validation.compose.scene_builder import Draft, held
 
@@ -36,7 +36,7 @@ def crane(draft: Draft) -> None:
 
 
 def platform(draft: Draft) -> None:
-    """Build a platform on ropes or rods, and a stack upon it."""
+    """Build a platform on ropes or rods, with a stack on it."""
     draft.rests = True
     draft.rough(0.6, 1)
     wide, thick = draft.number(1, 2), 0.1
@@ -53,7 +53,7 @@ def platform(draft: Draft) -> None:
 
 
 def braked_wheel(draft: Draft) -> None:
-    """Build a load on a string that is wound on a wheel, which a rod holds."""
+    """Build a load on a string that is wound on a wheel, which is held by a rod."""
     draft.rests = True
     draft.contact = False
     radius = draft.number(0.1, 0.5)
@@ -65,7 +65,7 @@ def braked_wheel(draft: Draft) -> None:
 
 
 def trolley(draft: Draft) -> None:
-    """Build a bead on a level wire, or a body on a rail, and a load on a rod below it."""
+    """Build a bead on a level wire, or a body on a rail, with a load on a rod below it."""
     draft.rests = True
     draft.contact = False
     draft.disc("trolley", (0, 0), 0.05, draft.mass())
@@ -81,9 +81,9 @@ def trolley(draft: Draft) -> None:
 
 
 def pressed(draft: Draft) -> None:
-    """Build a box on the floor under a spring that carries a load, guided by a rail."""
+    """Build a box on the floor under a loaded spring, guided by a rail."""
     draft.rests, draft.rotation = True, False
-    draft.rough(0.2, 1)  # else the box would buckle out
+    draft.rough(0.2, 1)  # or the box would buckle out
     draft.floor()
     size, load = draft.number(0.1, 0.5), draft.mass()
     mass = max(draft.mass(), load / 1000)

@@ -7,7 +7,7 @@ from validation.compose.scene_builder import Draft, held
 
 
 def pendulum_at_a_wall(draft: Draft) -> None:
-    """Build a bob on a rod or a rope swings against a wall, or against another bob."""
+    """Build a bob on a rod or a rope that swings against a wall, or against another bob."""
     draft.surfaces()
     draft.rotation = draft.chance()
     long, radius, drawn = draft.number(0.5, 2), draft.number(0.1, 0.3), draft.number(0.3, 1.4)
@@ -75,7 +75,7 @@ def ragdoll(draft: Draft) -> None:
 
 
 def cart_downhill(draft: Draft) -> None:
-    """Build a cart on two wheels rolls down an incline, on to the floor, perhaps with a trailer."""
+    """Build a cart that rolls down an incline on to the floor, perhaps with a trailer."""
     draft.rough(0.3, 1)
     if draft.chance(0.3):
         draft.bouncy()
@@ -104,7 +104,7 @@ def cart_downhill(draft: Draft) -> None:
 
 
 def block_and_weight(draft: Draft) -> None:
-    """Build a weight over a peg draws a block along a table, which is level or not."""
+    """Build a block on a level or inclined table, drawn by a weight over a peg."""
     if draft.chance(0.7):
         draft.rough()
     if draft.chance(0.3):
@@ -144,7 +144,7 @@ def chain_dropped(draft: Draft) -> None:
 
 
 def train(draft: Draft) -> None:
-    """Build boxes with bars between them slide on a floor against a wall."""
+    """Build boxes with bars between them that slide on a floor against a wall."""
     draft.surfaces()
     draft.floor()
     draft.block("wall", (1.5, 1), (0.5, 2))
@@ -161,7 +161,7 @@ def train(draft: Draft) -> None:
 
 
 def wrecking_ball(draft: Draft) -> None:
-    """Build a heavy ball on a rope hits a stack."""
+    """Build a heavy ball on a rope that hits a stack."""
     draft.surfaces()
     if not draft.friction:
         draft.rough(0.3, 1)
@@ -177,7 +177,7 @@ def wrecking_ball(draft: Draft) -> None:
 
 
 def bolas(draft: Draft) -> None:
-    """Build bodies tied together fly about in space, and hit each other."""
+    """Build bodies tied together that fly about in space, and hit each other."""
     draft.gravity, draft.free = (0.0, 0.0), ("x", "y", "angle")
     draft.surfaces()
     count = draft.count(2, 4)
@@ -189,14 +189,14 @@ def bolas(draft: Draft) -> None:
         if i:
             draft.join(f"tie{i}", draft.pick(("rope", "rope", "rod")), f"ball{i - 1}", f"ball{i}")
     speeds = [body["velocity"] for body in draft.bodies.values()]
-    for body in draft.bodies.values():  # as one, so that no joint is jerked before the first step
+    for body in draft.bodies.values():  # equal velocities, so that no joint is jerked at first
         body["velocity"] = list(speeds[0])
     stray = [draft.number(-4, 4), draft.number(-4, -1)]
     draft.disc("stray", (0.4 * count, 1.5), 0.2, draft.mass(), velocity=stray)
 
 
 def yo_yo(draft: Draft) -> None:
-    """Build a weight unwinds its string from a wheel, and lands; or the wheel itself falls."""
+    """Build a weight that unwinds its string from a wheel, and lands; or a falling wheel."""
     draft.surfaces()
     draft.floor()
     radius, mass = draft.number(0.1, 0.4), draft.mass()
@@ -211,7 +211,7 @@ def yo_yo(draft: Draft) -> None:
 
 
 def bead_and_block(draft: Draft) -> None:
-    """Build a bead slides along a wire, and drags or lifts a block on the floor."""
+    """Build a bead that slides along a wire, and drags or lifts a block on the floor."""
     draft.surfaces()
     draft.rotation = draft.chance()
     draft.floor()
@@ -226,7 +226,7 @@ def bead_and_block(draft: Draft) -> None:
 
 
 def collapse(draft: Draft) -> None:
-    """Build a table whose legs are pinned, and hinged in the knee: it folds up under its load."""
+    """Build a table whose legs have pins at both ends and the knee; it collapses under its load."""
     draft.surfaces()
     draft.floor()
     wide, long = draft.number(0.8, 1.6), 0.5
@@ -247,7 +247,7 @@ def collapse(draft: Draft) -> None:
 
 
 def fluid(draft: Draft) -> None:
-    """Build pinned bodies swing in a fluid, down on the floor."""
+    """Build pinned bodies that swing in a fluid, down to the floor."""
     draft.surfaces()
     draft.floor()
     masses = [draft.mass() for _ in range(3)]

@@ -1,11 +1,11 @@
-"""Random trees: bodies of any shape, joined at random, dropped on whatever lies below."""
+"""Random trees: bodies of any shape, joined at random, dropped on the scenery below."""
 
 from math import cos, hypot, pi, sin
 
 from validation.compose.scene_builder import Draft, held
 
 ROOM = 0.05
-"""m, the least distance between bodies at the start."""
+"""The least distance between bodies at the start [m]."""
 
 
 def tree(draft: Draft) -> None:
@@ -48,13 +48,13 @@ def _ground(draft: Draft) -> None:
 
 
 FAR = 30.0
-"""m, the length of an incline."""
+"""The length of an incline [m]."""
 
 
 def _place(
     draft: Draft, placed: list[tuple[float, float, float]], reach: float, parent: int | None
 ) -> tuple[float, float]:
-    """Return where a body has room, near its parent."""
+    """Return a free position and angle for a body near its parent."""
     if parent is None:
         return 0.0, 0.0
     x, y, wide = placed[parent]
@@ -68,7 +68,7 @@ def _place(
 
 
 def _body(draft: Draft, name: str, place: tuple[float, float], reach: float) -> None:
-    """Add a body of any shape with some radius, turned at random."""
+    """Add a body of any shape, with a given reach, at a random angle."""
     shape: dict[str, object]
     match draft.pick(("disc", "box", "polygon")):
         case "disc":
@@ -92,7 +92,7 @@ def _body(draft: Draft, name: str, place: tuple[float, float], reach: float) -> 
 
 
 def _joint(draft: Draft, parent: int, child: int, placed: list[tuple[float, float, float]]) -> None:
-    """Tie a body to its parent."""
+    """Connect a body to its parent by a joint."""
     (x, y, wide), (a, b, reach) = placed[parent], placed[child]
     names = f"body{parent}", f"body{child}"
     kind = draft.pick(("rod", "rod", "rope", "pivot", "pivot", "weld", "spring"))

@@ -1,4 +1,4 @@
-"""Smooth scenes without impacts, in which errors have an order: linkages, pendulums, springs."""
+"""Smooth scenes without impacts, whose errors show an order: linkages, pendulums, springs."""
 
 from itertools import pairwise
 from math import cos, sin
@@ -12,7 +12,7 @@ def _untouched(draft: Draft) -> None:
 
 
 def pendulums(draft: Draft) -> None:
-    """Build several bobs under each other, on rods or pinned sticks."""
+    """Build several bobs below each other, on rods or pinned sticks."""
     _untouched(draft)
     x = y = 0.0
     above: object = [0.0, 0.0]
@@ -36,7 +36,7 @@ def pendulums(draft: Draft) -> None:
 
 
 def four_bar(draft: Draft) -> None:
-    """Build a linkage: two cranks on the plane and a coupler, which turns."""
+    """Build a linkage of two cranks and a coupler, which turns."""
     _untouched(draft)
     long, wide = draft.number(0.4, 1), draft.number(0.6, 1.5)
     angles = draft.number(0.2, 1), draft.number(0.2, 1)
@@ -72,7 +72,7 @@ def springs(draft: Draft) -> None:
 
 
 def machine(draft: Draft) -> None:
-    """Build weights on strings over pegs, over wheels, and under a pulley that moves."""
+    """Build weights on strings over pegs, over wheels, and under a movable pulley."""
     _untouched(draft)
     draft.rotation = False
     masses = [draft.mass() for _ in range(3)]
@@ -83,7 +83,7 @@ def machine(draft: Draft) -> None:
 
 
 def bead(draft: Draft) -> None:
-    """Build a bead on a bowl of wire carries a pendulum."""
+    """Build a bead with a pendulum on a bowl-shaped wire."""
     _untouched(draft)
     draft.rotation = False
     start = draft.number(-1.5, 1.5)

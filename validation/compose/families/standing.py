@@ -1,4 +1,4 @@
-"""Standing scenes that stay in place: struts, frames, tables, cars, ladders."""
+"""Standing scenes that stay at rest: struts, frames, tables, cars, ladders."""
 
 from itertools import pairwise
 from math import cos, pi, sin, tan
@@ -7,7 +7,7 @@ from validation.compose.scene_builder import Draft, held
 
 
 def _grip(draft: Draft, needed: float) -> None:
-    """Let all pairs rub with more than a coefficient that they need to stand."""
+    """Give all pairs more friction than the coefficient they need to stand."""
     root = (1.3 * needed) ** 0.5
     draft.rough(root, max(1.0, 1.2 * root))
 
@@ -27,7 +27,7 @@ def strut(draft: Draft) -> None:
 
 
 def a_frame(draft: Draft) -> None:
-    """Build a load on two rods whose feet only friction holds."""
+    """Build a load on two rods whose feet are held by friction alone."""
     draft.rests, draft.rotation = True, draft.chance()
     spread, high, size = draft.number(0.3, 0.7), draft.number(0.8, 1.5), 0.2
     _grip(draft, spread / (high - size / 2))
@@ -42,7 +42,7 @@ def a_frame(draft: Draft) -> None:
 
 
 def table(draft: Draft) -> None:
-    """Build a top on two welded legs, and what lies on it."""
+    """Build a table top on two welded legs, with loads on it."""
     draft.rests = True
     if draft.chance(0.7):
         draft.rough()
@@ -57,7 +57,7 @@ def table(draft: Draft) -> None:
 
 
 def _loads(draft: Draft, wide: float, base: float, count: int) -> None:
-    """Put boxes beside each other on something."""
+    """Put boxes beside each other on a surface."""
     room = wide / count
     for i in range(count):
         size = min(draft.number(0.1, 0.4), 0.8 * room)
@@ -75,7 +75,7 @@ def car(draft: Draft) -> None:
 
 
 def _chassis(draft: Draft, x: float = 0.0) -> str:
-    """Add a chassis with two wheels below it, and perhaps loads upon it."""
+    """Add a chassis on two wheels, perhaps with loads on it."""
     radius, wide, thick = draft.number(0.1, 0.22), draft.number(1, 2), 0.2
     base = 2 * radius + 0.05
     chassis = draft.box("chassis", (x, base + thick / 2), (wide, thick), draft.ratio())
@@ -89,7 +89,7 @@ def _chassis(draft: Draft, x: float = 0.0) -> str:
 
 
 def ladder(draft: Draft) -> None:
-    """Build a ladder between a rough floor and a wall, a load hung from it by a rope."""
+    """Build a ladder between a rough floor and a wall, with a load on a rope."""
     draft.rests = True
     draft.rough(1, 1)
     long, thick, lean = draft.number(2, 4), 0.06, draft.number(58, 75) * pi / 180
@@ -111,7 +111,7 @@ def ladder(draft: Draft) -> None:
 
 
 def beam(draft: Draft) -> None:
-    """Build a beam on two posts, or on a pin and a post, with loads upon it."""
+    """Build a beam on two posts, or on a pin and a post, with loads on it."""
     draft.rests = True
     if draft.chance(0.7):
         draft.rough()
@@ -139,7 +139,7 @@ def dumbbell_at_rest(draft: Draft) -> None:
 
 
 def bracket(draft: Draft) -> None:
-    """Build boxes welded to each other and to the plane, with loads upon them."""
+    """Build boxes welded to each other and to the plane, with loads on them."""
     draft.rests = True
     if draft.chance(0.7):
         draft.rough()
@@ -156,7 +156,7 @@ def bracket(draft: Draft) -> None:
 
 
 def scissor(draft: Draft) -> None:
-    """Build a lift of crossed arms, its feet held apart, with a load on its platform."""
+    """Build a scissor lift with a load on its platform, its feet held at a distance."""
     draft.rests = True
     if draft.chance(0.7):
         draft.rough()
@@ -187,7 +187,7 @@ def scissor(draft: Draft) -> None:
 def _platform(
     draft: Draft, x: float, y: float, stage: int, ends: dict[int, tuple[float, float]]
 ) -> None:
-    """Put a platform on a lift, and a load on that."""
+    """Put a platform on a lift, and a load on it."""
     thick = 0.1
     draft.box("platform", (0, y + thick), (2 * x + 0.2, thick), draft.number(1, 5))
     top = held("platform", -x, -thick)
@@ -200,7 +200,7 @@ def _platform(
 
 
 def wedged(draft: Draft) -> None:
-    """Build a box on an incline, held by friction and by a weight over a peg at its top."""
+    """Build a box on an incline, held by friction and by a weight over a peg at the top."""
     draft.rests = True
     lean = draft.number(10, 40) * pi / 180
     _grip(draft, tan(lean))
