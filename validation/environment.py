@@ -8,7 +8,7 @@ from sandbox.version import __version__
 
 
 def environment() -> dict[str, str]:
-    """Return the versions and the machine that a reader needs to judge the figures."""
+    """Return the versions and the machine, by which a reader can judge the figures."""
     return {
         "sandbox": __version__,
         "python": platform.python_version(),
@@ -20,7 +20,7 @@ def environment() -> dict[str, str]:
 
 
 def _processor() -> str:
-    """Return the processor's name; Linux alone knows more of it than its family."""
+    """Return the processor's name; on systems other than Linux only its family."""
     try:
         with open("/proc/cpuinfo", encoding="utf-8") as lines:
             for line in lines:

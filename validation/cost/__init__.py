@@ -1,1 +1,1 @@
-"""What accuracy costs in time: error against seconds, for every level, scheme and rate."""
+"""The cost of accuracy: error against seconds, for every level, scheme and rate."""

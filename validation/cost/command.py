@@ -19,7 +19,7 @@ from validation.cost.sweep import QUICK, Budget, Sweep, errors, timed
 from validation.environment import environment
 
 EACH = 6
-"""A quick sweep takes one in so many levels of each chapter."""
+"""A quick sweep takes one in this many levels of each chapter."""
 
 
 def measure(
@@ -27,12 +27,12 @@ def measure(
 ) -> list[str]:
     """Sweep levels, print the table, write the requested files, and return the failed levels.
 
-    Without names these are all levels; quickly, a sample of them.
+    Without names it sweeps all levels or, if `quick`, a sample of them.
 
     Raises
     ------
     SandboxError
-        If there is no such level, or the outcome cannot be written.
+        If there is no such level, or a file cannot be written.
     """
     if json_file:
         check_writable(json_file)
@@ -71,14 +71,14 @@ def sample(levels: Iterable[str]) -> list[str]:
 
 
 def _drawer() -> Callable[[Sweep, Path], Path]:
-    """Return what draws diagrams, for which matplotlib takes its time."""
+    """Return the function that draws diagrams; importing matplotlib is slow."""
     with needed_for("a diagram"):
         from validation.cost.figure import draw
     return draw
 
 
 def content(found: Sequence[Sweep]) -> dict[str, object]:
-    """Return sweeps as the JSON file holds them."""
+    """Return sweeps as the content of the JSON file."""
     return {
         "environment": environment(),
         "levels": [as_json(sweep) for sweep in found],
@@ -95,8 +95,8 @@ def sweep_all(names: Sequence[str], *, quick: bool) -> list[Sweep]:
 def sweeps(names: Sequence[str], budget: Budget) -> Iterator[Sweep]:
     """Yield the sweep of each level, in their order.
 
-    All errors are computed first, on all cores; then the costs are timed, one run after another,
-    because a run that shares the machine takes longer.
+    All errors are computed first, on all cores. Then the costs are timed, one run after another,
+    since runs that share the machine take longer.
     """
     found = dict(spread(partial(errors, budget=budget), names, os.cpu_count() or 1))
     for number in range(len(names)):

@@ -17,8 +17,8 @@ LOOKS = {
     "symplectic-euler": ("#d55e00", "s", "--", "symplectic Euler (stock pymunk)"),
     "explicit-euler": ("#7f7f7f", "^", ":", "explicit Euler"),
 }
-"""The colours of Okabe and Ito, which colour-blind people can tell apart; markers and dashes for
-print."""
+"""Okabe and Ito's colours, which colour-blind people can tell apart; markers and dashes for print.
+"""
 
 
 def draw(sweep: Sweep, folder: Path) -> Path:
@@ -52,7 +52,7 @@ def diagram(sweep: Sweep) -> Figure:
 
 
 def _own(axes: Axes, sweep: Sweep) -> None:
-    """Mark where the level runs if nothing else is asked for."""
+    """Mark the settings that the level uses by default."""
     own = [p for p in sweep.points if p.scheme == "leapfrog" and p.rate == sweep.own_rate]
     for point in own[:1]:
         axes.plot(

@@ -33,7 +33,7 @@ HEADINGS = (
 
 
 def as_json(sweep: Sweep) -> dict[str, object]:
-    """Return a sweep as JSON takes it, without infinities and NaN."""
+    """Return a sweep as JSON content, without infinities and NaN."""
     ours = [p for p in sweep.points if p.scheme != NAIVE]
     naive = [p for p in sweep.points if p.scheme == NAIVE]
     found = headline(sweep)
@@ -60,7 +60,7 @@ def _schemes(points: Iterable[Point]) -> list[Scheme]:
 
 
 def table(sweeps: Sequence[Sweep]) -> Table:
-    """Return what each level's accuracy costs, as a table for the terminal."""
+    """Return the costs of each level's accuracy as a table for the terminal."""
     found = Table(title="What accuracy costs", header_style="bold", row_styles=("", "dim"))
     found.add_column("level")
     for heading in HEADINGS:
@@ -87,9 +87,9 @@ def _cells(sweep: Sweep) -> list[str]:
 
 
 def order_in_words(error: float, power: float | None) -> str:
-    """Return an order; `exact` if the error is rounding, a dash if too few runs show one.
+    """Return an order as text; `exact` if the error is rounding, a dash if too few runs show one.
 
-    Rounding that adds up with the number of steps grows as they shrink: no order either.
+    Rounding errors that grow with the number of steps show no order either.
     """
     if error <= ROUNDING and (power is None or power < 0):
         return "exact"
@@ -101,9 +101,9 @@ PUBLISHED = {"cost": "price"}
 
 
 def asked(sweeps: Sequence[Sweep]) -> list[dict[str, object]]:
-    """Return all accuracies that were asked for as JSON takes them.
+    """Return all requests for an accuracy as JSON content.
 
-    What a second of simulated time costs is called `price` there: scripts depend on it.
+    The cost of a second of simulated time is called `price` there, since scripts depend on it.
     """
     return [
         {
@@ -117,7 +117,7 @@ def asked(sweeps: Sequence[Sweep]) -> list[dict[str, object]]:
 
 
 def asked_table(sweeps: Sequence[Sweep]) -> Table:
-    """Return how the accuracies that were asked for were answered, as a table."""
+    """Return the requests for an accuracy, and their results, as a table."""
     found = Table(title="Accuracy as a request", header_style="bold", row_styles=("", "dim"))
     found.add_column("level")
     for heading in ("asked for", "delivered", "estimated", "setting", "cost", "cheapest", ""):
@@ -138,7 +138,7 @@ def asked_table(sweeps: Sequence[Sweep]) -> Table:
 
 
 def summed(sweeps: Sequence[Sweep]) -> str:
-    """Return in a line how many requests were honoured."""
+    """Return a line that says how many requests were honoured."""
     requests = [request for sweep in sweeps for request in sweep.requests]
     met = sum(request.honoured for request in requests)
     beyond = sum(request.beyond for request in requests)
@@ -149,15 +149,15 @@ def summed(sweeps: Sequence[Sweep]) -> str:
 
 
 def milliseconds(seconds: float) -> str:
-    """Return a cost as milliseconds of computing for a second of the scene."""
+    """Return a cost as milliseconds of computing per second of the scene."""
     return f"{two_digits(seconds * 1e3)} ms/s"
 
 
 def times(ratio: float) -> str:
-    """Return a ratio in as many digits as count."""
+    """Return a ratio with its significant digits."""
     return f"{ratio:.1e}×" if ratio >= 1e4 else f"{two_digits(ratio)}×"
 
 
 def two_digits(value: float) -> str:
-    """Return a positive number in two digits, without a power of ten if it is large."""
+    """Return a positive number with two digits, without a power of ten if it is large."""
     return f"{value:.2g}" if value < 99.5 else f"{float(f'{value:.2g}'):.0f}"

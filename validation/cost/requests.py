@@ -1,4 +1,4 @@
-"""Requests for an accuracy: what is delivered, and at what cost beside the whole sweep's."""
+"""Requests for an accuracy: the results, and their cost compared with that of the sweep."""
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
@@ -14,29 +14,29 @@ from sandbox.physics.run import build, simulate
 from validation.cost.run_error import Yardstick
 
 EXPENSIVE = 3.0
-"""How many times as much as the cheapest setting of the sweep a setting may cost."""
+"""The highest cost of a setting, as a multiple of the sweep's cheapest sufficient one."""
 
 LONGEST = 5.0
-"""s, the longest run that is checked."""
+"""The longest run that is checked [s]."""
 
 
 @dataclass(frozen=True, slots=True)
 class Request:
-    """An accuracy that was asked for.
+    """A request for an accuracy.
 
     Attributes
     ----------
     level, target
-        The requested accuracy.
+        The level, and the requested accuracy.
     stepping
-        The setting that was found; None if it was said that there is none.
+        The setting that was found; None if there is none.
     estimated, delivered
-        The error that was promised, and the one against the closed form.
+        The estimated error, and the error relative to the closed form.
     cost, cheapest
-        What a second of simulated time costs [s], and what it costs with the cheapest setting of
-        the sweep; infinite if no setting there comes so close.
+        The computing time per second of the scene [s], and that of the cheapest setting in the
+        sweep that is as accurate; infinite if there is none.
     said
-        Why there is no setting, if there is none.
+        The reason why there is no setting.
     """
 
     level: str
@@ -50,12 +50,12 @@ class Request:
 
     @property
     def honoured(self) -> bool:
-        """Whether it was delivered, at a cost that is not much higher than it need be."""
+        """Whether it was delivered, at a cost that is not much higher than necessary."""
         return self.delivered <= self.target and not self.cost > EXPENSIVE * self.cheapest
 
     @property
     def beyond(self) -> bool:
-        """Whether no setting reaches it, neither one of the sweep nor one that was found."""
+        """Whether no setting reaches it, neither in the sweep nor by calibration."""
         return self.stepping is None and self.cheapest == inf
 
 
@@ -64,7 +64,7 @@ def ask(
 ) -> Iterator[Request]:
     """Request accuracies, and compare the results with the closed forms.
 
-    A level without one is not asked: nothing else knows the digits that are wanted.
+    Levels without a closed form are skipped: there is no independent reference for the digits.
     """
     for target in targets if stick.by_formula else ():
         try:
@@ -81,6 +81,6 @@ def ask(
 
 
 def costs(level: Level, *steppings: Stepping) -> list[float]:
-    """Return what a second of simulated time costs [s] with some settings, timed in turn."""
+    """Return the computing time per second of the scene with each stepping [s], timed in turn."""
     steps = brief_costs(*(partial(build, level, stepping=stepping) for stepping in steppings))
     return [step * stepping.rate for step, stepping in zip(steps, steppings, strict=True)]

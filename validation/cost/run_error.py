@@ -1,7 +1,7 @@
 """The error of a run: the largest of its checks.
 
-A check's formula may be an approximation itself, such as that of small swings. No step, however
-small, comes closer to it than that; such a check is held against a much finer run instead.
+A check's formula may be an approximation itself, as for small swings. No step is small enough to
+come closer than that; such a check is compared with a much finer run instead.
 """
 
 from contextlib import suppress
@@ -19,23 +19,23 @@ from sandbox.physics.measuring.recording import Trace
 from sandbox.physics.state.errors import SimulationError
 
 ROUNDING = 1e-9
-"""An error below this at a small step is rounding, not an approximation."""
+"""The error at a small step below which it is rounding, not an approximation."""
 
 FALLS = 0.5
-"""The share to which an error must fall as the step falls to an eighth."""
+"""The largest ratio of errors, as the step falls to an eighth, for an error that vanishes."""
 
 
 @dataclass(frozen=True, slots=True)
 class Yardstick:
-    """What the runs of a level are held against.
+    """The references for the runs of a level.
 
     Attributes
     ----------
     own, reference
-        A run at the level's own rate, and one with a small step; the same where that leaves nothing
-        but rounding.
+        A run at the level's own rate, and one with a small step; both are the same if only rounding
+        remains at the former.
     by_formula, by_reference
-        The checks of the level that are held against their formulas, and against that run.
+        The level's checks that are compared with their formulas, and those compared with that run.
     """
 
     own: Trace
@@ -45,7 +45,7 @@ class Yardstick:
 
     @property
     def kind(self) -> str:
-        """What it is, in words."""
+        """A description of the reference."""
         finer = f"a run at {self.reference.stepping.rate:g} Hz"
         if not self.by_reference:
             return "closed form"
@@ -53,19 +53,19 @@ class Yardstick:
 
     @property
     def quantities(self) -> tuple[str, ...]:
-        """What is compared."""
+        """The compared quantities."""
         checks = self.reference.level.checks
         chosen = sorted((*self.by_formula, *self.by_reference))
         return tuple(dict.fromkeys(checks[i].quantity for i in chosen))
 
     def formula_error(self, trace: Trace) -> float:
-        """Return the largest error against the closed forms; infinite if an event never came."""
+        """Return the largest error from closed forms; infinite if an event never occurred."""
         results = grade(trace)
         errors = (results[i].error for i in self.by_formula)
         return max(np.inf if error is None else error for error in errors)
 
     def error(self, trace: Trace) -> float:
-        """Return the largest error of a run; infinite if an event never came."""
+        """Return the largest error of a run; infinite if an event never occurred."""
         results = grade(trace)
         checks = trace.level.checks
         errors = [results[i].error for i in self.by_formula]
@@ -74,14 +74,14 @@ class Yardstick:
 
 
 def yardstick(level: Level, values: Values, budget: float) -> Yardstick | None:
-    """Return what a level's runs can be held against; None if no check applies.
+    """Return the references for a level's runs; None if no check applies.
 
     Parameters
     ----------
     level, values
         The run.
     budget
-        How long the finest run may take, about [s].
+        The time that the finest run may take, about [s].
 
     Raises
     ------
@@ -111,8 +111,8 @@ def _at(level: Level, rate: float) -> Stepping:
 def _finer(level: Level, values: Values, coarse: Trace, took: float, budget: float) -> Trace:
     """Return a run with a sixteenth of the step; or else an eighth, a quarter or a half.
 
-    The coarse one took so long, and it may take no longer than its budget [s]. Every step is looked
-    at, for others are held against what lies between two looks.
+    Given the time of the coarse run, it may take no longer than the budget [s]. Every step is
+    observed, since other runs are compared with values between two observations.
     """
     rate = coarse.stepping.rate
     for times in (16, 8, 4):
@@ -126,8 +126,8 @@ def _finer(level: Level, values: Values, coarse: Trace, took: float, budget: flo
 def run(level: Level, values: Values, stepping: Stepping, seen: float = SEEN) -> Trace:
     """Run a level and record what its checks need, at a rate [Hz] or up to twice that.
 
-    A look costs more than a step. But if a check asks for an instant, every step is looked at: what
-    lies between two looks is off by how far they are apart.
+    An observation costs more than a step. But if a check is at an instant, every step is observed:
+    interpolation between observations has an error that grows with their distance.
     """
     wanted = [by_check(check, values) for check in level.checks]
     instants = any(check.at is not None for check in level.checks)

@@ -12,32 +12,32 @@ from validation.cost.sweep import NAIVE, OURS, Point, Sweep
 TARGETS = (1e-2, 1e-3, 1e-4, 1e-6, 1e-9)
 
 ROUNDING = 1e-11
-"""An error below this is rounding, and shows no order."""
+"""The error below which it is rounding, and shows no order."""
 
 LARGE = 0.1
-"""An error above this is too large to show an order."""
+"""The error above which it is too large to show an order."""
 
 SAME = 1.2
-"""Two costs are the same if their ratio is below this."""
+"""The ratio of two costs below which they count as equal."""
 
 LEAST = 1e-16
-"""An error of zero counts as that of a float."""
+"""The substitute for an error of zero: the precision of a float."""
 
 
 @dataclass(frozen=True, slots=True)
 class Headline:
-    """Ours at the level's own rate, beside stock pymunk.
+    """The sandbox at the level's own rate, compared with stock pymunk.
 
     Attributes
     ----------
     error, seconds_per_second
-        Ours.
+        Those of the sandbox.
     naive_error
-        The least that pymunk reaches in the same time.
+        The least error that pymunk reaches in the same time.
     closer
-        How much smaller our error is in the same time.
+        The ratio of pymunk's error to ours in the same time.
     cheaper
-        How much longer pymunk takes to come as close; by its order where no run came so far.
+        The ratio of pymunk's time to ours for the same error; extrapolated if no run reaches it.
     """
 
     error: float
@@ -48,7 +48,7 @@ class Headline:
 
 
 def order(points: Iterable[Point], scheme: Scheme) -> float | None:
-    """Return by which power of the step the error falls; None if it is rounding, or fails."""
+    """Return the power of the step with which the error falls; None if it is rounding, or fails."""
     chosen = {p.rate: p.error for p in points if p.scheme == scheme and ROUNDING < p.error < LARGE}
     if len(chosen) < 3:
         return None
@@ -79,7 +79,7 @@ def cost_to_reach(points: Iterable[Point], target: float) -> float | None:
 
 
 def own(sweep: Sweep) -> Point | None:
-    """Return ours at the level's own rate, with the cheapest solver; None if none comes through."""
+    """Return our cheapest point at the level's own rate; None if every run failed."""
     here = [p for p in sweep.points if p.scheme == OURS and p.rate == sweep.own_rate]
     return min(
         (p for p in here if isfinite(p.error)), key=lambda p: p.seconds_per_second, default=None
@@ -87,10 +87,10 @@ def own(sweep: Sweep) -> Point | None:
 
 
 def next_digit(sweep: Sweep) -> float | None:
-    """Return how many times the cost of a level one more digit costs.
+    """Return the cost of one more digit, as a multiple of the level's cost.
 
-    That is the cheapest setting with a tenth of its error. None if its error is rounding, or no run
-    of the sweep comes so close.
+    It is that of the cheapest setting with a tenth of the error. None if the error is rounding, or
+    no run of the sweep is that accurate.
     """
     here = own(sweep)
     if here is None or here.error <= ROUNDING:
@@ -100,12 +100,12 @@ def next_digit(sweep: Sweep) -> float | None:
 
 
 def failed(sweeps: Iterable[Sweep]) -> list[str]:
-    """Return the levels that do not come through at their own rate."""
+    """Return the levels that cannot be run at their own rate."""
     return [s.level for s in sweeps if s.failure or (s.points and own(s) is None)]
 
 
 def headline(sweep: Sweep) -> Headline | None:
-    """Return how the sandbox compares with stock pymunk; None if either does not run."""
+    """Return the comparison of the sandbox with stock pymunk; None if either does not run."""
     ours = own(sweep)
     naive = [p for p in sweep.points if p.scheme == NAIVE and isfinite(p.error)]
     if ours is None or not naive:
@@ -119,7 +119,7 @@ def headline(sweep: Sweep) -> Headline | None:
 
 
 def _cost_of(points: Sequence[Point], error: float) -> float:
-    """Return what an error costs, by the finest run's cost and the order if no run reaches it."""
+    """Return the cost of an error, extrapolated from the finest run if no run reaches it."""
     reached = cost_to_reach(points, error)
     if reached is not None:
         return reached

@@ -20,10 +20,10 @@ from validation.cost.run_error import Yardstick, run, yardstick
 from validation.cost.trusted_digits import digits
 
 RATES = tuple(15.0 * 2**i for i in range(10))
-"""Hz, 15 to 7,680."""
+"""The rates of the sweep [Hz]: 15 to 7,680."""
 
 ITERATIONS = (4, 10, 40)
-"""The solver iterations that are tried where bodies touch; elsewhere there is nothing to solve."""
+"""The solver iterations that are tried for levels with contact; others need no solver."""
 
 NAIVE: Scheme = "symplectic-euler"
 OURS: Scheme = "leapfrog"
@@ -31,18 +31,18 @@ OURS: Scheme = "leapfrog"
 
 @dataclass(frozen=True, slots=True)
 class Budget:
-    """How much a sweep may spend.
+    """The limits of a sweep.
 
     Attributes
     ----------
     run
-        How long one run may take, about [s].
+        The time that one run may take, about [s].
     rates
-        The rates that are tried besides the level's own [Hz].
+        The rates that are tried in addition to the level's own [Hz].
     targets
-        The accuracies that are asked for.
+        The accuracies to request.
     calibration
-        How long it may take to find out a setting for one [s].
+        The time that the calibration of one may take [s].
     """
 
     run: float = 1.0
@@ -56,20 +56,20 @@ QUICK = Budget(run=0.08, rates=RATES[1::3], targets=(1e-4,), calibration=0.1)
 
 @dataclass(frozen=True, slots=True)
 class Point:
-    """One setting, its error, and its cost.
+    """A setting, with its error and cost.
 
     Attributes
     ----------
     scheme, rate, iterations
         The setting; `symplectic-euler` is stock pymunk.
     error
-        The largest of the run; infinite if an event never came, NaN if the run failed.
+        The largest error of the run; infinite if an event never occurred, NaN if the run failed.
     seconds_per_second
-        What a second of simulated time costs [s].
+        The computing time per second of the scene [s].
     steps
-        How many the run took.
+        The number of steps.
     callbacks
-        How many calls of Python they made.
+        The number of Python calls in these steps.
     failure
         Why the run stopped, if it did.
     """
@@ -91,20 +91,20 @@ class Point:
 
 @dataclass(frozen=True, slots=True)
 class Sweep:
-    """A level's points, without their costs as long as these are NaN.
+    """The points of a level; the costs are NaN until they are timed.
 
     Attributes
     ----------
     level, own_rate
         The level, and its own rate [Hz].
     judged_by, quantities
-        What the errors are against, and those of what.
+        The reference of the errors, and the quantities that have them.
     points, requests
-        The settings that were tried, and the accuracies that were asked for.
+        The settings that were tried, and the requests for an accuracy.
     failure
         Why the level does not run at its own rate; empty if it does.
     trusted
-        How far the place that is known least, and the quantities, can be trusted at that rate.
+        The trusted digits at that rate, of the least known position and of the quantities.
     """
 
     level: str
@@ -118,7 +118,7 @@ class Sweep:
 
 
 def errors(name: str, budget: Budget) -> Sweep:
-    """Run a level with every setting that the budget allows, and note the errors."""
+    """Run a level with every setting that the budget allows, and record the errors."""
     level = load(find(name))
     try:
         stick = yardstick(level, level.defaults, budget.run)
@@ -152,7 +152,7 @@ def _points(level: Level, stick: Yardstick, budget: Budget) -> Iterator[Point]:
 
 
 def _solvers(level: Level) -> Iterator[tuple[Scheme, int]]:
-    """Return the schemes, and the sweeps of the solver, that make a difference to a level."""
+    """Yield the schemes and solver iterations that make a difference to a level."""
     own = level.stepping.iterations
     sweeps = sorted({*ITERATIONS, own}) if level.effects.contact else [own]
     return product(usable(level), sweeps)
@@ -169,7 +169,7 @@ def _point(level: Level, stick: Yardstick, stepping: Stepping) -> Point:
 
 
 def _seen(stick: Yardstick, trace: Trace) -> Point:
-    """Return what a run shows, without its cost."""
+    """Return the point of a run, without its cost."""
     s, world = trace.stepping, build(trace.level, stepping=trace.stepping)
     steps = count_steps(world)
     calls = world.hooks * steps
@@ -177,7 +177,7 @@ def _seen(stick: Yardstick, trace: Trace) -> Point:
 
 
 def timed(sweep: Sweep) -> Sweep:
-    """Return a sweep with its costs, each measured in fresh worlds apart from the errors."""
+    """Return a sweep with its costs, each measured in new worlds, apart from the errors."""
     level = load(find(sweep.level))
     points = tuple(_timed(point, level) for point in sweep.points)
     requests = tuple(_with_costs(request, points, level) for request in sweep.requests)
@@ -185,7 +185,7 @@ def timed(sweep: Sweep) -> Sweep:
 
 
 def _with_costs(request: Request, points: Sequence[Point], level: Level) -> Request:
-    """Return a request with its cost, and that of the cheapest point that comes as close."""
+    """Return a request with its cost, and that of the cheapest point with as small an error."""
     good = (p for p in points if p.error <= request.target)
     best = min(good, key=lambda point: point.seconds_per_second, default=None)
     if request.stepping is None:

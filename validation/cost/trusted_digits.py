@@ -11,9 +11,9 @@ from sandbox.physics.state.errors import SimulationError
 
 
 def digits(level: Level, quantities: Iterable[str]) -> tuple[Trust, ...]:
-    """Return how far some quantities can be trusted, and the place that is known least, that first.
+    """Return the trust in some quantities, preceded by that in the least known position.
 
-    Nothing if the level does not run with half of its step.
+    Empty if the level does not run with half of its step.
     """
     checked = [name for name in dict.fromkeys(quantities) if name != TIME.name]
     places = [item.quantity for item in motion(level) if ".position." in item.quantity]

@@ -1,1 +1,1 @@
-"""What effects cost."""
+"""The cost of effects."""

@@ -1,4 +1,4 @@
-"""`effects`: the measurements, shown and written."""
+"""`effects`: the measurements, printed and written."""
 
 from collections.abc import Sequence
 from dataclasses import asdict
@@ -14,12 +14,12 @@ from validation.environment import environment
 
 
 def measure(json_file: Path | None, *, quick: bool) -> None:
-    """Measure levels, effects and crowds, show three tables, and write the figures if asked to.
+    """Measure levels, effects and crowds, print three tables, and write the figures if asked to.
 
     Raises
     ------
     SandboxError
-        If a level cannot be measured, or the file not be written.
+        If a level cannot be measured, or the file cannot be written.
     """
     if json_file:
         check_writable(json_file)
@@ -39,7 +39,7 @@ def measured(*, quick: bool) -> tuple[list[LevelCost], list[EffectCost], list[Gr
 def content(
     levels: Sequence[LevelCost], effects: Sequence[EffectCost], growths: Sequence[Growth]
 ) -> dict[str, object]:
-    """Return the figures as the JSON file holds them."""
+    """Return the figures as the content of the JSON file."""
     return {
         "environment": environment(),
         "levels": [asdict(cost) for cost in levels],

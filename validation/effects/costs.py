@@ -1,4 +1,4 @@
-"""The cost of effects: every level beside the bare engine, and every effect over many bodies."""
+"""The cost of effects: every level compared with the bare engine, and effects on many bodies."""
 
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -18,7 +18,7 @@ from sandbox.physics.run import build
 from sandbox.physics.stepping.world import World
 
 COUNTS = (1, 10, 100, 1000, 10_000)
-"""The numbers of bodies over which an effect's cost is measured."""
+"""The numbers of bodies for which an effect's cost is measured."""
 
 QUICK = COUNTS[:3]
 
@@ -52,7 +52,7 @@ EFFECTS: Mapping[str, tuple[str, ...]] = {
     " + ".join(LAWS): LAWS,
     "belt": ("contact", "friction", "belt"),
 }
-"""What is declared to measure an effect, or several together."""
+"""The effects that are declared to measure one effect, or several together."""
 
 BASE = {
     "rotation": "contact",
@@ -60,8 +60,8 @@ BASE = {
     "restitution": "contact",
     "belt": "friction",
 }
-"""The effect beside which another's cost is measured; the others are measured beside an empty
-scene."""
+"""The effect relative to which another's cost is measured; for all others it is relative to an
+empty scene."""
 
 ALL_PAIRS: Mapping[str, tuple[int, int]] = {"gravitation": (2, 1000)}
 """The fewest and the most bodies for effects between every two: 10,000 bodies take a second per
@@ -70,24 +70,24 @@ step."""
 
 @dataclass(frozen=True, slots=True)
 class LevelCost:
-    """What a step of a level costs beside the bare engine.
+    """The cost of a step of a level, compared with the bare engine.
 
     Attributes
     ----------
     level, effects, joints
-        What runs, and what it declares.
+        The name of the level, and what it declares.
     ways
-        What of that makes pymunk's own effects call Python, a few words each.
+        The reasons why pymunk's own effects call Python, in a few words each.
     hooks
-        How many Python callbacks a step makes.
+        The number of Python callbacks per step.
     step_seconds
-        What `World.step` costs [s].
+        The time of `World.step` [s].
     bare_step_seconds
-        What `Space.step` costs in the same scene, built the same way, from which the hook is taken
-        out [s]: what pymunk computes by itself, its own springs and joints included. Pairs with a
-        coefficient of their own keep it.
+        The time of `Space.step` in the same scene without the hook [s]: the work of pymunk itself,
+        including its own springs and joints. The hook stays for pairs with a coefficient of their
+        own.
     ratio
-        The one over the other.
+        The ratio of the first time to the second.
     """
 
     level: str
@@ -102,20 +102,20 @@ class LevelCost:
 
 @dataclass(frozen=True, slots=True)
 class EffectCost:
-    """What an effect adds to a step over some numbers of bodies.
+    """The time that an effect adds to a step, for several numbers of bodies.
 
     Attributes
     ----------
     effect
         The name of the effect, or of several that act together.
     bodies
-        How many move, (k,).
+        (k,), the numbers of moving bodies.
     step_seconds
-        What a step with it costs [s], (k,).
+        (k,), the time of a step with it [s].
     seconds_per_step
-        The added time of a step [s], (k,); negative within the noise where it adds nothing.
+        (k,), the time that it adds to a step [s]; negative within the noise if it adds none.
     exponent
-        p of the fit cost ~ n^p to the whole step from 100 bodies on; None if there are too few.
+        p of the fit time ~ n^p to the whole step from 100 bodies on; None if there are too few.
     """
 
     effect: str
@@ -126,7 +126,7 @@ class EffectCost:
 
 
 def level_costs(names: Sequence[str] | None = None, repeats: int = 5) -> Iterator[LevelCost]:
-    """Measure levels, those of the catalog if left out, beside the bare engine."""
+    """Measure levels, by default all of the catalog, and compare them with the bare engine."""
     for name in catalog.textbook() if names is None else names:
         level = load(catalog.find(name))
         world = build(level)
@@ -138,7 +138,7 @@ def level_costs(names: Sequence[str] | None = None, repeats: int = 5) -> Iterato
 
 
 def _ways(level: Level) -> tuple[str, ...]:
-    """Return what makes pymunk's own effects call Python."""
+    """Return the reasons why pymunk's own effects call Python."""
     contact, friction = level.effects.contact, level.effects.friction
     taken = {
         "located impacts": contact and contact.located,
@@ -158,7 +158,7 @@ def _stepping(level: Level) -> Callable[[], Step]:
 
 
 def _bare(level: Level) -> Callable[[], Step]:
-    """Make the same scene, and take everything of ours out of its steps."""
+    """Return a maker of the same scene, whose steps contain nothing but pymunk."""
 
     def start() -> Step:
         world = build(level)
@@ -170,19 +170,19 @@ def _bare(level: Level) -> Callable[[], Step]:
 
 
 def unhook(world: World) -> None:
-    """Take the hook out of a world's space: the one joint without strength; pymunk's own stay."""
+    """Remove the hook from a world's space: the one joint without strength; others stay."""
     space = world.scene.space
     space.remove(*(joint for joint in space.constraints if joint.max_force == 0))
 
 
 def effect_costs(counts: Sequence[int] = COUNTS, repeats: int = 5) -> list[EffectCost]:
-    """Measure what effects add to a step: of a gas, over the number of its bodies."""
+    """Measure the time that effects add to a step of a gas, for several numbers of bodies."""
     found: dict[str, dict[int, float]] = {}
     for count in counts:
         scenes = {"nothing": (), **_measurable(count)}
         whole = _gas(count, {name for names in scenes.values() for name in names})
         steps = [build(_declaring(whole, names)).step for names in scenes.values()]
-        starts = [lambda step=step: step for step in steps]  # they go on where they were
+        starts = [lambda step=step: step for step in steps]  # each continues its own run
         seconds = step_seconds(starts, STEPS if count < 1000 else 20, repeats)
         for name, value in zip(scenes, seconds, strict=True):
             found.setdefault(name, {})[count] = value
@@ -205,7 +205,7 @@ def _gas(count: int, effects: Collection[str]) -> Level:
 
 
 def _declaring(level: Level, names: Sequence[str]) -> Level:
-    """Return a level that declares no effects but those."""
+    """Return a level that declares only the given effects."""
     others = {name: None for name in level.effects.declared if name not in names}
     return level.model_copy(update={"effects": level.effects.model_copy(update=others)})
 
@@ -218,7 +218,7 @@ def _effect_cost(name: str, seconds: Mapping[str, Mapping[int, float]]) -> Effec
 
 
 def exponent(counts: Sequence[int], seconds: Sequence[float]) -> float | None:
-    """Return p of the least-squares fit seconds ~ n^p from 100 bodies on."""
+    """Return p of the least-squares fit time ~ n^p, from 100 bodies on."""
     pairs = [(n, s) for n, s in zip(counts, seconds, strict=True) if n >= 100 and s > 0]
     if len(pairs) < 2:
         return None

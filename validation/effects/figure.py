@@ -1,4 +1,4 @@
-"""What effects cost over numbers of bodies, as a figure."""
+"""The cost of effects over the number of bodies, as a figure."""
 
 from collections.abc import Sequence
 from itertools import cycle
@@ -12,7 +12,7 @@ MICRO = 1e6
 
 
 def diagram(costs: Sequence[EffectCost]) -> Figure:
-    """Return a step's time over the number of bodies, a line an effect, both logarithmic."""
+    """Return a log-log figure of a step's time over the number of bodies, a line per effect."""
     with plots.style():
         figure = Figure(figsize=(6.4, 4.4), layout="constrained")
         figure.suptitle("A step with an effect, over the number of bodies", fontsize=10)

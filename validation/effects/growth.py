@@ -1,4 +1,4 @@
-"""How the cost of a body grows with the number of bodies, here and in stock pymunk."""
+"""The growth of a step's cost with the number of bodies, here and in stock pymunk."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -16,23 +16,23 @@ COUNTS: Mapping[str, Sequence[int]] = {"gas": (100, 1000, 10_000), "pile": (100,
 QUICK: Mapping[str, Sequence[int]] = {kind: counts[:2] for kind, counts in COUNTS.items()}
 
 FALLS = 90
-"""Steps after which falling bodies lie in a heap."""
+"""The number of steps after which falling bodies lie in a heap."""
 
 
 @dataclass(frozen=True, slots=True)
 class Growth:
-    """What a body of a scene costs a step, over their number.
+    """The cost of a step per body, for several numbers of bodies.
 
     Attributes
     ----------
     scene
         The kind of crowd.
     bodies
-        How many move, (k,).
+        (k,), the numbers of moving bodies.
     seconds_per_body, bare_seconds_per_body
-        What a step costs for each of them [s], (k,); bare is stock pymunk.
+        (k,), the time of a step per body [s]; bare is stock pymunk.
     contacts_per_body, bare_contacts_per_body
-        How many contacts there are to each of them, (k,): a small heap has more of a surface.
+        (k,), the number of contacts per body: a small heap has relatively more surface.
     """
 
     scene: str
@@ -44,20 +44,20 @@ class Growth:
 
 
 def growths(counts: Mapping[str, Sequence[int]] = COUNTS) -> Iterator[Growth]:
-    """Measure every kind of crowd, beside pymunk on the same scene."""
+    """Measure every kind of crowd, compared with pymunk on the same scene."""
     for kind, numbers in counts.items():
         figures = [_figures(kind, number) for number in numbers]
         yield Growth(kind, tuple(numbers), *zip(*figures, strict=True))
 
 
 def _figures(kind: str, number: int) -> tuple[float, ...]:
-    """Return seconds a body, ours and bare, and contacts a body, ours and bare."""
+    """Return the seconds per body, ours and bare, and the contacts per body, ours and bare."""
     level = parse(text(crowd(kind, number)))
     worlds = [build(level), build(naive(level))]
     for world in worlds:
         for _ in range(FALLS):
             world.step()
-    starts = [lambda world=world: world.step for world in worlds]  # they go on where they were
+    starts = [lambda world=world: world.step for world in worlds]  # each continues its own run
     seconds = step_seconds(starts, 20)
     contacts = [len(world.scene.batch.contacts().bodies) for world in worlds]
     return tuple(figure / number for figure in (*seconds, *contacts))

@@ -9,7 +9,7 @@ from validation.effects.growth import Growth
 
 
 def level_table(costs: Sequence[LevelCost]) -> Table:
-    """Return a row a level: what it declares, and what a step costs beside the bare engine."""
+    """Return a table with a row per level: what it declares, and the cost of a step."""
     table = Table(title="A step of each level", header_style="bold", row_styles=("", "dim"))
     table.add_column("level", no_wrap=True)
     table.add_column("effects and joints")
@@ -28,7 +28,7 @@ def level_table(costs: Sequence[LevelCost]) -> Table:
 
 
 def effect_table(costs: Sequence[EffectCost]) -> Table:
-    """Return a row an effect: what it adds to a step, over numbers of bodies."""
+    """Return a table with a row per effect: its cost for several numbers of bodies."""
     table = Table(title="What an effect adds to a step, over the number of bodies")
     table.add_column("effect", no_wrap=True)
     counts = sorted({count for cost in costs for count in cost.bodies})
@@ -44,7 +44,7 @@ def effect_table(costs: Sequence[EffectCost]) -> Table:
 
 
 def growth_table(growths: Sequence[Growth]) -> Table:
-    """Return a row a crowd and a number of bodies: what a body costs, here and in pymunk."""
+    """Return a table with a row per crowd and number of bodies: the costs here and in pymunk."""
     table = Table(title="What a body costs a step, over the number of bodies")
     table.add_column("scene", no_wrap=True)
     table.add_column("bodies", justify="right", no_wrap=True)
@@ -58,7 +58,7 @@ def growth_table(growths: Sequence[Growth]) -> Table:
 
 
 def rows(growth: Growth) -> list[tuple[str, ...]]:
-    """Return for each number of bodies: it; contacts, time and growth a body, ours and bare."""
+    """Return a row per number of bodies: the number; contacts, time and growth, ours and bare."""
     ours = _cells(growth.contacts_per_body, growth.seconds_per_body)
     bare = _cells(growth.bare_contacts_per_body, growth.bare_seconds_per_body)
     return [(f"{n:,}", *a, *b) for n, a, b in zip(growth.bodies, ours, bare, strict=True)]

@@ -1,6 +1,6 @@
-"""The chapter's own code, section 10, line for line: what it prints, and its pendulum step by step.
+"""The chapter's own code, section 10, line for line: its output, and its pendulum step by step.
 
-`python -m validation.formulas.chapter_code` prints what the chapter's two listings print.
+`python -m validation.formulas.chapter_code` prints the output of the chapter's two listings.
 """
 
 import math
@@ -36,7 +36,7 @@ def projectile(
 def projectile_without_numpy(
     v0: float, angle_deg: float, g: float = 9.81, dt: float = DT
 ) -> tuple[list[float], list[float]]:
-    """Return x and y as the second listing does [m]: it adds up dt."""
+    """Return x and y as in the second listing [m]; it adds up dt."""
     th = math.radians(angle_deg)
     vx, vy = v0 * math.cos(th), v0 * math.sin(th)
     tf = 2 * vy / g
@@ -52,7 +52,7 @@ def projectile_without_numpy(
 def step_euler(
     theta: float, omega: float, dt: float, length: float = 1.0, g: float = 9.81
 ) -> tuple[float, float]:
-    """Take one step of plain Euler: both from the old values."""
+    """Take one step of plain Euler; position and velocity both use the old values."""
     new_theta = theta + omega * dt
     new_omega = omega - (g / length) * math.sin(theta) * dt
     return new_theta, new_omega
@@ -84,7 +84,7 @@ def run(
     g: float = 9.81,
     steps: int = STEPS,
 ) -> Array:
-    """Return angle and angular velocity at every step, the start first: (2, steps + 1)."""
+    """Return angle and angular velocity at every step, including the start: (2, steps + 1)."""
     found = [(theta, omega)]
     for _ in range(steps):
         found.append(step(*found[-1], DT, length, g))
@@ -92,7 +92,7 @@ def run(
 
 
 def swings(step: Step, theta: float, omega: float, length: float, g: float, t: ArrayLike) -> Array:
-    """Return the angle after each step, at rising multiples of `DT` [rad]."""
+    """Return the angle at increasing multiples of `DT` [rad]."""
     counts = np.round(np.asarray(t) / DT).astype(int)
     return run(step, theta, omega, length, g, int(counts[-1]))[0][counts]
 

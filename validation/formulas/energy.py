@@ -38,12 +38,12 @@ def circular_orbit_speed(mu: float, r: float) -> float:
 
 
 def circular_orbit_energy(mu: float, r: float, mass: float = 1.0) -> float:
-    """Return kinetic and potential energy of a circular orbit together [J]: −μ m / (2 r)."""
+    """Return the sum of kinetic and potential energy of a circular orbit [J]: −μ m / (2 r)."""
     return kinetic_energy((mass, circular_orbit_speed(mu, r))) - mu * mass / r
 
 
 def work_distance(mass: float, speed: float, force: float) -> float:
-    """Return how far a constant force must act against a body to stop it [m]: m v² / (2 F).
+    """Return the distance in which a constant force stops a body [m]: m v² / (2 F).
 
     The chapter, section 5, the work-energy theorem: −F s is the change of kinetic energy; F > 0.
     """
@@ -51,10 +51,10 @@ def work_distance(mass: float, speed: float, force: float) -> float:
 
 
 def ramp_time(height: float, angle: float, g: float) -> float:
-    """Return how long a body slides from rest down a straight smooth ramp [s].
+    """Return the time for a body to slide from rest down a straight smooth ramp [s].
 
-    The way h / sin θ at the mean of the speeds 0 and √(2 g h), which the chapter's section 5 gives;
-    0 < θ ≤ π/2, g, h > 0.
+    The length h / sin θ at the mean of the speeds 0 and √(2 g h), which the chapter's section 5
+    gives; 0 < θ ≤ π/2, g, h > 0.
     """
     return 2 * height / float(np.sin(angle)) / landing_speed(0.0, g, height)
 
@@ -69,7 +69,7 @@ def kepler_period(a: float, mu: float) -> float:
 
 
 def kepler_energy(a: float, mu: float) -> float:
-    """Return the energy of an orbit with the semi-major axis a, for each kilogram [J]: −μ / (2 a).
+    """Return the energy per kilogram of an orbit with the semi-major axis a [J]: −μ / (2 a).
 
     v² / 2 − μ / r at perihelion, with the speed that `apsis_speed` gives there.
     """
@@ -77,7 +77,7 @@ def kepler_energy(a: float, mu: float) -> float:
 
 
 def apsis_speed(near: float, far: float, mu: float) -> float:
-    """Return the speed at the near end of an orbit, or at the far end if they are swapped [m/s].
+    """Return the speed at the near end of an orbit, or at the far end if both are swapped [m/s].
 
     Energy v² / 2 − μ / r and angular momentum r v are the same at both ends (the chapter, sections
     5 and 8): v² = 2 μ far / (near (near + far)); all > 0.
@@ -86,10 +86,10 @@ def apsis_speed(near: float, far: float, mu: float) -> float:
 
 
 def kepler_place(near: float, e: float, mu: float, t: ArrayLike) -> tuple[Array, Array]:
-    """Return x and y on an ellipse about the origin, from the perihelion (near, 0) on [m].
+    """Return x and y on an ellipse about the origin, starting at the perihelion (near, 0) [m].
 
-    Kepler's equation M = E − e sin E, with M the share of the period that has passed, solved by
-    Newton's method; x = a (cos E − e), y = a √(1 − e²) sin E. 0 ≤ e < 0.9, counter-clockwise.
+    Kepler's equation M = E − e sin E, with the mean anomaly M, solved by Newton's method;
+    x = a (cos E − e), y = a √(1 − e²) sin E. 0 ≤ e < 0.9, counter-clockwise.
     """
     a = near / (1 - e)
     mean = 2 * np.pi * np.asarray(t, dtype=float) / kepler_period(a, mu)
@@ -100,7 +100,7 @@ def kepler_place(near: float, e: float, mu: float, t: ArrayLike) -> tuple[Array,
 
 
 def escape_speed(mu: float, r: ArrayLike) -> Array:
-    """Return the least speed at a distance with which a body never comes back [m/s]: √(2 μ / r).
+    """Return the least speed at a distance with which a body never returns [m/s]: √(2 μ / r).
 
     v² / 2 − μ / r = 0, the chapter's section 5; mu, r > 0.
     """
@@ -108,16 +108,16 @@ def escape_speed(mu: float, r: ArrayLike) -> Array:
 
 
 def escape_distance(r: float, mu: float, t: ArrayLike) -> Array:
-    """Return how far a body is that left a distance r straight out at escape speed [m].
+    """Return the distance of a body that left a distance r radially at escape speed [m].
 
-    dr / dt = √(2 μ / r) separates: r^(3/2) grows by (3/2) √(2 μ) a second; mu, r > 0.
+    dr / dt = √(2 μ / r) separates: r^(3/2) grows at the rate (3/2) √(2 μ); mu, r > 0.
     """
     t = np.asarray(t, dtype=float)
     return np.cbrt((r * np.sqrt(r) + 1.5 * np.sqrt(2 * mu) * t) ** 2)
 
 
 def turning_distance(r: float, share: float) -> float:
-    """Return how far a body comes that leaves straight out with a share of escape speed [m].
+    """Return the greatest distance of a body that leaves radially with a share of escape speed [m].
 
     −(1 − f²) μ / r = −μ / R, the chapter's section 5: R = r / (1 − f²); 0 ≤ f < 1.
     """
@@ -125,7 +125,7 @@ def turning_distance(r: float, share: float) -> float:
 
 
 def turning_time(r: float, share: float, mu: float) -> float:
-    """Return how long that takes [s].
+    """Return the time until then [s].
 
     A straight orbit is an ellipse of eccentricity 1 with a = R / 2: Kepler's equation from
     r = a (1 − cos E) to E = π; 0 ≤ f < 1.
@@ -136,9 +136,9 @@ def turning_time(r: float, share: float, mu: float) -> float:
 
 
 def two_body_period(m1: float, m2: float, constant: float, distance: float) -> float:
-    """Return how long two bodies take to circle each other [s]: 2 π √(d³ / (G (m1 + m2))).
+    """Return the period of two bodies in circular orbits [s]: 2 π √(d³ / (G (m1 + m2))).
 
-    Their distance obeys r'' = −G (m1 + m2) r / |r|³, as that of a planet from a sun of both masses.
+    Their separation obeys r'' = −G (m1 + m2) r / |r|³, as for a planet about a sun of both masses.
     """
     return kepler_period(distance, constant * (m1 + m2))
 
@@ -148,9 +148,9 @@ def revolving_place(
 ) -> tuple[Array, Array]:
     """Return distance [m] and angle [rad] under μ / r² + ε / r³, from a perihelion at angle 0.
 
-    Newton's theorem of revolving orbits (Principia, book 1, section 9): the extra force takes ε off
-    the square of the angular momentum h, and r(t) is that of Kepler's ellipse with κ h,
-    κ² = 1 − ε / h², on which the angle grows κ times as fast. So h² = μ near (1 + e) + ε.
+    Newton's theorem of revolving orbits (Principia, book 1, section 9): the extra force reduces the
+    square of the angular momentum h by ε, so r(t) is that of a Kepler ellipse with κ h,
+    κ² = 1 − ε / h², and the angle is 1/κ times that ellipse's. Here h² = μ near (1 + e) + ε.
     """
     inner = mu * near * (1 + e)  # (κ h)²
     x, y = kepler_place(near, e, mu, t)
@@ -159,7 +159,7 @@ def revolving_place(
 
 
 def figure_eight(mass: float, constant: float, size: float, t: ArrayLike) -> Array:
-    """Return where three equal bodies on one eight are [m]: (6, ...), x and y of each in turn.
+    """Return the positions of three equal bodies on a figure eight [m]: (6, ...), x, y of each.
 
     The choreography of C. Moore (1993) and of A. Chenciner and R. Montgomery (Annals of Mathematics
     152, 2000), from C. Simó's initial conditions; Newton's equations solved by Runge and Kutta.
@@ -183,7 +183,7 @@ def figure_eight(mass: float, constant: float, size: float, t: ArrayLike) -> Arr
 
 
 def work(force: complex, way: complex) -> float:
-    """Return the work of a constant force along a straight way [J], both as x + iy [N, m].
+    """Return the work of a constant force along a straight path [J], both as x + iy [N, m].
 
     The chapter, section 5: the dot product F · d = |F| |d| cos φ.
     """
@@ -191,16 +191,16 @@ def work(force: complex, way: complex) -> float:
 
 
 def closest_approach(r: float, speed: float, k: float) -> float:
-    """Return how near a body comes that runs straight at a centre which repels it as k / r² [m].
+    """Return the closest approach of a body that moves radially against a repulsion k / r² [m].
 
-    The chapter, section 5: v² / 2 + k / r is the same everywhere, and all of it potential where the
-    body turns; k, r > 0.
+    The chapter, section 5: v² / 2 + k / r is constant, and all of it is potential at the turning
+    point; k, r > 0.
     """
     return k / (speed**2 / 2 + k / r)
 
 
 def repelled_time(r: float, speed: float, k: float) -> float:
-    """Return how long it takes to come there [s].
+    """Return the time until the closest approach [s].
 
     A straight orbit is a hyperbola of eccentricity 1 about the far focus: with a = k / 2E it is
     r = a (1 + cosh u), t = √(a³ / k) (u + sinh u) from the turning point.
@@ -213,17 +213,17 @@ def repelled_time(r: float, speed: float, k: float) -> float:
 def trough_force(mass: float, drop: float, radius: float, g: float) -> float:
     """Return the force of a wire at its lowest point on a bead that came from a height [N].
 
-    It carries the weight and bends the way, v² = 2 g h: m g (1 + 2 h / r); `radius` is that of the
-    wire's curvature there [m].
+    It carries the weight and curves the path, with v² = 2 g h: m g (1 + 2 h / r); `radius` is the
+    wire's radius of curvature there [m].
     """
     return mass * (g + landing_speed(0.0, g, drop) ** 2 / radius)
 
 
 def loop_speed(speed: float, radius: float, g: float) -> float:
-    """Return the speed at the top of a loop, entered at the bottom at some speed [m/s].
+    """Return the speed at the top of a loop, entered at the bottom at a given speed [m/s].
 
-    v² = v0² − 4 g r, as long as it stays on the track: v0² ≥ 5 g r; `radius` is that of the way of
-    its centre [m].
+    v² = v0² − 4 g r, as long as the body stays on the track: v0² ≥ 5 g r; `radius` is that of the
+    path of its centre [m].
     """
     return float(np.sqrt(speed**2 - 4 * g * radius))
 
@@ -236,8 +236,8 @@ def loop_force(mass: float, speed: float, radius: float, g: float) -> float:
 def time_of_descent(x: Curve, y: Curve, g: float) -> float:
     """Return the time from rest at p = 0 down a smooth curve to p = 1 [s].
 
-    T = ∫ ds / √(2 g (y(0) − y)), by Gauss and Legendre over q with p = q²: the integrand is smooth
-    there, for the ball starts like q. Slopes are central differences.
+    T = ∫ ds / √(2 g (y(0) − y)), by Gauss-Legendre quadrature over q with p = q²: the integrand is
+    smooth, since the position starts like q. Derivatives are central differences.
     """
     q, weight = _gauss(400)
     p, h = q**2, 1e-6
@@ -248,7 +248,7 @@ def time_of_descent(x: Curve, y: Curve, g: float) -> float:
 
 @cache
 def _gauss(count: int) -> tuple[Array, Array]:
-    """Return the points of Gauss and Legendre between 0 and 1, and their weights."""
+    """Return the Gauss-Legendre points between 0 and 1, and their weights."""
     node, weight = np.polynomial.legendre.leggauss(count)
     return (node + 1) / 2, weight / 2
 
@@ -263,9 +263,9 @@ def morse_rate(mass: float, depth: float, steepness: float, share: float) -> flo
 
 
 def morse_place(steepness: float, share: float, turned: ArrayLike) -> Array:
-    """Return where a body in Morse's potential is [m], so far turned since it was pressed most.
+    """Return the position of a body in Morse's potential [m], at a phase from its innermost point.
 
-    From e^(a x) = (1 − √(E/D) cos φ) / (1 − E/D), φ [rad] at the rate of `morse_rate`.
+    From e^(a x) = (1 − √(E/D) cos φ) / (1 − E/D); φ [rad] grows at the rate of `morse_rate`.
     """
     cosine = np.cos(np.asarray(turned, dtype=float))
     return np.asarray(np.log((1 - np.sqrt(share) * cosine) / (1 - share)) / steepness)

@@ -24,7 +24,7 @@ def free_fall_velocity(g: float, t: ArrayLike) -> Array:
 
 
 def projectile_distance(speed: float, angle: float, t: ArrayLike) -> Array:
-    """Return how far a projectile has come across [m]: v cos θ t.
+    """Return the horizontal distance of a projectile [m]: v cos θ t.
 
     The chapter, section 3, projectile motion; no air.
     """
@@ -32,7 +32,7 @@ def projectile_distance(speed: float, angle: float, t: ArrayLike) -> Array:
 
 
 def projectile_height(speed: float, angle: float, g: float, t: ArrayLike) -> Array:
-    """Return how high a projectile is above where it was thrown [m]: v sin θ t − g t² / 2.
+    """Return the height of a projectile above its start [m]: v sin θ t − g t² / 2.
 
     The chapter, section 3, projectile motion; no air.
     """
@@ -49,7 +49,7 @@ def projectile_apex(speed: float, angle: float, g: float) -> float:
 
 
 def projectile_range(speed: float, angle: float, g: float) -> float:
-    """Return how far a projectile flies over level ground [m]: v² sin 2θ / g.
+    """Return the range of a projectile over level ground [m]: v² sin 2θ / g.
 
     The chapter, section 11; 0 ≤ θ ≤ π/2, g > 0.
     """
@@ -57,7 +57,7 @@ def projectile_range(speed: float, angle: float, g: float) -> float:
 
 
 def flight_time(speed: float, angle: float, g: float, height: float = 0.0) -> float:
-    """Return when a projectile thrown from a height comes down to zero [s].
+    """Return when a projectile thrown from a height reaches zero height [s].
 
     The positive root of h + v sin θ t − g t² / 2 = 0; g > 0, h ≥ 0.
     """
@@ -66,7 +66,7 @@ def flight_time(speed: float, angle: float, g: float, height: float = 0.0) -> fl
 
 
 def uniform_position(v0: float, a: float, t: ArrayLike) -> Array:
-    """Return how far a uniformly accelerated body has come [m]: v0 t + a t² / 2.
+    """Return the distance of a uniformly accelerated body [m]: v0 t + a t² / 2.
 
     The chapter, section 3, uniformly accelerated motion; v0 [m/s], a [m/s²] along one line.
     """
@@ -83,7 +83,7 @@ def uniform_velocity(v0: float, a: float, t: ArrayLike) -> Array:
 
 
 def speed_after_way(v0: float, a: float, way: float) -> float:
-    """Return the speed of a uniformly accelerated body after a way [m/s]: √(v0² + 2 a s).
+    """Return the speed of a uniformly accelerated body after a distance [m/s]: √(v0² + 2 a s).
 
     Position and velocity of the chapter's section 3 without the time; v0² + 2 a s ≥ 0.
     """
@@ -91,7 +91,7 @@ def speed_after_way(v0: float, a: float, way: float) -> float:
 
 
 def rise_time(speed: float, g: float) -> float:
-    """Return how long a body thrown straight up rises [s]: v / g.
+    """Return the time for which a body thrown straight up rises [s]: v / g.
 
     From v − g t = 0, the chapter's section 3; g > 0.
     """
@@ -99,7 +99,7 @@ def rise_time(speed: float, g: float) -> float:
 
 
 def projectile_speed(speed: float, angle: float, g: float, t: ArrayLike) -> Array:
-    """Return the speed of a projectile [m/s]: the root of vx² + vy².
+    """Return the speed of a projectile [m/s]: √(vx² + vy²).
 
     The chapter, section 3: Pythagoras over v cos θ and v sin θ − g t, written out,
     v² − 2 v g t sin θ + g² t². No air.
@@ -109,7 +109,7 @@ def projectile_speed(speed: float, angle: float, g: float, t: ArrayLike) -> Arra
 
 
 def centripetal_acceleration(speed: float, r: float) -> float:
-    """Return the acceleration of uniform motion round a circle, towards its centre [m/s²]: v² / r.
+    """Return the centripetal acceleration in uniform circular motion [m/s²]: v² / r.
 
     The chapter, section 3: turning at constant speed still requires acceleration. Differentiate
     r (cos ωt, sin ωt) twice, with ω = v / r; r > 0.
@@ -118,11 +118,11 @@ def centripetal_acceleration(speed: float, r: float) -> float:
 
 
 def circular_period(speed: float, r: float) -> float:
-    """Return how long a circle takes at constant speed [s]: 2 π r / v; r, v > 0."""
+    """Return the period of uniform circular motion [s]: 2 π r / v; r, v > 0."""
     return 2 * float(np.pi) * r / speed
 
 
 def circular_position(speed: float, r: float, t: ArrayLike) -> tuple[Array, Array]:
-    """Return x and y in uniform motion round the origin, counter-clockwise from (r, 0) [m]."""
+    """Return x and y of uniform motion round the origin, counter-clockwise from (r, 0) [m]."""
     turned = np.asarray(t, dtype=float) * speed / r
     return r * np.cos(turned), r * np.sin(turned)

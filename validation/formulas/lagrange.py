@@ -8,7 +8,7 @@ from validation.formulas.runge_kutta import solution
 
 
 def agm(a: float, b: float) -> float:
-    """Return the arithmetic-geometric mean, to which Gauss's two means draw together."""
+    """Return the arithmetic-geometric mean."""
     while abs(a - b) > 1e-15 * a:
         a, b = (a + b) / 2, float(np.sqrt(a * b))
     return a
@@ -26,7 +26,7 @@ def pendulum_period(length: float, g: float, amplitude: float) -> float:
 def physical_pendulum_period(length: float, g: float, amplitude: float) -> float:
     """Return the period of a thin stick on a pin at its end [s].
 
-    I = m L² / 3 about the pin: as a simple pendulum of I / (m L / 2) = 2 L / 3.
+    I = m L² / 3 about the pin: a simple pendulum of the length I / (m L / 2) = 2 L / 3.
     """
     return pendulum_period(2 * length / 3, g, amplitude)
 
@@ -39,11 +39,11 @@ def pendulum_energy(mass: float, g: float, *heights: float) -> float:
 def cart_pendulum(
     t: ArrayLike, cart: float, bob: float, length: float, g: float, angle: float
 ) -> tuple[Array, Array]:
-    """Return how far a cart has rolled [m] and the angle of its pendulum [rad], from rest.
+    """Return the distance that a cart has rolled [m] and its pendulum's angle [rad], from rest.
 
-    L = (M + m) x'² / 2 + m l x' θ' cos θ + m l² θ'² / 2 + m g l cos θ (the chapter, section 9). The
-    first Lagrange equation says that (M + m) x' + m l θ' cos θ stays 0, the second then that
-    (M + m sin² θ) l θ'' = −(M + m) g sin θ − m l θ'² sin θ cos θ. Solved by Runge and Kutta.
+    L = (M + m) x'² / 2 + m l x' θ' cos θ + m l² θ'² / 2 + m g l cos θ (the chapter, section 9). By
+    the first Lagrange equation (M + m) x' + m l θ' cos θ stays 0; the second is then (M + m sin² θ)
+    l θ'' = −(M + m) g sin θ − m l θ'² sin θ cos θ. Solved by Runge and Kutta.
     """
 
     def slope(y: Array) -> Array:
@@ -63,7 +63,7 @@ def double_pendulum(
     g: float,
     angles: tuple[float, float],
 ) -> Array:
-    """Return the angles of two rods from straight down, let go at rest [rad]: (2, ...).
+    """Return the angles of two rods from straight down, released at rest [rad]: (2, ...).
 
     L = (m + M) l² θ'² / 2 + M h² φ'² / 2 + M l h θ' φ' cos(θ − φ) + (m + M) g l cos θ
     + M g h cos φ, with M and h the lower mass and rod. Lagrange's two equations are linear in the
@@ -91,7 +91,7 @@ def double_pendulum(
 def spring_pendulum(
     t: ArrayLike, mass: float, stiffness: float, slack: float, g: float, angle: float
 ) -> Array:
-    """Return length [m] and angle [rad] of a spring that swings, from rest and slack: (2, ...).
+    """Return length [m] and angle [rad] of a swinging spring, from rest and slack: (2, ...).
 
     L = m (r'² + r² θ'²) / 2 − k (r − l)² / 2 + m g r cos θ. Solved by Runge and Kutta.
     """
@@ -105,9 +105,9 @@ def spring_pendulum(
 
 
 def cart_pendulum_frequency(cart: float, bob: float, length: float, g: float) -> float:
-    """Return how fast a pendulum on a free cart swings if it swings little [rad/s].
+    """Return the angular frequency of a pendulum on a free cart, for small swings [rad/s].
 
-    The equation above without squares: ω² = g (M + m) / (M l).
+    The equation above, linearized: ω² = g (M + m) / (M l).
     """
     return float(np.sqrt(g * (cart + bob) / (cart * length)))
 
@@ -118,7 +118,7 @@ def oscillator_period(mass: float, stiffness: float) -> float:
 
 
 def oscillator_amplitude(mass: float, stiffness: float, speed: float) -> float:
-    """Return how far a spring is drawn by a body that passes its middle at a speed [m].
+    """Return the amplitude of a spring whose body passes the middle at a given speed [m].
 
     m v² / 2 = k A² / 2, the chapter's section 5.
     """
@@ -139,9 +139,9 @@ def hardening_period(mass: float, stiffness: float, cubic: float, amplitude: flo
 def damped_oscillation(
     t: ArrayLike, mass: float, stiffness: float, damping: float, amplitude: float
 ) -> Array:
-    """Return how far a damped spring is drawn out, from rest at its amplitude [m].
+    """Return the displacement of a damped spring, released at rest at its amplitude [m].
 
-    m x'' + c x' + k x = 0; its two exponents are the roots of m s² + c s + k, real or complex.
+    m x'' + c x' + k x = 0; the exponents are the roots of m s² + c s + k, real or complex.
     """
     t = np.asarray(t, dtype=float)
     root = np.sqrt(complex(damping**2 - 4 * mass * stiffness))
@@ -152,10 +152,10 @@ def damped_oscillation(
 
 
 def mode_frequencies(mass: float, stiffness: float, coupling: float) -> tuple[float, float]:
-    """Return how fast two coupled masses swing together and against each other [rad/s].
+    """Return the frequencies of two coupled masses, in phase and in opposition [rad/s].
 
-    Together the spring between them, c, does nothing; against each other its middle stands still,
-    and each half of it is twice as stiff: √(k / m), √((k + 2 c) / m).
+    In phase the spring between them, c, has no effect; in opposition its middle is at rest, and
+    each half of it is twice as stiff: √(k / m), √((k + 2 c) / m).
     """
     together, against = stiffness / mass, (stiffness + 2 * coupling) / mass
     return float(np.sqrt(together)), float(np.sqrt(against))
@@ -168,7 +168,7 @@ def coupled_oscillations(
     start: tuple[float, float],
     coupling: float | None = None,
 ) -> Array:
-    """Return the two displacements of masses in a row of three springs [m]: (2, ...).
+    """Return the displacements of two masses in a row of three springs [m]: (2, ...).
 
     m x'' = −K x with K = [[k + c, −c], [−c, k + c]], c = k if left out; by the eigenvectors of K.
     """
@@ -180,20 +180,21 @@ def coupled_oscillations(
 
 
 def skater_speed(t: ArrayLike, speed: float, draw: float) -> Array:
-    """Return the speed of a hand 1 m from the axis that is drawn in at a constant rate [m/s].
+    """Return the speed of a hand, initially 1 m from the axis, drawn in at a constant rate u [m/s].
 
-    Across, v r is kept; along the arm it moves as it is drawn: √((v/r)² + u²) with r = 1 − u t.
+    The angular momentum, and so v r of the tangential speed, is conserved: √((v/r)² + u²) with
+    r = 1 − u t.
     """
     r = 1 - draw * np.asarray(t, dtype=float)
     return np.asarray(np.sqrt((speed / r) ** 2 + draw**2))
 
 
 def response(mass: float, stiffness: float, damping: float, drive: float) -> complex:
-    """Return how far a driven spring is drawn out for each newton, and how late [m/N].
+    """Return the complex response of a driven spring, displacement per force [m/N].
 
-    m x'' + c x' + k x = e^(i w t), w the angular frequency of the drive, has the steady solution
-    x = X e^(i w t) with X = 1 / (k − m w² + i c w): its size is the amplitude, its argument the
-    phase.
+    m x'' + c x' + k x = e^(i w t), where w is the angular frequency of the drive, has the steady
+    solution x = X e^(i w t) with X = 1 / (k − m w² + i c w): its absolute value is the amplitude,
+    its argument the phase.
     """
     return 1 / (stiffness - mass * drive**2 + 1j * damping * drive)
 
@@ -201,7 +202,7 @@ def response(mass: float, stiffness: float, damping: float, drive: float) -> com
 def driven_oscillation(
     t: ArrayLike, mass: float, stiffness: float, damping: float, force: float, drive: float
 ) -> Array:
-    """Return the steady swing of a spring driven by F cos w t [m]."""
+    """Return the steady-state displacement of a spring driven by F cos w t [m]."""
     t = np.asarray(t, dtype=float)
     swing = force * response(mass, stiffness, damping, drive) * np.exp(1j * drive * t)
     return np.asarray(swing.real)
@@ -210,10 +211,10 @@ def driven_oscillation(
 def started_oscillation(
     t: ArrayLike, mass: float, stiffness: float, damping: float, force: float, drive: float
 ) -> Array:
-    """Return the swing of a spring driven by F cos w t from rest [m].
+    """Return the displacement of a spring driven by F cos w t from rest [m].
 
-    The steady swing, and a free one that at first takes its place and speed away: the two exponents
-    are the roots s, z of m s² + c s + k, complex or real but not equal.
+    The steady state plus a free oscillation that cancels its initial position and velocity; the
+    exponents are the roots s, z of m s² + c s + k, complex or real but not equal.
     """
     t = np.asarray(t, dtype=float)
     steady = force * response(mass, stiffness, damping, drive)
@@ -225,10 +226,10 @@ def started_oscillation(
 
 
 def tipping_time(moment: float, torque: float) -> float:
-    """Return how long a beam takes to tip from level until it hangs [s].
+    """Return the time for a beam to tip from level until it hangs [s].
 
-    I θ'' = τ cos θ, with τ the net torque of the weights while it is level: a pendulum that is let
-    go at a right angle, of the length I / m r where τ = m g r. Both > 0.
+    I θ'' = τ cos θ, where τ is the net torque of the weights while it is level: a pendulum that is
+    released at a right angle, of the length I / m r where τ = m g r. Both > 0.
     """
     return pendulum_period(moment, torque, np.pi / 2) / 4
 
@@ -236,10 +237,10 @@ def tipping_time(moment: float, torque: float) -> float:
 def action_of_throw(
     t: ArrayLike, mass: float, speeds: tuple[float, float], g: float, stray: float, waves: int
 ) -> Array:
-    """Return the action from the start of a way that strays from a throw's [J s].
+    """Return the action from the start along a path that deviates from a throw's [J s].
 
-    ∫ (T − V) dt of the chapter's section 9, along y + η with η = a sin(n π t / t1), t1 = 2 v / g
-    the time of landing, by Gauss's quadrature of 40 points, whatever leads a body that way.
+    ∫ (T − V) dt of the chapter's section 9, along y + η with η = a sin(n π t / t1), where t1 = 2 v
+    / g is the time of landing, by Gauss quadrature with 40 points. No force need cause that path.
     """
     (across, up), t = speeds, np.asarray(t, dtype=float)
     k = waves * np.pi * g / (2 * up)
@@ -252,10 +253,10 @@ def action_of_throw(
 
 
 def more_action(mass: float, stray: float, waves: int, duration: float) -> float:
-    """Return by how much the action of such a way is greater [J s]: m a² n² π² / (4 t1).
+    """Return the excess of the action of such a path [J s]: m a² n² π² / (4 t1).
 
-    What is linear in η vanishes, for the true way obeys Lagrange's equation; V is linear in y, so
-    that nothing but ∫ m η'² / 2 dt is left. It is positive, whatever a and n.
+    The term linear in η vanishes, because the true path obeys Lagrange's equation, and V is linear
+    in y, so that only ∫ m η'² / 2 dt remains. It is positive for all a and n.
     """
     return float(mass * (stray * waves * np.pi) ** 2 / (4 * duration))
 
@@ -263,29 +264,29 @@ def more_action(mass: float, stray: float, waves: int, duration: float) -> float
 def cycloid_height(t: ArrayLike, radius: float, g: float, start: float) -> Array:
     """Return the height of a bead on a cycloid above its lowest point [m].
 
-    Huygens, Horologium oscillatorium (1673): along x = R (θ + sin θ), y = R (1 − cos θ) the length
+    Huygens, Horologium oscillatorium (1673): on x = R (θ + sin θ), y = R (1 − cos θ) the arc length
     from the lowest point is s = 4 R sin(θ/2), and y = s² / (8 R). So
-    L = m s'² / 2 − m g s² / (8 R), a spring's: s = A cos(ωt), ω² = g / (4 R), whatever A.
+    L = m s'² / 2 − m g s² / (8 R), as for a spring: s = A cos(ωt), ω² = g / (4 R), for any A.
     """
     length = 4 * radius * np.sin(start / 2) * np.cos(np.sqrt(g / radius) / 2 * np.asarray(t))
     return np.asarray(length**2 / (8 * radius))
 
 
 def cycloid_time(radius: float, g: float) -> float:
-    """Return how long a bead slides down a cycloid to its lowest point [s]: π √(R/g).
+    """Return the time for a bead to slide down a cycloid to its lowest point [s]: π √(R/g).
 
-    A quarter of the period of `cycloid_height`, from wherever it starts. From the cusp no wire is
-    quicker: Johann Bernoulli, Acta Eruditorum (1697).
+    A quarter of the period of `cycloid_height`, from any start. From the cusp no wire is quicker:
+    Johann Bernoulli, Acta Eruditorum (1697).
     """
     return float(np.pi * np.sqrt(radius / g))
 
 
 def hoop_frequency(radius: float, rate: float, g: float, amplitude: float) -> float:
-    """Return the angular frequency of a bead about its rest on a rotating hoop [rad/s].
+    """Return the angular frequency of a bead about its equilibrium on a rotating hoop [rad/s].
 
-    L = m R² (θ'² + ω² sin² θ) / 2 + m g R cos θ: rest where cos θ = g / (ω² R), or at the bottom if
-    that is none; the frequency of small swings is the root of the curvature of the potential there,
-    taken here as a difference over the amplitude.
+    L = m R² (θ'² + ω² sin² θ) / 2 + m g R cos θ: equilibrium where cos θ = g / (ω² R), or at the
+    bottom if that is impossible; the frequency of small swings is the root of the potential's
+    second derivative there, taken here as a difference over the amplitude.
     """
     rest = np.arccos(min(1.0, g / (rate**2 * radius)))
 

@@ -1,6 +1,6 @@
-"""Machines: statics, blows, and equations of motion of a few parts at once.
+"""Machines: statics, impacts, and equations of motion of a few parts.
 
-The chapter's laws of sections 4, 5, 7 and 8, put together; each function says which.
+They combine the chapter's laws of sections 4, 5, 7 and 8; each function names its own.
 """
 
 from collections.abc import Callable
@@ -11,23 +11,23 @@ from validation.formulas.arrays import Array
 from validation.formulas.runge_kutta import solution
 
 SPAN = 2.0
-"""s, for how long motions are integrated."""
+"""The time for which motions are integrated [s]."""
 
 LOOKS = 2001
-"""At how many times; the spin is interpolated between two of them."""
+"""The number of samples; the angular velocity is interpolated between them."""
 
 
 def axle_loads(
     weights: list[tuple[float, float]], axles: tuple[float, float]
 ) -> tuple[float, float]:
-    """Return what two axles carry [N]: forces and torques add up to nothing.
+    """Return the loads on two axles [N]: forces and torques sum to zero.
 
     Parameters
     ----------
     weights
-        Each weight [N], and where it lies [m].
+        Each weight [N], and its position [m].
     axles
-        Where these are [m].
+        The positions of the axles [m].
     """
     whole = sum(weight for weight, _ in weights)
     torque = sum(weight * (place - axles[0]) for weight, place in weights)
@@ -36,18 +36,18 @@ def axle_loads(
 
 
 def ladder_spin(start: float, angle: float, length: float, g: float) -> float:
-    """Return how fast a ladder turns that slides down a smooth wall [rad/s].
+    """Return the angular velocity of a ladder that slides down a smooth wall [rad/s].
 
-    With its foot on a smooth floor its centre goes round the corner on a circle of L/2: m L² ω² / 6
-    is what it lost of m g L sin θ / 2. Angles are those from the floor; 0 < angle <= start < π/2.
+    With its foot on a smooth floor its centre moves on a circle of L/2 about the corner: m L² ω² /
+    6 is the loss of m g L sin θ / 2. Angles are from the floor; 0 < angle <= start < π/2.
     """
     return float(np.sqrt(3 * g / length * (np.sin(start) - np.sin(angle))))
 
 
 def ladder_push(start: float, angle: float, mass: float, length: float, g: float) -> float:
-    """Return how a smooth wall pushes a ladder that slides down it [N]; below 0 it has left.
+    """Return the force of a smooth wall on a sliding ladder [N]; negative if it has left.
 
-    m x'' with x = L/2 cos θ, θ'² as `ladder_spin` has it, and θ'' half its slope.
+    m x'' with x = L/2 cos θ, where θ'² is from `ladder_spin`, and θ'' half its derivative by θ.
     """
     spin = ladder_spin(start, angle, length, g)
     slowing = -3 * g / (2 * length) * np.cos(angle)
@@ -55,15 +55,15 @@ def ladder_push(start: float, angle: float, mass: float, length: float, g: float
 
 
 def ladder_drift(start: float, length: float, g: float) -> float:
-    """Return how fast a ladder goes away from its wall once it has left it [m/s]: −x' there."""
+    """Return the horizontal speed of a ladder after it has left its wall [m/s]: −x' there."""
     leaves = float(np.arcsin(2 / 3 * np.sin(start)))
     return length / 2 * ladder_spin(start, leaves, length, g) * float(np.sin(leaves))
 
 
 def fallen_ladder_spin(start: float, angle: float, length: float, g: float) -> float:
-    """Return how fast a ladder turns that has left its wall [rad/s], by energy.
+    """Return the angular velocity of a ladder that has left its wall [rad/s], by energy.
 
-    Its centre goes along at a constant speed, and down at L/2 ω cos θ.
+    Its centre moves horizontally at a constant speed, and downwards at L/2 ω cos θ.
     """
     drop = length / 2 * (np.sin(start) - np.sin(angle))
     left = 2 * g * drop - ladder_drift(start, length, g) ** 2
@@ -71,12 +71,12 @@ def fallen_ladder_spin(start: float, angle: float, length: float, g: float) -> f
 
 
 def capstan_acceleration(ratio: float, mu: float, knots: int, mass: float, g: float) -> float:
-    """Return how fast a weight of `ratio` kg draws one of 1 kg over a drum, from rest [m/s²].
+    """Return the acceleration of a weight of `ratio` kg that draws one of 1 kg over a drum [m/s²].
 
-    The rope is a chain of knots, half round the drum, on which they slip; it is bent by the same
-    angle at each, and half of it at the last. Between knots the pull grows by what friction,
-    weight and acceleration take: Newton's second law, knot by knot. With many light knots the pulls
-    on the two sides are as e^(μ φ) to 1 (Euler 1769, Eytelwein 1808).
+    The rope is a chain of knots, which slip on half of the drum's circumference; it bends by the
+    same angle at each, and by half of it at the last. The tension changes at each knot by friction,
+    weight and inertia: Newton's second law, knot by knot. With many light knots the ratio of the
+    tensions on the two sides is e^(μ φ) (Euler 1769, Eytelwein 1808).
     """
 
     def lacks(acceleration: float) -> float:
@@ -95,9 +95,9 @@ def capstan_acceleration(ratio: float, mu: float, knots: int, mass: float, g: fl
 
 
 def struck_spin(momentum: float, arm: float, moments: float) -> float:
-    """Return how fast a plank on a pin turns after a blow [rad/s].
+    """Return the angular velocity of a plank on a pin after an impact [rad/s].
 
-    About the pin angular momentum is kept (the chapter, section 8); the pin has no arm.
+    The angular momentum about the pin is conserved (the chapter, section 8); the pin has no arm.
     """
     return momentum * arm / moments
 
@@ -105,11 +105,12 @@ def struck_spin(momentum: float, arm: float, moments: float) -> float:
 def dumbbell_bounce(
     masses: tuple[float, float], angle: float, speed: float, e: float, length: float = 1.0
 ) -> tuple[float, float]:
-    """Return how a dumbbell leaves a smooth floor: its spin [rad/s], its centre's velocity [m/s].
+    """Return the motion of a dumbbell after hitting a smooth floor: spin [rad/s], velocity [m/s].
 
-    It falls without spin. Its first end hits the floor; the second is at `angle` above the level.
-    The floor's push J is upright, so the end that is struck leaves with J (1/M + x²/I) - v = e v
-    (Newton's law of restitution), x its lever about the centre (the chapter, sections 7 and 8).
+    It falls without spin. Its first end hits the floor; the second is at `angle` above the
+    horizontal. The floor's impulse J is vertical, so the first end leaves with J (1/M + x²/I) - v =
+    e v (Newton's law of restitution), where x is its lever arm about the centre (the chapter,
+    sections 7 and 8).
     """
     whole = sum(masses)
     moment = masses[0] * masses[1] / whole * length**2
@@ -130,11 +131,11 @@ def trebuchet_spin(
     stone: tuple[float, complex],
     g: float,
 ) -> float:
-    """Return how fast the arm of a trebuchet turns when it has come to an angle [rad/s].
+    """Return the angular velocity of a trebuchet's arm at a given angle [rad/s].
 
     Its weight hangs on a rod and starts straight below its end: a double pendulum, with the stone
-    in its place on the arm. Lagrange's equations for the angles a of the arm and χ of the rod from
-    below, with q = M d l:
+    fixed to the arm. Lagrange's equations for the angles a of the arm and χ of the rod, from
+    straight down, with q = M d l:
 
         A a'' − q sin(χ − a) χ'' = q cos(χ − a) χ'² − ∂V/∂a
         M l² χ'' − q sin(χ − a) a'' = −q cos(χ − a) a'² − M g l sin χ
@@ -142,15 +143,15 @@ def trebuchet_spin(
     Parameters
     ----------
     start, angle
-        Of the long arm.
+        Those of the long arm.
     arm
-        Its mass [kg], its moment about the axle [kg m²], and how far out its centre is [m].
+        Its mass [kg], its moment about the axle [kg m²], and the distance of its centre [m].
     short
-        How far the weight hangs from the axle on the other side [m].
+        The distance of the weight's pivot from the axle, on the other side [m].
     hanging
         Its mass [kg], and the length of its rod [m].
     stone
-        Its mass [kg], and where it lies, along the arm and across [m].
+        Its mass [kg], and its position, along the arm and across [m].
     """
     (mass, moment, out), (weight, rod), (shot, held) = arm, hanging, stone
     whole = moment + shot * abs(held) ** 2 + weight * short**2
@@ -168,7 +169,7 @@ def trebuchet_spin(
 
 
 def _spin_at(angle: float, slope: Slope, start: Array) -> float:
-    """Return the third of a state at the time when its first comes to a value."""
+    """Return the third component of a state at the time when the first reaches a value."""
     times = np.linspace(0, SPAN, LOOKS)
     for count in (LOOKS // 4, LOOKS // 2, LOOKS):
         states = solution(slope, start, times[:count])
@@ -181,17 +182,17 @@ def _spin_at(angle: float, slope: Slope, start: Array) -> float:
 
 
 def spiral(radius: float, growth: float, turned: float) -> complex:
-    """Return a point of a logarithmic spiral [m], which is radius below its centre at 0."""
+    """Return a point of a logarithmic spiral [m], which at 0 is `radius` below its centre."""
     return complex(-1j * radius * np.exp((1j - growth) * turned))
 
 
 def spiral_force(
     mass: float, radius: float, growth: float, start: float, turned: float, g: float
 ) -> float:
-    """Return how hard a wire holds a bead that slid down a spiral from rest [N].
+    """Return the force of a wire on a bead that slides down a spiral from rest [N].
 
-    Its acceleration across the wire is v² over the radius of curvature, |z| √(1 + k²); what gravity
-    does not give of it, the wire does.
+    Its normal acceleration is v² over the radius of curvature, |z| √(1 + k²); the wire provides
+    what gravity does not.
     """
     here = spiral(radius, growth, turned)
     square = 2 * g * (spiral(radius, growth, start) - here).imag
@@ -205,11 +206,11 @@ def stick_slip_pull(
     load: float, mass: float, stiffness: float, speed: float, static: float, kinetic: float,
     t: Array,
 ) -> Array:  # fmt: skip
-    """Return how hard a spring pulls what a belt carries away from it, for one stick and slip [N].
+    """Return the force of a spring on a body that a belt carries away, for one stick and slip [N].
 
-    Newton's second law of section 4, with two coefficients. It grows by k v until static friction
-    is overcome, μs N. Then it swings about the kinetic one, μk N, until the body is as fast as the
-    belt again, and grows once more.
+    Newton's second law of section 4, with two coefficients. The force grows by k v until it
+    overcomes static friction, μs N. Then it oscillates about the kinetic one, μk N, until the body
+    has the belt's velocity again, and grows once more.
     """
     rate, first = np.sqrt(stiffness / mass), static * load / (stiffness * speed)
     above, along = (static - kinetic) * load, speed * np.sqrt(stiffness * mass)
@@ -224,11 +225,11 @@ def stick_slip_pull(
 def tray_and_glass(
     tray: float, glass: float, friction: float, angle: float, g: float
 ) -> tuple[float, float]:
-    """Return how a swinging tray, let go, and a glass that slips on it begin to go across [m/s²].
+    """Return the initial horizontal accelerations of a swinging tray and a glass that slips [m/s²].
 
-    The tray hangs on two strings of one length, so it goes along a circle and does not turn:
-    section 4's laws for both, with the string's pull, the normal force, and the two accelerations
-    as unknowns.
+    The tray hangs on two strings of equal length, so it moves on a circle and does not turn:
+    section 4's laws for both, with the tension, the normal force, and the two accelerations as
+    unknowns.
     """
     sin, cos = np.sin(angle), np.cos(angle)
     # unknown: the tray's acceleration down its circle, the strings' pull, the normal force

@@ -1,6 +1,6 @@
 """Linkages and cranes: geometry, and sections 5 and 8 of the chapter.
 
-Where a linkage has one degree of freedom, its places follow from one angle or width; forces then
+The positions of a linkage with one degree of freedom follow from one angle or width; forces then
 follow from virtual work, F dw = dV + dT.
 """
 
@@ -15,7 +15,7 @@ from validation.formulas.runge_kutta import solution
 
 
 class Slider(NamedTuple):
-    """Where the piston of a crank is, how fast it goes, and its acceleration [m, m/s, m/s²]."""
+    """The position, velocity and acceleration of a piston [m, m/s, m/s²]."""
 
     place: Array
     speed: Array
@@ -23,9 +23,9 @@ class Slider(NamedTuple):
 
 
 def slider(angle: ArrayLike, rate: float, crank: float, rod: float) -> Slider:
-    """Return the motion of a piston whose crank turns evenly; 0 < crank < rod.
+    """Return the motion of a piston whose crank turns uniformly; 0 < crank < rod.
 
-    The rod keeps its length: x² − 2 x r cos θ + r² = l², and that differentiated once and twice.
+    The rod keeps its length: x² − 2 x r cos θ + r² = l², differentiated once and twice.
     """
     c, s = crank * np.cos(angle), crank * np.sin(angle)
     x = c + np.sqrt(rod**2 - s**2)
@@ -37,10 +37,10 @@ def slider(angle: ArrayLike, rate: float, crank: float, rod: float) -> Slider:
 def engine_torque(
     angle: ArrayLike, rate: float, crank: float, rod: float, masses: tuple[float, float]
 ) -> Array:
-    """Return the torque that keeps a crank turning evenly [N m]; masses of the rod and the piston.
+    """Return the torque that turns a crank uniformly [N m]; masses of the rod and the piston.
 
-    What it does in a time is what the parts gain: τ ω = Σ m v · a + I φ' φ''. The rod's centre lies
-    half-way between its pins; its tilt has l sin φ = −r sin θ.
+    Its power is the rate of change of kinetic energy: τ ω = Σ m v · a + I φ' φ''. The rod's centre
+    is half-way between its pins; its tilt has l sin φ = −r sin θ.
     """
     piston = slider(angle, rate, crank, rod)
     pin = crank * np.exp(1j * np.asarray(angle))
@@ -56,10 +56,10 @@ def engine_torque(
 def coasting_angle(
     t: ArrayLike, rate: float, wheel: float, crank: float, rod: float, masses: tuple[float, float]
 ) -> Array:
-    """Return the angle of a flywheel that drives a piston by itself, from outer dead centre [rad].
+    """Return the angle of a flywheel that coasts with a piston, from outer dead centre [rad].
 
-    T = I(θ) θ'² / 2 stays, with I(θ) of the wheel, a rod and a piston, by `slider` at one radian a
-    second. Solved by Runge and Kutta.
+    T = I(θ) θ'² / 2 is constant, with I(θ) of the wheel, rod and piston from `slider` at one radian
+    per second. Solved by Runge and Kutta.
     """
 
     def moment(angle: Array) -> Array:
@@ -74,7 +74,7 @@ def coasting_angle(
 
 
 def supports(loads: Iterable[tuple[float, ArrayLike]], left: float, right: float) -> list[Array]:
-    """Return what two supports bear [N]: pairs of a place [m] and a load [N], places of the two.
+    """Return the loads on two supports [N], given each load's position [m] and force [N].
 
     The torques about either support cancel (the chapter, section 8).
     """
@@ -84,9 +84,9 @@ def supports(loads: Iterable[tuple[float, ArrayLike]], left: float, right: float
 
 
 def stay_tension(torque: ArrayLike, pin: complex, held: complex, peak: complex) -> Array:
-    """Return the tension of a stay from a point of a beam to a peak that bears a torque [N].
+    """Return the tension of a stay from a point of a beam to a peak that balances a torque [N].
 
-    The lever is the distance of the pin from the stay's line.
+    The lever arm is the distance of the pin from the stay's line.
     """
     along = (peak - held) / abs(peak - held)
     return np.asarray(torque) / abs(((held - pin).conjugate() * along).imag)
@@ -101,7 +101,7 @@ class Scissor(NamedTuple):
     top: float
 
     def force(self, width: ArrayLike, speed: ArrayLike, change: ArrayLike, g: float) -> Array:
-        """Return the pull between the feet [N]: of their distance w, and its first two changes.
+        """Return the pull between the feet [N]: of their distance w, and its first two derivatives.
 
         With h = √(L² − w²) arm k is at (w / 2, (k + 1/2) h) and turns with w' / h, the top is at
         n h. T = A(w) w'² / 2 and V(w) = g W h, so F = −V' − A w'' − A' w'² / 2.
@@ -119,7 +119,7 @@ class Scissor(NamedTuple):
 
 
 def eased(share: ArrayLike) -> tuple[Array, Array, Array]:
-    """Return how far a smooth way from 0 to 1 has come, and its first two derivatives.
+    """Return a smooth function from 0 to 1, and its first two derivatives.
 
     The polynomial of seventh degree with three derivatives of zero at both ends.
     """
@@ -145,7 +145,7 @@ def chebyshev_foot(angle: ArrayLike, crank: float) -> Array:
 def bridge_angle(
     t: ArrayLike, length: float, tower: float, bridge: float, weight: float, g: float
 ) -> Array:
-    """Return the angle of a drawbridge that a counterweight draws up, from level [rad].
+    """Return the angle of a drawbridge that is raised by a counterweight, from level [rad].
 
     With l(θ) from the tip to the peg above the hinge, l² = L² + H² − 2 L H sin θ, T = (m L² / 3 +
     M l'²) θ'² / 2 and V = m g L sin θ / 2 + M g l. Lagrange's equation, by Runge and Kutta.
@@ -164,7 +164,7 @@ def bridge_angle(
 
 
 class Belt(NamedTuple):
-    """What a belt does: the side that pulls, the other [N], and the torque at the driver [N m]."""
+    """A belt's tensions on the tight and the slack side [N], and the torque at the driver [N m]."""
 
     tight: Array
     slack: Array
@@ -174,11 +174,12 @@ class Belt(NamedTuple):
 def belt(
     load: ArrayLike, pull: float, radii: tuple[float, float], apart: float, at_driver: ArrayLike = 0
 ) -> Belt:
-    """Return the tensions of a belt, without mass, over a driver and a wheel that turns a load.
+    """Return the tensions of a massless belt over a driver and a wheel with a load.
 
-    The two sides differ by the torque over the radius, and bear together what draws the axles
-    apart; they touch both wheels, and so are as far from parallel as the radii are from equal.
-    `load` is all that the wheel has to overcome [N m], `at_driver` what the driver has besides.
+    The tensions differ by the torque over the radius, and together they balance the force that
+    spreads the axles; the sides are tangent to both wheels, so they are not parallel if the radii
+    differ. `load` is the whole torque on the wheel [N m], `at_driver` an additional torque on the
+    driver.
     """
     a, b = radii
     both = pull / np.sqrt(1 - ((a - b) / apart) ** 2)

@@ -7,10 +7,10 @@ from validation.formulas.arrays import Array
 
 
 def incline_acceleration(angle: float, g: float, mu: float = 0.0) -> float:
-    """Return the acceleration down an incline [m/s²]: g (sin θ − μ cos θ), 0 where friction holds.
+    """Return the acceleration down an incline [m/s²]: g (sin θ − μ cos θ), 0 if friction holds.
 
     The chapter, section 4, block on an incline, with Coulomb friction −μ m g cos θ added while the
-    block slides down; one coefficient for rest and motion.
+    block slides down; the coefficients of static and kinetic friction are equal.
     """
     return max(g * float(np.sin(angle) - mu * np.cos(angle)), 0.0)
 
@@ -24,7 +24,7 @@ def incline_normal_force(mass: float, angle: float, g: float) -> float:
 
 
 def incline_friction(mass: float, angle: float, g: float, mu: float) -> float:
-    """Return the friction on a block on an incline [N]: what is needed, at most μ N.
+    """Return the friction on a block on an incline [N]: as much as needed, at most μ N.
 
     Coulomb's law: m g sin θ while it holds, μ m g cos θ while it slides.
     """
@@ -32,7 +32,7 @@ def incline_friction(mass: float, angle: float, g: float, mu: float) -> float:
 
 
 def incline_point(along: ArrayLike, above: float, angle: float) -> Array:
-    """Return x of a point along an incline from its foot and above its face [m].
+    """Return x of a point at a distance along an incline from its foot, and above its face [m].
 
     A rotation of (along, above) by the angle: s cos θ − h sin θ.
     """
@@ -40,7 +40,7 @@ def incline_point(along: ArrayLike, above: float, angle: float) -> Array:
 
 
 def stopping_time(speed: float, mu: float, g: float) -> float:
-    """Return how long a body slides on flat ground until friction has stopped it [s]: v / (μ g).
+    """Return the time in which friction stops a body that slides on flat ground [s]: v / (μ g).
 
     Coulomb friction μ m g is the net force, so by the chapter's section 4 the acceleration is
     −μ g; mu, g > 0.
@@ -49,7 +49,7 @@ def stopping_time(speed: float, mu: float, g: float) -> float:
 
 
 def stopping_distance(speed: float, mu: float, g: float) -> float:
-    """Return how far a body slides on flat ground until friction has stopped it [m]: v² / (2 μ g).
+    """Return the distance in which friction stops a body on flat ground [m]: v² / (2 μ g).
 
     The mean speed v / 2 over the stopping time; mu, g > 0.
     """
@@ -57,16 +57,16 @@ def stopping_distance(speed: float, mu: float, g: float) -> float:
 
 
 def sliding_way(speed: float, mu: float, g: float, t: ArrayLike) -> Array:
-    """Return how far a body has slid on flat ground, until friction stops it and then [m].
+    """Return the distance that a body has slid on flat ground, also after it has stopped [m].
 
-    v t − μ g t² / 2, and the stopping distance from the stopping time on; mu, g > 0.
+    v t − μ g t² / 2, and the stopping distance after the stopping time; mu, g > 0.
     """
     slides = np.minimum(np.asarray(t, dtype=float), stopping_time(speed, mu, g))
     return slides * (speed - 0.5 * mu * g * slides)
 
 
 def incline_height(along: ArrayLike, above: float, angle: float) -> Array:
-    """Return y of a point along an incline from its foot and above its face [m].
+    """Return y of a point at a distance along an incline from its foot, and above its face [m].
 
     A rotation of (along, above) by the angle: s sin θ + h cos θ.
     """
@@ -74,7 +74,7 @@ def incline_height(along: ArrayLike, above: float, angle: float) -> Array:
 
 
 def acceleration(force: float, mass: float) -> float:
-    """Return the acceleration of a body by one force [m/s²]: F / m.
+    """Return the acceleration of a body under a force [m/s²]: F / m.
 
     The chapter, section 4, the second law with constant mass.
     """
@@ -87,7 +87,7 @@ def resultant(*forces: tuple[float, float]) -> tuple[float, float]:
 
 
 def terminal_velocity(mass: float, drag: float, g: float) -> float:
-    """Return the speed at which quadratic drag carries the weight [m/s]: √(m g / c)."""
+    """Return the speed at which quadratic drag balances the weight [m/s]: √(m g / c)."""
     return float(np.sqrt(mass * g / drag))
 
 
@@ -103,7 +103,7 @@ def fall_velocity(t: ArrayLike, mass: float, drag: float, g: float) -> Array:
 def throw_with_drag(
     t: ArrayLike, velocity: float, mass: float, drag: float, g: float = 0.0
 ) -> Array:
-    """Return how far a throw with linear drag has come along one axis [m].
+    """Return the distance of a throw with linear drag along one axis [m].
 
     dv/dt = −g − v/τ with τ = m/c gives (v0 + g τ) τ (1 − e^(−t/τ)) − g τ t.
     """
@@ -112,7 +112,7 @@ def throw_with_drag(
 
 
 def break_loose_time(limit: float, growth: float) -> float:
-    """Return when a pull that grows from nothing, F = k t, overcomes static friction [s]: μs N / k.
+    """Return when a pull that grows from zero, F = k t, overcomes static friction [s]: μs N / k.
 
     Coulomb's law with a static coefficient; `limit` is μs N [N], `growth` is k [N/s].
     """
@@ -122,10 +122,10 @@ def break_loose_time(limit: float, growth: float) -> float:
 def pulled_loose(
     static: float, kinetic: float, mass: float, growth: float, t: ArrayLike
 ) -> tuple[Array, Array]:
-    """Return the way and the velocity of a block that such a pull breaks loose [m, m/s].
+    """Return the distance and velocity of a block that such a pull moves [m, m/s].
 
-    With τ since it broke loose, m dv/dt = μs N + k τ − μk N; both are 0 before. The limits μs N and
-    μk N are in N.
+    With the time τ since it broke loose, m dv/dt = μs N + k τ − μk N; both are 0 before. The limits
+    μs N and μk N are in N.
     """
     tau = np.maximum(np.asarray(t, dtype=float) - break_loose_time(static, growth), 0.0)
     jerk, jump = growth / mass, (static - kinetic) / mass
@@ -143,7 +143,7 @@ def sticking_acceleration(angle: float, g: float, static: float, kinetic: float)
 def sticking_friction(mass: float, angle: float, g: float, static: float, kinetic: float) -> float:
     """Return the friction on a block on an incline that was at rest [N].
 
-    What is needed up to tan θ = μs, m g sin θ, and μk m g cos θ beyond it.
+    m g sin θ up to tan θ = μs, and μk m g cos θ beyond it.
     """
     if np.tan(angle) <= static:
         return mass * g * float(np.sin(angle))
@@ -151,7 +151,7 @@ def sticking_friction(mass: float, angle: float, g: float, static: float, kineti
 
 
 def rocket_velocity(exhaust: float, mass: ArrayLike, start: float) -> Array:
-    """Return what a rocket has gained since its mass was `start` [m/s]: u ln(m0/m).
+    """Return the velocity that a rocket has gained since its mass was `start` [m/s]: u ln(m0/m).
 
     Tsiolkovsky's equation, from m dv = −u dm; `exhaust` is u [m/s], the masses are in kg.
     """
@@ -159,10 +159,10 @@ def rocket_velocity(exhaust: float, mass: ArrayLike, start: float) -> Array:
 
 
 def rocket_way(exhaust: float, rate: float, start: float, t: ArrayLike) -> Array:
-    """Return how far a rocket has come that began at rest with mass `start` [m].
+    """Return the distance of a rocket that started at rest with mass `start` [m].
 
     The integral of Tsiolkovsky's equation: u t − (u/μ) (m0 − μ t) ln(m0 / (m0 − μ t)), while it
-    burns μ, `rate` [kg/s].
+    burns at μ, `rate` [kg/s].
     """
     t = np.asarray(t, dtype=float)
     mass = start - rate * t
@@ -170,20 +170,20 @@ def rocket_way(exhaust: float, rate: float, start: float, t: ArrayLike) -> Array
 
 
 def lift_off(exhaust: float, rate: float, start: float, g: float) -> float:
-    """Return when the weight of a rocket that burns on its pad falls to its thrust [s].
+    """Return when the weight of a rocket that burns on its pad equals its thrust [s].
 
-    μ u = (m0 − μ t) g, or at once.
+    μ u = (m0 − μ t) g; 0 if it is lower from the start.
     """
     return max(start / rate - exhaust / g, 0.0)
 
 
 def pad_force(exhaust: float, rate: float, start: float, g: float) -> float:
-    """Return what a rocket's pad holds up as it begins to burn [N]: m0 g − μ u, or nothing."""
+    """Return the force of a rocket's pad at ignition [N]: m0 g − μ u, or 0."""
     return max(start * g - rate * exhaust, 0.0)
 
 
 def launch_velocity(exhaust: float, rate: float, start: float, g: float, t: ArrayLike) -> Array:
-    """Return the velocity of a rocket that its pad holds up until it lifts off [m/s]."""
+    """Return the velocity of a rocket that stands on its pad until it lifts off [m/s]."""
     away = lift_off(exhaust, rate, start, g)
     later = np.maximum(np.asarray(t, dtype=float), away)
     gained = rocket_velocity(exhaust, start - rate * later, start - rate * away)
@@ -193,9 +193,9 @@ def launch_velocity(exhaust: float, rate: float, start: float, g: float, t: Arra
 def filling_cart(
     force: float, rate: float, start: float, speed: float, t: ArrayLike
 ) -> tuple[Array, Array]:
-    """Return mass and velocity of a cart that matter falls into from above [kg, m/s].
+    """Return the mass and velocity of a cart that matter falls into from above [kg, m/s].
 
-    Momentum, p = m0 v0 + F t, for what falls brings none along the rail; `rate` is dm/dt [kg/s].
+    By momentum, p = m0 v0 + F t, since the matter has none along the rail; `rate` is dm/dt [kg/s].
     """
     t = np.asarray(t, dtype=float)
     mass = start + rate * t
@@ -203,10 +203,10 @@ def filling_cart(
 
 
 def carried_way(speed: float, mu: float, g: float, t: ArrayLike) -> Array:
-    """Return how far a belt has carried a block that was put on it at rest [m].
+    """Return the distance that a belt has carried a block put on it at rest [m].
 
-    Friction drives it, μ g, until it has the belt's speed v, at v/μg; from there on it lies v²/2μg
-    behind the belt.
+    Friction accelerates it by μ g until it has the belt's speed v, after the time v/μg; from then
+    on it is v²/2μg behind the belt.
     """
     t = np.asarray(t, dtype=float)
     driven = np.minimum(t, speed / (mu * g))
@@ -214,7 +214,7 @@ def carried_way(speed: float, mu: float, g: float, t: ArrayLike) -> Array:
 
 
 def belt_momentum(speed: float, rate: float, t: float) -> float:
-    """Return the momentum that a belt has given to what falls on it at a rate [kg m/s].
+    """Return the momentum that a belt has given to matter that falls on it at a rate [kg m/s].
 
     F t = v (dm/dt) t: the chapter, section 4, when mass isn't constant; `rate` is dm/dt [kg/s].
     """
@@ -222,7 +222,7 @@ def belt_momentum(speed: float, rate: float, t: float) -> float:
 
 
 def gyration_rate(mass: float, charge: float, field: float) -> float:
-    """Return how fast a magnetic field turns a velocity [rad/s], counter-clockwise: −q B / m.
+    """Return the rate at which a magnetic field rotates a velocity [rad/s]: −q B / m.
 
     F = q v × B with B [T] out of the plane (J. D. Jackson, Classical Electrodynamics, 12.2), for
     speeds far below that of light.
@@ -239,7 +239,7 @@ def gyration_radius(mass: float, charge: float, field: float, speed: float) -> f
 
 
 def gyration_period(mass: float, charge: float, field: float) -> float:
-    """Return how long a charge takes once round in a magnetic field [s]: 2 π m / |q B|.
+    """Return the period of a charge in a magnetic field [s]: 2 π m / |q B|.
 
     Circumference over speed, whatever the speed.
     """
@@ -247,10 +247,10 @@ def gyration_period(mass: float, charge: float, field: float) -> float:
 
 
 def gravity_drift(mass: float, charge: float, field: float, g: float, t: ArrayLike) -> Array:
-    """Return x, y of a charge let go from rest in a magnetic field and gravity [m]: (2, ...).
+    """Return x, y of a charge released at rest in a magnetic field and gravity [m]: (2, ...).
 
     It drifts with F × B / (q B²) (Jackson, 12.3), −m g / (q B) for B out of the plane, and in the
-    frame that drifts along it goes round with that speed: the cycloid of a point on a rolling rim.
+    drifting frame it circles at that speed: the cycloid of a point on a rolling rim.
     """
     turned = gyration_rate(mass, charge, field) * np.asarray(t, dtype=float)
     rolling = g / gyration_rate(mass, charge, field) ** 2
@@ -258,7 +258,7 @@ def gravity_drift(mass: float, charge: float, field: float, g: float, t: ArrayLi
 
 
 def blown_way(mass: float, drag: float, wind: float, t: ArrayLike) -> Array:
-    """Return how far a wind has carried a body from rest, against a drag c (v − w) [m].
+    """Return the distance that a wind has carried a body from rest, with a drag c (w − v) [m].
 
     m dv/dt = c (w − v): w t − w τ (1 − e^(−t/τ)) with τ = m / c; c > 0.
     """

@@ -14,7 +14,7 @@ def atwood_acceleration(m1: float, m2: float, g: float) -> float:
 def atwood_tension(m1: float, m2: float, g: float) -> float:
     """Return the tension of an Atwood machine's string [N]: 2 m1 m2 g / (m1 + m2).
 
-    From T − m1 g = m1 a, with a as the chapter has it.
+    From T − m1 g = m1 a, with the chapter's a.
     """
     return m1 * (g + atwood_acceleration(m1, m2, g))
 
@@ -51,10 +51,10 @@ def movable_pulley_tension(weight: float, wheel: float, g: float) -> float:
 def double_atwood_accelerations(
     m1: float, wheel: float, m2: float, m3: float, g: float
 ) -> tuple[float, float, float]:
-    """Return how m1, and m2 and m3 on the light string over the wheel, accelerate upwards [m/s²].
+    """Return the upward accelerations of m1, and of m2 and m3 over the wheel [m/s²].
 
-    Lagrange's equations (the chapter, section 9) for the height x that the wheel has risen by and
-    y that m2 has risen by beside it, T = m1 ẋ²/2 + M ẋ²/2 + m2 (ẋ + ẏ)²/2 + m3 (ẋ − ẏ)²/2:
+    Lagrange's equations (the chapter, section 9) for the rise x of the wheel and the rise y of m2
+    relative to it, T = m1 ẋ²/2 + M ẋ²/2 + m2 (ẋ + ẏ)²/2 + m3 (ẋ − ẏ)²/2:
 
         (m1 + M + m2 + m3) ẍ + (m2 − m3) ÿ = (m1 − M − m2 − m3) g
         (m2 − m3) ẍ + (m2 + m3) ÿ = (m3 − m2) g

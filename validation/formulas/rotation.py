@@ -1,7 +1,7 @@
 """Rotation, and rolling: the chapter, section 8.
 
 The shape of a round body enters as I / (m r²), the "factor": 1 for a hoop, 1/2 for a disc, 2/5 for
-a sphere, 2/3 for a hollow sphere, and 0 for what slides without friction.
+a sphere, 2/3 for a hollow sphere, and 0 for a body that slides without friction.
 """
 
 import numpy as np
@@ -35,7 +35,7 @@ def rotational_energy(moment: float, angular_velocity: float) -> float:
 
 
 def rolls(factor: float, angle: float, mu: float) -> bool:
-    """Return whether a round body that starts from rest rolls down an incline, and does not slip.
+    """Return whether a round body that starts from rest rolls down an incline without slipping.
 
     The friction that rolling needs, m g sin θ k / (1 + k), must not exceed μ m g cos θ.
     """
@@ -46,7 +46,7 @@ def rolling_acceleration(factor: float, angle: float, g: float, mu: float) -> fl
     """Return the acceleration of a round body down an incline, from rest [m/s²].
 
     Rolling: m g h = m v² (1 + k) / 2 with v² = 2 a h / sin θ (the chapter, sections 5 and 8), so
-    a = g sin θ / (1 + k). Slipping: as a block's. 0 ≤ θ < π/2.
+    a = g sin θ / (1 + k). Slipping: as for a block. 0 ≤ θ < π/2.
     """
     if rolls(factor, angle, mu):
         return g * float(np.sin(angle)) / (1 + factor)
@@ -70,7 +70,7 @@ def rolling_spin(factor: float, r: float, angle: float, g: float, mu: float) -> 
 
 
 def race_time(factor: float, way: float, angle: float, g: float) -> float:
-    """Return how long a body takes to roll down a way on an incline from rest [s].
+    """Return the time for a body to roll a distance down an incline from rest [s].
 
     √(2 s / a) with the acceleration of rolling; 0 < θ < π/2, g, s > 0.
     """
@@ -80,54 +80,54 @@ def race_time(factor: float, way: float, angle: float, g: float) -> float:
 def rolling_period(factor: float, length: float, g: float, amplitude: float) -> float:
     """Return the period of a round body that rolls to and fro in a hollow [s].
 
-    Its centre swings at the distance l from the hollow's, and turning makes it heavier by k: so it
-    does as a pendulum of the length (1 + k) l; 0 < amplitude < π, g > 0.
+    Its centre swings at the distance l from the hollow's centre, and its rotation adds k to the
+    inertia: it moves as a pendulum of the length (1 + k) l; 0 < amplitude < π, g > 0.
     """
     return pendulum_period((1 + factor) * length, g, amplitude)
 
 
 def cycloid_height(factor: float, radius: float, g: float, start: float, t: ArrayLike) -> Array:
-    """Return the height above its lowest point of what rolls with its centre on a cycloid [m].
+    """Return the height above its lowest point of a body whose centre rolls on a cycloid [m].
 
-    With the way s of the centre, m (1 + k) s'² / 2 + m g s² / (8 R) is kept: Huygens' bead, as if
-    under g / (1 + k). So s = 4 R sin(θ/2) cos(ωt), ω² = g / (4 (1 + k) R), for any start θ [rad]
-    in x = R (θ + sin θ), y = R (1 − cos θ). k = 0 is what slides; R, g > 0, |θ| < π.
+    With the arc length s of the centre, m (1 + k) s'² / 2 + m g s² / (8 R) is conserved: Huygens'
+    bead under the gravity g / (1 + k). So s = 4 R sin(θ/2) cos(ωt), ω² = g / (4 (1 + k) R), for any
+    start θ [rad] in x = R (θ + sin θ), y = R (1 − cos θ). k = 0 is sliding; R, g > 0, |θ| < π.
     """
     return lagrange.cycloid_height(t, radius, g / (1 + factor), start)
 
 
 def cycloid_quarter(factor: float, radius: float, g: float) -> float:
-    """Return how long that takes to its lowest point [s]: π √((1 + k) R / g), from anywhere."""
+    """Return the time until the lowest point [s]: π √((1 + k) R / g), from any start."""
     return lagrange.cycloid_time(radius, g / (1 + factor))
 
 
 def trough_speed(factor: float, length: float, g: float, amplitude: float) -> float:
-    """Return its speed at the lowest point [m/s]: m g l (1 − cos θ) = (1 + k) m v² / 2."""
+    """Return the speed at the hollow's lowest point [m/s]: m g l (1 − cos θ) = (1 + k) m v² / 2."""
     return float(np.sqrt(2 * g * length * (1 - np.cos(amplitude)) / (1 + factor)))
 
 
 def rolling_speed(factor: float, speed: float) -> float:
-    """Return the speed at which a body that was pushed off without spin comes to roll [m/s].
+    """Return the final rolling speed of a body that starts without spin [m/s].
 
-    About a point of the ground friction has no torque, so m r v + k m r² ω stays (the chapter,
-    section 8); with v = r ω in the end, v0 / (1 + k): 2/3 for a disc, 1/2 for a hoop.
+    Friction has no torque about a point of the ground, so m r v + k m r² ω is conserved (the
+    chapter, section 8); with v = r ω at the end it is v0 / (1 + k): 2/3 for a disc, 1/2 for a hoop.
     """
     return speed / (1 + factor)
 
 
 def sliding_time(factor: float, speed: float, mu: float, g: float) -> float:
-    """Return when a body that was pushed off without spin begins to roll [s].
+    """Return when a body that starts without spin begins to roll [s].
 
-    Friction takes v0 − v0 / (1 + k) at the rate μ g: v0 k / ((1 + k) μ g), for a disc v0 / (3 μ g);
-    mu, g > 0.
+    Friction reduces the speed by v0 − v0 / (1 + k) at the rate μ g: v0 k / ((1 + k) μ g), which is
+    v0 / (3 μ g) for a disc; mu, g > 0.
     """
     return (speed - rolling_speed(factor, speed)) / (mu * g)
 
 
 def slide_and_roll_way(factor: float, speed: float, mu: float, g: float, t: ArrayLike) -> Array:
-    """Return how far a body that was pushed off without spin has come [m].
+    """Return the distance of a body that starts without spin [m].
 
-    Until it rolls v0 t − μ g t² / 2, from then on at its speed of rolling; mu, g > 0.
+    v0 t − μ g t² / 2 until it rolls, then at the rolling speed; mu, g > 0.
     """
     t = np.asarray(t, dtype=float)
     slides = np.minimum(t, sliding_time(factor, speed, mu, g))
@@ -145,8 +145,8 @@ def round_moment(factor: float, mass: float, r: float) -> float:
 def rod_moment(mass: float, length: float, off: float = 0.0) -> float:
     """Return the moment of inertia of a thin rod about a point of it [kg m²].
 
-    ∫ x² dm from d − L/2 to d + L/2, with d the way from the centre to the point; m L² / 12 + m d²
-    by the parallel-axis theorem of the chapter's section 8. L > 0.
+    ∫ x² dm from d − L/2 to d + L/2, where d is the distance of the point from the centre;
+    m L² / 12 + m d² by the parallel-axis theorem of the chapter's section 8. L > 0.
     """
     return mass * ((off + length / 2) ** 3 - (off - length / 2) ** 3) / (3 * length)
 
@@ -160,15 +160,15 @@ def torque(arm: complex, force: complex) -> float:
 
 
 def rim_acceleration(radius: float, rate: ArrayLike, growth: float) -> NDArray[np.complex128]:
-    """Return how a point that circles an axis accelerates [m/s²], as outwards + i onwards.
+    """Return the acceleration of a point that circles an axis [m/s²], as radial + i tangential.
 
-    −ω² r towards the axis and α r along the way; `growth` is α [rad/s²].
+    −ω² r towards the axis and α r along the path; `growth` is α [rad/s²].
     """
     return np.asarray(radius * (-np.square(rate) + 1j * growth))
 
 
 def spun_angle(torque: float, moment: float, t: ArrayLike) -> Array:
-    """Return the angle that a constant torque turns a body by, from rest [rad]: τ t² / (2 I).
+    """Return the angle that a constant torque turns a body through, from rest [rad]: τ t² / (2 I).
 
     The chapter, section 8: τ = I α; I > 0.
     """
@@ -176,7 +176,7 @@ def spun_angle(torque: float, moment: float, t: ArrayLike) -> Array:
 
 
 def yo_yo_acceleration(axle: float, radius: float, g: float) -> float:
-    """Return how fast a disc on a string wound on its axle falls faster [m/s²].
+    """Return the downward acceleration of a disc on a string wound on its axle [m/s²].
 
     m g − T = m a and T r = I a / r with I = m R² / 2 (the chapter, section 8), so that
     a = g / (1 + I / (m r²)).
@@ -185,7 +185,7 @@ def yo_yo_acceleration(axle: float, radius: float, g: float) -> float:
 
 
 def disc_moment(mass: float, radius: float, distance: float = 0.0) -> float:
-    """Return the moment of inertia of a disc about an axis at a distance of its centre [kg m²].
+    """Return the moment of inertia of a disc about an axis at a distance from its centre [kg m²].
 
     m R² / 2 + m d²: the chapter's table and the parallel-axis theorem, section 8.
     """
@@ -193,7 +193,7 @@ def disc_moment(mass: float, radius: float, distance: float = 0.0) -> float:
 
 
 def driven_by_weight(mass: float, radius: float, moment: float, g: float) -> float:
-    """Return the angular acceleration of a drum by a weight on its string [rad/s²].
+    """Return the angular acceleration of a drum driven by a weight on a string [rad/s²].
 
     m g − T = m α r and T r = I α: m g r / (I + m r²).
     """
@@ -201,10 +201,10 @@ def driven_by_weight(mass: float, radius: float, moment: float, g: float) -> flo
 
 
 def limited_drive(moment: float, most: float, rate: float, hold: float, t: ArrayLike) -> Array:
-    """Return how fast a flywheel turns that a motor takes to a rate from rest [rad/s].
+    """Return the angular velocity of a flywheel that a motor accelerates from rest [rad/s].
 
-    I dω/dt = min(T, K (Ω − ω)): T t / I until T / K is missing, and what is missing falls by
-    e^(−K t / I) from there on; K > T / Ω.
+    I dω/dt = min(T, K (Ω − ω)): T t / I until T / K is missing; then the missing part falls by
+    e^(−K t / I); K > T / Ω.
     """
     time, settling = np.asarray(t, dtype=float), moment / hold
     full = moment * rate / most - settling

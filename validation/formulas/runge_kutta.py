@@ -1,4 +1,4 @@
-"""Equations of motion without a closed form, integrated apart from any engine."""
+"""Numerical solution of equations of motion without a closed form, independent of any engine."""
 
 from collections.abc import Callable
 
@@ -12,15 +12,15 @@ RELATIVE, ABSOLUTE = 2.3e-14, 1e-15
 
 
 def solution(slope: Callable[[Array], Array], start: Array, t: ArrayLike) -> Array:
-    """Return what y' = slope(y) leads to at times of any order: (k, T), from start at time 0.
+    """Return the solution of y' = slope(y) from `start` at time 0, at unordered times: (k, T).
 
-    By the method of eighth order of Dormand and Prince, DOP853 of Hairer, Nørsett and Wanner
-    (Solving Ordinary Differential Equations I, 1993), as SciPy has it.
+    By SciPy's DOP853, the eighth-order method of Dormand and Prince in Hairer, Nørsett and Wanner
+    (Solving Ordinary Differential Equations I, 1993).
 
     Raises
     ------
     ArithmeticError
-        If no step is short enough to go on.
+        If the required step becomes too small.
     """
     from scipy.integrate import solve_ivp  # takes a third of a second to load
 
