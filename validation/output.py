@@ -14,13 +14,13 @@ from rich.table import Table
 from sandbox.model.files import write_atomically
 
 WIDE = 160
-"""The width of a line [characters] if there is no terminal: room for whole names."""
+"""The width of a line without a terminal [characters]: enough for whole names."""
 
 T = TypeVar("T")
 
 
 def progress(things: Iterable[T], label: str, total: int) -> list[T]:
-    """Iterate over things, and show the progress on a terminal."""
+    """Consume an iterable, with progress on a terminal, and return its items."""
     console = Console(stderr=True)
     hidden = not console.is_terminal
     return list(track(things, label, total, console=console, transient=True, disable=hidden))
@@ -34,13 +34,13 @@ def show(*tables: Table) -> None:
 
 
 def complain(failed: Iterable[str]) -> None:
-    """Name what failed."""
+    """Print the names of what failed."""
     for name in failed:
         typer.echo(f"failed: {name}", err=True)
 
 
 def write(content: object, file: Path) -> None:
-    """Write figures to a file, and say so; see `save`."""
+    """Write figures to a file, and print its path; see `save`."""
     save(content, file)
     typer.echo(f"Written to {file}.")
 
@@ -57,7 +57,7 @@ def save(content: object, file: Path) -> None:
 
 
 def finite(figures: Mapping[str, object]) -> dict[str, object]:
-    """Return figures as JSON takes them: those that are infinite or NaN are null."""
+    """Return figures as JSON content: those that are infinite or NaN are null."""
     return {name: _finite(value) for name, value in figures.items()}
 
 

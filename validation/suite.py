@@ -16,7 +16,7 @@ from validation.output import finite, progress
 HEADINGS = ("measured", "expected", "error", "bound", "order", "naive error", "step", "naive")
 
 WORTH = 8
-"""How many runs justify the start of another process."""
+"""The number of runs that justify another process."""
 
 
 def outcomes(cases: Sequence[Case], jobs: int | None = None) -> list[Outcome]:
@@ -25,9 +25,9 @@ def outcomes(cases: Sequence[Case], jobs: int | None = None) -> list[Outcome]:
     Parameters
     ----------
     cases
-        Of `all_cases`, where another process finds them by their names; a few may be others.
+        Cases of `all_cases`, which other processes find by their names; a few may be others.
     jobs
-        How many processes share them at the most; as many as there are cores if left out.
+        The most processes to use; as many as there are cores if left out.
 
     Raises
     ------
@@ -39,7 +39,7 @@ def outcomes(cases: Sequence[Case], jobs: int | None = None) -> list[Outcome]:
 
 
 def _found(cases: Sequence[Case], jobs: int) -> Iterator[tuple[int, Outcome]]:
-    """Yield outcomes as they come in, with the numbers of their cases."""
+    """Yield outcomes as they finish, with the indices of their cases."""
     groups = together(cases)
     batches: Iterator[tuple[int, list[Outcome]]]
     if (jobs := min(jobs, len(groups) // WORTH)) > 1:
@@ -52,7 +52,7 @@ def _found(cases: Sequence[Case], jobs: int) -> Iterator[tuple[int, Outcome]]:
 
 
 def _run_by_name(names: Sequence[tuple[str, str]]) -> list[Outcome]:
-    """Run cases in another process: formulas cannot be sent there."""
+    """Run cases in another process, by name, since formulas cannot be pickled."""
     known = _by_name()
     return list(run([known[name] for name in names]))
 
@@ -69,7 +69,7 @@ def named(case: Case) -> str:
 
 
 def table(cases: Sequence[Case], found: Sequence[Outcome]) -> Table:
-    """Return a row a case, for the terminal."""
+    """Return a table with a row per case, for the terminal."""
     rows = Table(title="Closed forms against runs", header_style="bold", row_styles=("", "dim"))
     rows.add_column("case")
     for heading in HEADINGS:
@@ -92,5 +92,5 @@ def table(cases: Sequence[Case], found: Sequence[Outcome]) -> Table:
 
 
 def content(found: Sequence[Outcome]) -> dict[str, object]:
-    """Return the outcomes as JSON takes them, without infinities and NaN: such figures are null."""
+    """Return the outcomes as JSON content; infinities and NaN are null."""
     return {"environment": environment(), "cases": [finite(asdict(o)) for o in found]}

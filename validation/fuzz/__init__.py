@@ -1,1 +1,1 @@
-"""Hostile levels: each must be answered, soon and within bounds."""
+"""Hostile levels: each must be answered quickly and within bounds."""

@@ -25,7 +25,7 @@ from validation.fuzz.shrinking import shrunk
 from validation.fuzz.trial import Trial, Tried
 
 SAMPLES = Path("out") / "fuzz"
-"""The default folder of levels that go wrong."""
+"""The default folder of levels that fail."""
 
 
 @dataclass(slots=True)
@@ -35,11 +35,12 @@ class Findings:
     Attributes
     ----------
     answers
-        How many were answered, and how.
+        The number of levels that were answered, by kind of answer.
     failures
-        Those that were not: the number of each, what happened, and the file of what is left of it.
+        The levels that were not: the number of each, what happened, and the file of its reduced
+        form.
     guided
-        Whether Atheris led from one to the next.
+        Whether Atheris guided the search.
     """
 
     answers: Counter[str] = field(default_factory=Counter)
@@ -48,13 +49,13 @@ class Findings:
 
 
 def made(seed: int, number: int) -> dict[str, Any]:
-    """Return a level: the same for the same seed and number, whatever was tried before."""
+    """Return a level that depends only on the seed and the number."""
     random = Random(f"{seed}-{number}")
     return mutated(random) if number % 2 else Grammar(random).level()
 
 
 def drawn(seed: int, trial: Trial) -> Generator[Tried]:
-    """Yield the outcomes of random levels, without end."""
+    """Yield the outcomes of random levels, endlessly."""
     for number in count():
         for data, outcome in answered(made(seed, number), trial.run):
             yield Tried(number, data, outcome)
@@ -63,25 +64,25 @@ def drawn(seed: int, trial: Trial) -> Generator[Tried]:
 def fuzz(
     number: int | None, seed: int, minutes: float | None, json_file: Path | None, samples: Path
 ) -> bool:
-    """Try levels, keep those that are not answered, and return whether there are none.
+    """Try levels, keep those without an answer, and return whether there are none.
 
     Parameters
     ----------
     number
-        How many; as many as the time allows if left out.
+        The number of levels; as many as the time allows if left out.
     seed
-        Which.
+        The seed of the levels.
     minutes
-        For how long at the most; without end if left out.
+        The longest time; unlimited if left out.
     json_file
-        Also write what was found there.
+        A file for the findings, if any.
     samples
-        A folder for what is left of levels that went wrong; made if it is missing.
+        A folder for the reduced forms of levels that fail; made if missing.
 
     Raises
     ------
     SandboxError
-        If nothing can be written there.
+        If a file cannot be written.
     """
     if json_file:
         check_writable(json_file)
@@ -95,7 +96,7 @@ def fuzz(
                 if late or tried.number == number:
                     break
                 _note(tried, trial, found, samples)
-    finally:  # what was found is told, too, if somebody interrupts it
+    finally:  # report the findings also after an interruption
         trial.close()
         _report(found, seed, monotonic() - start, json_file)
     return not found.failures

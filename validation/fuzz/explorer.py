@@ -1,8 +1,8 @@
-"""The process in which Atheris makes levels: what reaches new code is changed and tried further.
+"""The process in which Atheris makes levels: inputs that reach new code are mutated further.
 
-Atheris (Google's libFuzzer for Python) counts which branches of the code an input reaches. Here the
-bytes of an input are the choices of the generators of levels. What is tried and what comes of it is
-told along a pipe, for nothing else is left of a process that is ended: first how many levels were
+Atheris (Google's libFuzzer for Python) records which branches of the code an input reaches. Here
+the bytes of an input are the choices of the generators of levels. Attempts and results are sent
+along a pipe, since nothing else remains of a process that is killed: first the number of levels
 before it and its text, then its `Outcome`.
 """
 
@@ -18,11 +18,11 @@ LONGEST = 4000
 """The most bytes of an input: a level takes some hundred choices."""
 
 SLOWER = 3.0
-"""How many times as long instrumented code takes."""
+"""The slowdown of instrumented code."""
 
 
 class Choices(Random):
-    """A generator whose numbers are the bytes of an input; zeros, once they are used up."""
+    """A random generator that uses the bytes of an input, then zeros."""
 
     def __init__(self, data: bytes) -> None:
         super().__init__(0)
@@ -33,12 +33,12 @@ class Choices(Random):
         return int.from_bytes(self._left.read(-(-k // 8)), "little") & ((1 << k) - 1)
 
     def random(self) -> float:
-        """Return a number from 0 to 1, and below."""
+        """Return a number in [0, 1)."""
         return self.getrandbits(32) / 2**32
 
 
 def main() -> None:
-    """Explore until the pipe closes: the arguments are a pipe, a seed and a folder of inputs."""
+    """Explore until the pipe closes; the arguments are a pipe, a seed and a folder of inputs."""
     pipe, seed, folder = sys.argv[1:]
     line = Connection(int(pipe))
     atheris = importlib.import_module("atheris")

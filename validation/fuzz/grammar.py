@@ -1,4 +1,4 @@
-"""Random levels from the schema itself, so that everything declared today is tried today."""
+"""Random levels from the schema itself, which thus always cover everything that is declared."""
 
 import re
 from collections.abc import Mapping, Sequence
@@ -37,7 +37,7 @@ def _schema() -> dict[str, Any]:
 
 
 class Grammar:
-    """Makes random levels, most of them well formed."""
+    """Generates random levels, most of them well formed."""
 
     def __init__(self, random: Random) -> None:
         self._schema = _schema()
@@ -45,7 +45,7 @@ class Grammar:
         self._bodies = BODIES[: random.choice((1, 2, 2, 3, 5))]
 
     def level(self) -> dict[str, Any]:
-        """Return a level as it would stand in its file."""
+        """Return a level as in its file."""
         fields: Mapping[str, Part] = self._schema["properties"]
         random = self._random
         made: dict[str, Any] = {"format": 1, "title": "fuzz"}
@@ -63,7 +63,7 @@ class Grammar:
         return made
 
     def value(self, part: Part) -> Any:  # noqa: ANN401 (whatever JSON holds)
-        """Return something that a part of the schema allows, or nearly."""
+        """Return a value that a part of the schema allows, or almost."""
         if "$ref" in part:
             part = self._schema["$defs"][part["$ref"].rpartition("/")[2]]
         if "oneOf" in part:

@@ -1,4 +1,4 @@
-"""Levels that Atheris leads to: those that reach new code are changed and tried further."""
+"""Levels found by Atheris: those that reach new code are mutated further."""
 
 import json
 import subprocess
@@ -18,7 +18,7 @@ from validation.fuzz.explorer import LONGEST
 from validation.fuzz.trial import HANGS, STARTS, Outcome, Trial, Tried
 
 FIRST = 200
-"""The random inputs to begin with; by itself Atheris begins with empty ones."""
+"""The number of random inputs to begin with; Atheris itself begins with empty ones."""
 
 
 def available() -> bool:
@@ -27,10 +27,10 @@ def available() -> bool:
 
 
 def guided(seed: int, trial: Trial) -> Generator[Tried]:
-    """Yield the outcomes of the levels that Atheris makes, without end.
+    """Yield the outcomes of the levels that Atheris makes, endlessly.
 
-    What its process makes of a level counts if that is an answer. Else the level is tried once more
-    by itself, for code whose branches are counted is slow, and a process that lasts has a past.
+    An outcome in its process counts if it is an answer. Otherwise the level is tried again by
+    itself, since instrumented code is slow, and a long-running process has a history.
 
     Parameters
     ----------
@@ -42,7 +42,7 @@ def guided(seed: int, trial: Trial) -> Generator[Tried]:
     Raises
     ------
     SandboxError
-        If its process ends before it tries anything.
+        If the process ends before its first attempt.
     """
     before = 0
     with TemporaryDirectory() as folder:
@@ -62,7 +62,7 @@ def guided(seed: int, trial: Trial) -> Generator[Tried]:
 
 
 def _explored(seed: int, folder: str) -> Iterator[tuple[int, str, Outcome | None]]:
-    """Yield what a process tries until it ends, and what it makes of that; None of the last."""
+    """Yield the attempts of a process and their outcomes until it ends; the last may have None."""
     ours, theirs = Pipe()
     command = [sys.executable, "-m", "validation.fuzz.explorer", str(theirs.fileno())]
     with (
@@ -84,7 +84,7 @@ def _explored(seed: int, folder: str) -> Iterator[tuple[int, str, Outcome | None
 
 
 def _said(line: Connection, wait: float) -> Any:  # noqa: ANN401 (whatever is sent)
-    """Return the output of the process; None if it ended or hangs."""
+    """Return the next message of the process; None if it has ended or hangs."""
     try:
         return line.recv() if line.poll(wait) else None
     except (EOFError, OSError):

@@ -25,7 +25,7 @@ def mutated(random: Random) -> dict[str, Any]:
 
 
 def places(part: Any) -> Iterator[Place]:  # noqa: ANN401 (whatever JSON holds)
-    """Yield where everything in a part of a level stands, from the outside in."""
+    """Yield the places of all members in a part of a level, outer ones first."""
     keys: list[Any] = list(part) if isinstance(part, dict) else []
     if isinstance(part, list):
         keys = list(range(len(part)))
@@ -35,7 +35,7 @@ def places(part: Any) -> Iterator[Place]:  # noqa: ANN401 (whatever JSON holds)
 
 
 def _change(random: Random, part: Any, key: Any, found: list[Place]) -> None:  # noqa: ANN401
-    """Change what stands at a place: to another value, to none, or to what stands elsewhere."""
+    """Change the value at a place: to another value, to none, or to one from elsewhere."""
     value = part[key]
     if isinstance(value, int | float) and random.random() < 0.8:
         factors = (-1, 0, 1e3, 1e-3, 1e9, 1e-9, 1e30, 0.5, 2)

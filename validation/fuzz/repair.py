@@ -1,4 +1,4 @@
-"""Repairs a level that was refused, so that more than the rules are tried."""
+"""Repairs levels that were refused, so that more code than the rules is tried."""
 
 import json
 from collections.abc import Callable, Iterator, Sequence
@@ -8,20 +8,20 @@ from typing import Any
 from validation.fuzz.trial import Outcome
 
 ROUNDS = 8
-"""How often a level is repaired, at most."""
+"""The most repairs of a level."""
 
 
 def answered(
     data: dict[str, Any], run: Callable[[str], Outcome]
 ) -> Iterator[tuple[dict[str, Any], Outcome]]:
-    """Yield a level with its outcome, and repaired versions as long as it is refused.
+    """Yield a level with its outcome, and repaired versions for as long as it is refused.
 
     Parameters
     ----------
     data
         The level.
     run
-        Returns what comes of a level's text.
+        Returns the outcome of a level's text.
     """
     for _ in range(ROUNDS + 1):
         outcome = run(json.dumps(data))
@@ -45,7 +45,7 @@ def mended(data: dict[str, Any], mistakes: Sequence[tuple[str, str]]) -> dict[st
 
 
 def _remove(data: dict[str, Any], steps: Sequence[str]) -> None:
-    """Take away what stands at a place, if it is not the whole."""
+    """Remove the value at a path, unless that is the whole level."""
     around = _at(data, steps[:-1]) if steps else None
     if isinstance(around, dict):
         around.pop(steps[-1], None)
@@ -54,7 +54,7 @@ def _remove(data: dict[str, Any], steps: Sequence[str]) -> None:
 
 
 def _at(data: Any, steps: Sequence[str]) -> Any:  # noqa: ANN401 (whatever JSON holds)
-    """Return what stands at a place; None if nothing does."""
+    """Return the value at a path; None if there is none."""
     for step in steps:
         if isinstance(data, dict):
             data = data.get(step)

@@ -1,4 +1,4 @@
-"""The smallest part of a level that still goes wrong."""
+"""The smallest part of a level that still fails."""
 
 from collections.abc import Callable
 from copy import deepcopy
@@ -10,14 +10,14 @@ TRIES = 120
 
 
 def shrunk(data: dict[str, Any], wrong: Callable[[dict[str, Any]], bool]) -> dict[str, Any]:
-    """Return what is left of a level once all is taken away without which it still goes wrong.
+    """Return a failing level without everything that the failure does not need.
 
     Parameters
     ----------
     data
-        A level that goes wrong.
+        A level that fails.
     wrong
-        Whether another one does, in the same way.
+        Returns whether another level fails in the same way.
     """
     tries, number = 0, 0
     while tries < TRIES:

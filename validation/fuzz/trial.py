@@ -1,4 +1,4 @@
-"""A level tried in a process of its own, which may end, hang, or use up its resources."""
+"""A level tried in a separate process, which may end, hang, or exhaust its resources."""
 
 import os
 import signal
@@ -18,16 +18,16 @@ from sandbox.physics.run import build
 from sandbox.physics.state.errors import BreakdownError
 
 SECONDS = 2.0
-"""s of processor time that an answer may take."""
+"""The processor time that an answer may take [s]."""
 
 HANGS = 30.0
-"""s, after which a process that computes nothing counts as hung."""
+"""The time after which a process that computes nothing counts as hung [s]."""
 
 BYTES = 500_000_000
-"""The memory that an answer may take, besides that of the libraries."""
+"""The memory that an answer may take, in addition to that of the libraries."""
 
 STARTS = 300.0
-"""s, that the process may take to start on a busy machine."""
+"""The time that the process may take to start on a busy machine [s]."""
 
 STEPS = 8
 
@@ -36,7 +36,7 @@ ANSWERS = (RUNS, REFUSED, STOPPED)
 """The good outcomes: the level runs, is refused, or has to stop."""
 
 SLOW, ENDED, UNTOLD = "slow", "ended", "not told"
-"""The bad outcomes: no answer in time, a crash, or an error that is not one of ours."""
+"""The bad outcomes: no answer in time, a crash, or an error of another class than ours."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,11 +46,11 @@ class Outcome:
     Attributes
     ----------
     kind
-        One of `ANSWERS`, or what went wrong.
+        One of `ANSWERS`, or the kind of failure.
     what
-        More of it, in words.
+        Details, in words.
     mistakes
-        Where in a level that is refused, and what is wrong there.
+        The paths in a refused level, and what is wrong there.
     """
 
     kind: str
@@ -75,7 +75,7 @@ NO_ANSWER = Outcome(SLOW, f"no answer in {HANGS:g} s")
 
 
 def attempt(text: str) -> Outcome:
-    """Read a level, build it and take a few steps, here."""
+    """Read a level, build it and take a few steps, in this process."""
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("error")
@@ -100,7 +100,7 @@ def _attempt(text: str) -> Outcome:
 
 
 def _of(error: SandboxError, answer: str) -> Outcome:
-    """Return what an error says; one that nothing has foreseen is none of ours."""
+    """Return the outcome of an error; an unforeseen one is not an answer."""
     unforeseen = isinstance(error, BreakdownError)
     if unforeseen or (isinstance(error, LevelError) and error.__cause__ is not None):
         return Outcome(UNTOLD, f"{type(error.__cause__).__name__}: {error.__cause__}"[:300])
@@ -109,12 +109,12 @@ def _of(error: SandboxError, answer: str) -> Outcome:
 
 
 class Trial:
-    """Another process that tries levels, one after the other; a new one where one has ended.
+    """A separate process that tries levels one after the other, restarted whenever it has ended.
 
     Parameters
     ----------
     seconds
-        Of computing, that an answer may take.
+        The processor time that an answer may take.
     """
 
     def __init__(self, seconds: float = SECONDS) -> None:
@@ -125,7 +125,7 @@ class Trial:
     def run(self, text: str) -> Outcome:
         """Return the outcome of a level; a level without an answer is tried twice.
 
-        On a machine that others use, a process may get no time to compute for that long.
+        On a shared machine, a process may get no processor time for that long.
         """
         first = self._ask(text)
         return self._ask(text) if first == NO_ANSWER else first
@@ -156,13 +156,13 @@ class Trial:
             )
             self._process.start()
             theirs.close()
-            if self._line.poll(STARTS):  # what it has to import is no part of an answer
+            if self._line.poll(STARTS):  # imports are not part of an answer
                 with suppress(EOFError):
                     self._line.recv()
         return self._process, self._line
 
     def close(self) -> None:
-        """End the other process."""
+        """End the separate process."""
         if self._process is not None and self._line is not None:
             self._process.kill()
             self._process.join()
@@ -171,7 +171,7 @@ class Trial:
 
 
 def _serve(line: Connection, seconds: float) -> None:
-    """Answer requests, in the other process, until the pipe closes."""
+    """Answer requests in the separate process until the pipe closes."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     sys.stderr = open(os.devnull, "w", encoding="utf-8")  # noqa: SIM115 (as long as it lives)
     attempt("{}")
@@ -186,7 +186,7 @@ def _serve(line: Connection, seconds: float) -> None:
 
 
 def attempt_within(seconds: float, text: str) -> Outcome:
-    """Try a level here; this process ends if that takes longer [s of computing]."""
+    """Try a level in this process, which is killed after some processor time [s]."""
     _limit_time(seconds)
     outcome = attempt(text)
     _limit_time(0)
@@ -194,13 +194,13 @@ def attempt_within(seconds: float, text: str) -> Outcome:
 
 
 def _limit_time(seconds: float) -> None:
-    """End this process after some processor time; never, for 0."""
+    """Kill this process after some processor time; never if it is 0."""
     if hasattr(signal, "ITIMER_PROF"):
         signal.setitimer(signal.ITIMER_PROF, seconds)
 
 
 def limit_memory() -> None:
-    """Let this process take no more memory than `BYTES` beside what it has."""
+    """Allow this process at most `BYTES` more memory than it has."""
     if sys.platform == "linux":
         import resource
 

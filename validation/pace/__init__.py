@@ -1,1 +1,1 @@
-"""Whether levels run in real time: what a second of each takes to compute."""
+"""Whether levels run in real time: the computing time per second of each scene."""

@@ -14,12 +14,12 @@ from validation.pace.measuring import Pace, pace
 
 
 def measure(names: Sequence[str], json_file: Path | None) -> list[str]:
-    """Measure levels, show the table, write it if asked to, and return what is not in real time.
+    """Measure levels, print the table, write it if asked to, and return the slow levels.
 
     Raises
     ------
     SandboxError
-        If there is no such level or it does not run, or the file cannot be written.
+        If there is no such level, it does not run, or the file cannot be written.
     """
     if json_file:
         check_writable(json_file)
@@ -41,7 +41,7 @@ def content(found: Sequence[Pace]) -> dict[str, object]:
 
 
 def table(found: Sequence[Pace]) -> Table:
-    """Return what levels need, the most first, as a table for the terminal."""
+    """Return the load of each level, the highest first, as a table for the terminal."""
     shown = Table(title="What levels need", header_style="bold", row_styles=("", "dim"))
     shown.add_column("level")
     for heading in ("rate", "a step", "of this core", "of the reference", ""):

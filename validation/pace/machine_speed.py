@@ -1,8 +1,8 @@
 """The present speed of the machine: the time of a fixed piece of work.
 
-A core is half as fast while its twin is busy, and machines differ by more. What a level needs is
-therefore told in the time of one machine as well: the measured time, by what the yardstick took
-beside it, times what the yardstick takes there.
+A core is half as fast while its twin is busy, and machines differ by more. Loads are therefore also
+given for a reference machine: the measured time, divided by the time of the yardstick beside it,
+times the yardstick's time on that machine.
 """
 
 from time import process_time
@@ -10,11 +10,11 @@ from time import process_time
 import numpy as np
 
 REFERENCE = 3.05e-3
-"""s, the time of the yardstick on an idle core of the reference machine: a slow one, two cores of a
-server shared by many."""
+"""The time of the yardstick on an idle core of the reference machine [s]: a slow one, two cores of
+a shared server."""
 
 ROUNDS = 60
-"""The rounds of the yardstick."""
+"""The repetitions of the yardstick's work."""
 
 SIZE = 12
 """The rows of its matrices: about as many as a linkage has."""
@@ -24,9 +24,9 @@ _VECTOR = np.sin(np.arange(SIZE))
 
 
 def yardstick() -> float:
-    """Return what the work takes of the processor now [s].
+    """Return the present processor time of the yardstick [s].
 
-    It is what steps are made of: arithmetic in Python, numpy on small arrays, small systems.
+    Its work resembles that of steps: arithmetic in Python, numpy on small arrays, small systems.
     """
     begun = process_time()
     found, place = _VECTOR, 1.0

@@ -13,13 +13,13 @@ from sandbox.physics.stepping.world import World
 from validation.pace.machine_speed import REFERENCE, yardstick
 
 REPEATS = 3
-"""How often a run is timed, at most; the fastest counts, since disturbances only add."""
+"""The most timings of a run; the fastest counts, since disturbances only add time."""
 
 MOST = 1.0
-"""s, about, for the timing of a level."""
+"""The time for measuring a level, about [s]."""
 
 SLICE = 0.05
-"""s, about, between two measurements of the machine's speed."""
+"""The time between two measurements of the machine's speed, about [s]."""
 
 REAL_TIME = 0.5
 """The share of the reference core that a level may need; the rest is for drawing."""
@@ -27,20 +27,20 @@ REAL_TIME = 0.5
 
 @dataclass(frozen=True, slots=True)
 class Pace:
-    """What a level needs at the rate that it ships with.
+    """The load of a level at its own rate.
 
     Attributes
     ----------
     level
         The name of the level.
     rate
-        Of its steps [Hz].
+        The rate of its steps [Hz].
     step_seconds
-        What a step takes of a processor, the mean of its run [s].
+        The processor time of a step, averaged over its run [s].
     load
-        What a second of the scene takes here and now [s], looked at sixty times.
+        The present processor time per second of the scene [s], including sixty observations.
     reference_load
-        The time on the reference core; see `yardstick` [s].
+        The same on the reference core; see `yardstick` [s].
     """
 
     level: str
@@ -56,7 +56,7 @@ class Pace:
 
 
 def pace(name: str) -> Pace:
-    """Measure a level from its start on, for its duration or as long as there is time.
+    """Measure a level from its start, for its duration or for as long as the time allows.
 
     Raises
     ------
@@ -79,9 +79,9 @@ def pace(name: str) -> Pace:
 
 
 def _run(world: World) -> tuple[float, float, int]:
-    """Return what a run takes of a processor [s], as far as there is time, and how many steps.
+    """Return the processor time of a run, that on the reference core [s], and the number of steps.
 
-    In between: what it would take of the reference core [s].
+    The run ends early if its time is up.
     """
     left, steps, took, calibrated = count_steps(world), 0, 0.0, 0.0
     before = yardstick()
@@ -94,7 +94,7 @@ def _run(world: World) -> tuple[float, float, int]:
 
 
 def _slice(world: World, left: int) -> tuple[int, float]:
-    """Take steps for a while; return how many, and what they took of a processor [s]."""
+    """Take steps for a while; return their number, and their processor time [s]."""
     look = max(round(world.stepping.rate / 60), 1)
     steps, begun = 0, process_time()
     while steps < left and process_time() - begun < SLICE:

@@ -1,1 +1,1 @@
-"""All of the validation as one self-contained page."""
+"""The whole validation as one self-contained page."""

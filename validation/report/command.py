@@ -18,23 +18,23 @@ FIGURES = "figures"
 
 
 def write(output: Path, source: Path | None, *, quick: bool, figures: bool) -> bool:
-    """Measure or read every part, write the page, and return whether all is well.
+    """Measure or read every part, write the page, and return whether everything passed.
 
     Parameters
     ----------
     output
-        The folder of the page, made if it is not there; the figures it shows are kept as JSON.
+        The folder of the page, made if missing; its figures are also stored as JSON.
     source
-        A folder with files of other commands, which are read instead of measured anew.
+        A folder with files of other commands, which are read instead of measuring again.
     quick
-        Whether a few cases, levels and repetitions will do.
+        Whether to measure only a few cases, levels and repetitions.
     figures
-        Whether the diagrams are also written as files of their own.
+        Whether the diagrams are also written as separate files.
 
     Raises
     ------
     SandboxError
-        If the folder is no place for files, or there is nothing to read.
+        If the folder cannot be written, or there is nothing to read.
     """
     if source and not source.is_dir():
         raise SandboxError(Message("cannot read {source}: there is no such folder", source=source))
@@ -56,7 +56,7 @@ def write(output: Path, source: Path | None, *, quick: bool, figures: bool) -> b
 def _collected(
     part: parts.Part, source: Path | None, *, quick: bool
 ) -> parts.Content | SandboxError:
-    """Return the measurements of a part, or why they failed; the other parts go on."""
+    """Return the measurements of a part, or the error; the other parts continue."""
     Console(stderr=True, highlight=False).print(f"validation {part.command} ...")
     try:
         return parts.collect(part, source, quick=quick)

@@ -30,24 +30,24 @@ from validation.report.digest.requests import Requests
 from validation.stability import report as stability_report
 
 SHOWN = 4
-"""How many diagrams are visible at once; the others are folded away."""
+"""The number of diagrams that are visible at first; the others are folded away."""
 
 LARGE = 1e4
-"""Ratios from here on are shown as powers of ten."""
+"""The least ratio that is shown as a power of ten."""
 
 
 @dataclass(slots=True)
 class Report:
-    """What a page shows; a part that is None was not measured.
+    """The content of a page; a part that is None was not measured.
 
     Attributes
     ----------
     failures
-        Why a part is missing, by its command.
+        The reasons why parts are missing, by command.
     environments
-        What parts were measured with, by their commands.
+        The environments in which parts were measured, by command.
     figures
-        All figures, by the names of their files.
+        All figures, by file name.
     """
 
     quick: bool
@@ -70,7 +70,7 @@ class Report:
 
 
 def report(contents: Mapping[str, parts.Content | SandboxError], *, quick: bool) -> Report:
-    """Return a report of the measurements, by command, or of why they failed."""
+    """Return a report of the measurements, or of the errors in their place, by command."""
     found = Report(quick=quick)
     for command, content in contents.items():
         try:
@@ -114,7 +114,7 @@ _ADDED: Mapping[str, Callable[[Report, parts.Content], None]] = {
 
 
 def figure_name(level: str) -> str:
-    """Return the name of the file that holds a level's diagram."""
+    """Return the file name of a level's diagram."""
     return "cost-" + level.replace("/", "-")
 
 
@@ -161,7 +161,7 @@ def foldable(level: str) -> Markup:
 
 
 def scientific(value: float | None) -> str:
-    """Return an error in two digits; in words if there is none."""
+    """Return an error with two digits; in words if there is none."""
     if value is None or value != value:
         return "–"
     if not value:
@@ -170,22 +170,22 @@ def scientific(value: float | None) -> str:
 
 
 def number(value: float) -> str:
-    """Return a measured value in seven digits."""
+    """Return a measured value with seven digits."""
     return f"{value:.7g}" if isfinite(value) else "–"
 
 
 def percent(part: float) -> str:
-    """Return a part in percent."""
+    """Return a share in percent."""
     return f"{100 * part:.3g} %" if isfinite(part) else "∞"
 
 
 def target(error: float) -> str:
-    """Return an accuracy that is asked for: 1e-3."""
+    """Return a requested accuracy, such as 1e-3."""
     return f"{error:.0e}".replace("e-0", "e-")
 
 
 def micro(seconds: float) -> str:
-    """Return a time in µs, with the significant decimals."""
+    """Return a time in µs, with its significant decimals."""
     if not isfinite(seconds):
         return "–"
     time = seconds * 1e6
@@ -194,7 +194,7 @@ def micro(seconds: float) -> str:
 
 
 def times(ratio: float) -> str:
-    """Return a ratio as prose has it: 12 times, 3.4 × 10⁹ times."""
+    """Return a ratio as in prose: 12 times, 3.4 × 10⁹ times."""
     if ratio < LARGE:
         return f"{cost_report.two_digits(ratio)} times"
     exponent = floor(log10(ratio))
@@ -213,7 +213,7 @@ def _reach(sweep: Sweep, target: float) -> float | None:
 
 
 def _diagrams(found: Report) -> list[tuple[Sweep, Markup]]:
-    """Return the diagrams, first those that are always in sight."""
+    """Return the diagrams, starting with those that are always visible."""
     rows = found.costs.rows if found.costs else ()
     first = parts.SAMPLE[:SHOWN]
     sweeps = sorted((sweep for sweep, _, _ in rows), key=lambda sweep: sweep.level not in first)
@@ -223,7 +223,7 @@ def _diagrams(found: Report) -> list[tuple[Sweep, Markup]]:
 
 
 def _title(sweep: Sweep) -> str:
-    """Return in words what a diagram shows."""
+    """Return a description of a diagram."""
     ran = [p for p in sweep.points if isfinite(p.error)]
     least = {
         scheme: min(p.error for p in ran if p.scheme == scheme)

@@ -1,4 +1,4 @@
-"""The parts of a report: each is what another command measures, in the form of its JSON."""
+"""The parts of a report: the measurements of other commands, in the form of their JSON files."""
 
 import json
 from collections.abc import Callable, Mapping
@@ -51,24 +51,24 @@ OPTIONAL = {
     "order", "stepping", "until",
     "beyond", "axis", "unit", "frontier", "naive_frontier", "previous", "rate", "naive_rate",
 }  # fmt: skip
-"""Figures that may be missing; any other that JSON lacks is infinite or NaN."""
+"""Figures that may be missing; any other that is missing is infinite or NaN."""
 
 T = TypeVar("T")
 
 Content = Mapping[str, Any]
-"""The JSON that a command writes."""
+"""The JSON content that a command writes."""
 
 
 @dataclass(frozen=True, slots=True)
 class Part:
-    """What a command measures.
+    """The measurement of a command.
 
     Attributes
     ----------
     command
         The name of the part, and of its file.
     measure
-        Measures it, quickly or not, and returns what the command writes.
+        A function that measures, quickly or not, and returns the command's content.
     """
 
     command: str
@@ -106,7 +106,7 @@ PARTS = (
 
 
 def collect(part: Part, source: Path | None, *, quick: bool) -> Content:
-    """Return a part from its file in a folder, or measure it if there is none.
+    """Return a part from its file in a folder; measure it if there is no folder.
 
     Raises
     ------
@@ -139,7 +139,7 @@ def outcomes(content: Content) -> list[Outcome]:
     Raises
     ------
     SandboxError
-        If that is not what it is.
+        If the content has another form.
     """
     rows = [_filled(row, error=inf, naive_error=inf) for row in _rows(content, "cases")]
     return _validated(TypeAdapter(list[Outcome]), rows)
@@ -159,7 +159,7 @@ def sweeps(content: Content) -> list[Sweep]:
 
 
 def requests(content: Content) -> list[Request]:
-    """Return what `validation cost` asked for; raise as `outcomes` does."""
+    """Return the requests of `validation cost`; raise as `outcomes` does."""
     known = {field.name for field in fields(Request)}
     rows = [
         _filled({name: value for name, value in row.items() if name in known}, cheapest=inf)
@@ -205,7 +205,7 @@ def _validated(adapter: TypeAdapter[T], rows: object) -> T:
 
 
 def _filled(row: Mapping[str, Any], **lost: float) -> dict[str, Any]:
-    """Return a row with the figures that JSON does not know: infinite ones, and NaN."""
+    """Return a row with the figures that JSON cannot represent: infinite ones, and NaN."""
     return {
         name: lost.get(name, nan) if value is None and name not in OPTIONAL else value
         for name, value in row.items()
@@ -213,6 +213,6 @@ def _filled(row: Mapping[str, Any], **lost: float) -> dict[str, Any]:
 
 
 def _point(row: Mapping[str, Any]) -> dict[str, Any]:
-    """Return a point of a sweep: one that did not fail lacks its error if an event never came."""
+    """Return a point of a sweep; a missing error is infinite, or NaN if the run failed."""
     failure = row.get("failure")
     return {**_filled(row, error=nan if failure else inf), "failure": failure}

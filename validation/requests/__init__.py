@@ -1,1 +1,1 @@
-"""Accuracies asked of levels at random parameters, and what is delivered."""
+"""Requests for accuracies of levels at random parameters, and their results."""

@@ -15,16 +15,16 @@ from validation.requests.trial import Trial, trial
 
 
 def measure(count: int, seed: int, json_file: Path | None, jobs: int | None) -> bool:
-    """Request accuracies, print those that are missed, and return whether all promises hold.
+    """Request accuracies, print the missed ones, and return whether all promises hold.
 
     Parameters
     ----------
     count, seed
-        How many, and the first of the numbers that they are drawn from.
+        The number of requests, and the seed of the first.
     json_file
-        Where the outcome goes, if anywhere.
+        A file for the outcomes, if any.
     jobs
-        How many processes share them; as many as there are cores if None.
+        The number of processes; None for as many as there are cores.
 
     Raises
     ------
@@ -52,7 +52,7 @@ def content(trials: Sequence[Trial]) -> dict[str, object]:
 
 
 def summary(trials: Sequence[Trial]) -> str:
-    """Return in a line how many accuracies were delivered."""
+    """Return a line that says how many accuracies were delivered."""
     seen = [each for each in trials if each.looked_at]
     refused = sum(each.refused for each in trials)
     return (
@@ -63,7 +63,7 @@ def summary(trials: Sequence[Trial]) -> str:
 
 
 def complaints(trials: Sequence[Trial]) -> list[str]:
-    """Return broken promises, in words."""
+    """Return messages about broken promises."""
     found = []
     for each in trials:
         if each.looked_at and not (each.kept and each.honest and not each.cheaper):

@@ -1,6 +1,6 @@
-"""One request for an accuracy, and its outcome.
+"""A request for an accuracy, and its outcome.
 
-A setting is held against a run with a much smaller step, and against settings that cost less.
+A setting is compared with a run at a much smaller step, and with cheaper settings.
 """
 
 from collections.abc import Sequence
@@ -25,22 +25,22 @@ from sandbox.physics.state.errors import SimulationError
 TARGETS = (1e-3, 1e-6, 1e-9)
 
 FINER = 8
-"""How many times as many steps the reference run takes, or half of that."""
+"""The steps of the reference run, as a multiple of the setting's; half as many if too slow."""
 
 LONGEST = 20.0
-"""s, how long that run may take, by its counted work."""
+"""The longest reference run, by its counted work [s]."""
 
 EXPENSIVE = 3.0
-"""How many times as much as the cheapest setting of the sweep a setting may cost."""
+"""The highest cost of a setting, as a multiple of the cheapest in the sweep."""
 
 BETTER = 2.0
-"""How many times too small the reported error may be."""
+"""The highest ratio of the true error to the reported one."""
 
 ROUNDING = 1e-12
-"""Errors below this count as equal."""
+"""The difference below which errors count as equal."""
 
 SWEPT = tuple(15.0 * 2**i for i in range(13))
-"""Hz, the rates of the sweep."""
+"""The rates of the sweep [Hz]."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,15 +50,15 @@ class Trial:
     Attributes
     ----------
     seed, level, values, target
-        The requested accuracy.
+        The request and its seed.
     answer
-        The setting in words, or why there is none.
+        The setting in words, or the reason why there is none.
     refused
-        Whether it was said that it cannot be had.
+        Whether the accuracy was refused as out of reach.
     estimated, delivered
-        The error that was told, and the one that was found; NaN where there is none.
+        The reported error and the measured one; NaN if there is none.
     cheaper
-        A setting of the sweep that does as well at less than a third of the work; empty if none.
+        A setting of the sweep as accurate, at less than a third of the work; empty if none.
     """
 
     seed: int
@@ -78,7 +78,7 @@ class Trial:
 
     @property
     def kept(self) -> bool:
-        """Whether it is as accurate as was asked for."""
+        """Whether it is as accurate as requested."""
         return self.delivered <= self.target
 
     @property
@@ -88,7 +88,7 @@ class Trial:
 
 
 def trial(seed: int) -> Trial:
-    """Draw a level, its parameters and an accuracy, ask for it, and look at what is delivered."""
+    """Draw a level, its parameters and an accuracy, request it, and verify the result."""
     random = Random(seed)
     name = random.choice(catalog.textbook())
     level = load(catalog.find(name))
@@ -109,7 +109,7 @@ def trial(seed: int) -> Trial:
 
 
 def _looked_at(level: Level, values: Values, setting: Setting) -> tuple[float, str]:
-    """Return how far off a setting is, and one that is cheaper."""
+    """Return the error of a setting, and a cheaper setting."""
     chosen = setting.chosen.stepping
     finer = _finer(level, values, chosen)
     if finer is None:
@@ -127,15 +127,15 @@ def _looked_at(level: Level, values: Values, setting: Setting) -> tuple[float, s
 
 
 def _off(run: Trace, finer: Sequence[Trace], item: Watched) -> float:
-    """Return how far off a run is in a quantity, against the finer run that it is nearer to.
+    """Return the error of a run in a quantity, against the nearer of the finer runs.
 
-    Forces are rounded more and more as the rate grows: it may be the finest that is off.
+    Rounding of forces grows with the rate, so that the finest run may be the one with the error.
     """
     return min(furthest(run, trace, [item])[0] for trace in finer)
 
 
 def _finer(level: Level, values: Values, chosen: Stepping) -> Stepping | None:
-    """Return a much finer setting, of fourth order where it can be; None if it takes too long."""
+    """Return a much finer setting, of fourth order if possible; None if it takes too long."""
     for times in (FINER, FINER // 2):
         update: dict[str, object] = {"rate": times * chosen.rate, "scheme": "leapfrog"}
         if "fourth-order" in usable(level):
@@ -149,14 +149,14 @@ def _finer(level: Level, values: Values, chosen: Stepping) -> Stepping | None:
 
 
 def _work(level: Level, values: Values, stepping: Stepping) -> float:
-    """Return how much work a run is [s], as counted."""
+    """Return the counted work of a run [s]."""
     return step_work(level, values, stepping) * stepping.rate * level.duration(values)
 
 
 def _cheaper(
     level: Level, values: Values, setting: Setting, wanted: Sequence[Watched], best: Trace
 ) -> str:
-    """Return the setting of the sweep that does as well at far less work; empty if none does."""
+    """Return the setting of the sweep that is as accurate at far less work; empty if none is."""
     chosen = setting.chosen.stepping
     enough = _work(level, values, chosen) / EXPENSIVE
     for scheme in usable(level):

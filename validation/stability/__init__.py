@@ -1,1 +1,1 @@
-"""The hard cases: where rigid-body engines break, and how far this one goes before it does."""
+"""The hard cases: scenes that break rigid-body engines, and how far this one gets."""

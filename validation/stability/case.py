@@ -1,4 +1,4 @@
-"""Hard cases and frontiers, and how their scenes are run."""
+"""Hard cases and frontiers, and running their scenes."""
 
 import json
 from collections.abc import Callable, Mapping
@@ -18,10 +18,10 @@ from validation.stability.run_measures import Run
 from validation.stability.scene import Document
 
 Figure = Callable[[Run], float]
-"""A number that is read off a run."""
+"""A function that reads a number off a run."""
 
 LOOKS = 600
-"""The observations of a run, at least, if it has so many steps."""
+"""The least number of observations of a run, if it has so many steps."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -33,31 +33,31 @@ class HardCase:
     name
         The claim, in a few words.
     family
-        The file it comes from.
+        The module that it comes from.
     group
         A: should be exact; B: should converge; C: should stand; D: beyond pymunk's own solver.
     level
-        Such as `hard/stack-of-15`.
+        The name of the level, such as `hard/stack-of-15`.
     criterion
-        What the figure is, and where the bound comes from.
+        The meaning of the figure, and the origin of the bound.
     figure, bound
-        The figure that is read off a run, and its bound.
+        The figure of a run, and its bound.
     duration, quick
-        How long it runs, and how long in a quick run [s]; as the level says if None.
+        The length of the run, and of a quick run [s]; None for the level's own.
     rate
-        Hz; the level's own if None.
+        The rate [Hz]; None for the level's own.
     parameters
-        Those that differ from the level's defaults.
+        The parameters that differ from the level's defaults.
     scene
-        A variation of the level, if it is not the level itself that is run.
+        A variation of the level, if that is run instead of the level itself.
     order
-        The power of the step by which the figure must fall at least; None if it claims none.
+        The least power of the step with which the figure must fall; None if it claims none.
     every_step
-        Whether every step is looked at, instead of some hundreds.
+        Whether every step is observed, instead of some hundreds.
     special
-        Where no figure of one run will do: what gives it, from the level and the duration.
+        A function of the level and the duration that returns the figure, if one run is not enough.
     beyond
-        Why it is out of reach, if it is; then it is shown, and does not count as a failure.
+        Why it is out of reach, if it is; then it is shown, but is not a failure.
     """
 
     name: str
@@ -80,22 +80,22 @@ class HardCase:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Frontier:
-    """How hard a scene can be made until its bound breaks.
+    """The difficulty up to which a scene stays within its bound.
 
     Attributes
     ----------
     name, family
-        As of a case.
+        As for a case.
     axis, unit
-        What makes it harder.
+        The quantity that makes it harder.
     scene
-        The level at a difficulty; its own stepping is the budget, which pymunk must not exceed.
+        The level at a given difficulty; the cost of its stepping is the budget for pymunk as well.
     figure, bound, criterion
-        As of a case.
+        As for a case.
     start, end
-        The least difficulty, and that at which the search ends.
+        The least difficulty, and the one at which the search ends.
     duration
-        How long a run lasts [s].
+        The length of a run [s].
     whole
         Whether the difficulty is a whole number.
     over_time
@@ -103,7 +103,7 @@ class Frontier:
     tolerance
         The factor by which the frontier may recede.
     beyond
-        Why it lies further in than that of pymunk, if it does.
+        Why it is nearer than that of pymunk, if it is.
     """
 
     name: str
@@ -124,7 +124,7 @@ class Frontier:
 
 
 def watch(level: Level, world: World, duration: float, *, every_step: bool = False) -> Run:
-    """Run a world, sample it now and then, and return the samples.
+    """Run a world, sample it at intervals, and return the samples.
 
     Raises
     ------
@@ -140,7 +140,7 @@ def watch(level: Level, world: World, duration: float, *, every_step: bool = Fal
 
 
 def figure_of(figure: Figure, run: Callable[[], Run]) -> tuple[float, Run | None, str]:
-    """Return the figure of a run, infinite if it had to stop, and why it stopped."""
+    """Return the figure of a run, the run, and why it stopped; the figure is infinite if it did."""
     try:
         with np.errstate(all="ignore"):
             seen = run()
@@ -151,5 +151,5 @@ def figure_of(figure: Figure, run: Callable[[], Run]) -> tuple[float, Run | None
 
 
 def make(document: Document) -> Level:
-    """Return a level from what its file would say."""
+    """Return a level from the content of its file."""
     return parse(json.dumps(document))

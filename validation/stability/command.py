@@ -50,7 +50,7 @@ def measured(*, quick: bool) -> list[Outcome]:
 
 
 def content(found: Sequence[Outcome]) -> dict[str, object]:
-    """Return outcomes as the JSON file holds them."""
+    """Return outcomes as the content of the JSON file."""
     return {"environment": environment(), "cases": [finite(asdict(o)) for o in found]}
 
 

@@ -1,7 +1,7 @@
-"""Frontiers: how hard a scene can be made until its bound breaks, here and in stock pymunk.
+"""Frontiers: the difficulty at which a scene breaks its bound, here and in stock pymunk.
 
-pymunk gets what the sandbox's step costs at the same difficulty, and takes as many steps for it as
-it can. Both are timed on the same machine, one after the other.
+pymunk gets the cost of the sandbox's step at the same difficulty, and takes as many steps as it can
+for that. Both are timed on the same machine, one after the other.
 """
 
 from collections.abc import Callable
@@ -25,29 +25,29 @@ GALLOPS = 7
 """The number of leaps from the least difficulty to the greatest."""
 
 CLOSE = 1.08
-"""The search ends at this ratio of a difficulty that breaks to one that holds."""
+"""The ratio of a difficulty that breaks to one that holds at which the search ends."""
 
 BLOCKS = 16
 """The number of timed blocks of ten steps."""
 
 QUICK_TIME = 20.0
-"""s, the length of an endurance run in a quick run."""
+"""The length of an endurance run in a quick run [s]."""
 
 
 @dataclass(frozen=True, slots=True)
 class Reach:
-    """Where a frontier lies.
+    """The position of a frontier.
 
     Attributes
     ----------
     difficulty
-        The greatest that holds; 0 if not even the least does.
+        The greatest difficulty that holds; 0 if not even the least does.
     figure
-        That of the run there.
+        The figure of the run there.
     cost
-        What a second of simulated time costs there [s].
+        The computing time per second of the scene there [s].
     rate
-        Of the steps there [Hz].
+        The rate of the steps there [Hz].
     """
 
     difficulty: float
@@ -62,7 +62,7 @@ def reach(frontier: Frontier, *, alone: bool = False) -> Reach:
     Parameters
     ----------
     frontier
-        The frontier, whose scene is made harder.
+        The frontier whose scene is made harder.
     alone
         Whether pymunk does everything by itself, at the sandbox's cost.
     """
@@ -81,10 +81,10 @@ def reach(frontier: Frontier, *, alone: bool = False) -> Reach:
 def furthest(
     holds: Callable[[float], bool], start: float, end: float, *, whole: bool = False
 ) -> float:
-    """Return the greatest difficulty that holds, before the first that was seen not to; 0 if none.
+    """Return the greatest difficulty that holds, below the first one that fails; 0 if none holds.
 
-    Leaps of equal ratios lead outwards until one fails; the gap before it is then halved, again as
-    a ratio, until it is below `CLOSE`, or 1 if difficulties are whole numbers.
+    Leaps of equal ratios increase the difficulty until one fails; the last interval is then
+    bisected geometrically until its ratio is below `CLOSE` or, for whole numbers, its length is 1.
     """
     if not holds(start):
         return 0.0
@@ -101,7 +101,7 @@ def furthest(
 
 
 def _leaps(start: float, end: float, *, whole: bool) -> list[float]:
-    """Return difficulties beyond the least, in equal ratios, up to the greatest."""
+    """Return increasing difficulties above the least, in equal ratios, up to the greatest."""
     ways = [start * (end / start) ** (i / GALLOPS) for i in range(1, GALLOPS)]
     ahead = {float(round(way)) for way in ways} - {start} if whole else set(ways)
     return sorted({*ahead, end})
@@ -118,7 +118,7 @@ def trial(frontier: Frontier, difficulty: float, *, alone: bool = False) -> Reac
 def _entrant(
     frontier: Frontier, level: Level, *, alone: bool
 ) -> tuple[Callable[[], World], float, float]:
-    """Return what makes the world, its rate [Hz], and what a simulated second costs [s]."""
+    """Return the maker of the world, its rate [Hz], and the time per second of the scene [s]."""
     rate = level.stepping.rate
     cost = step_cost(lambda: build(level))
     if isnan(cost):  # refused at once: the easiest scene sets the budget
@@ -126,15 +126,15 @@ def _entrant(
     if not alone:
         return lambda: build(level), rate, cost * rate
     at_same_rate = step_cost(lambda: naive(level, rate))
-    more = cost / at_same_rate if cost and at_same_rate else 1.0  # some clocks tick too seldom
+    more = cost / at_same_rate if cost and at_same_rate else 1.0  # some clocks are too coarse
     steps = min(rate * more, HIGHEST_RATE)
     return lambda: naive(level, steps), steps, at_same_rate * steps
 
 
 def step_cost(start: Callable[[], World]) -> float:
-    """Return what a step costs [s]: of blocks of ten steps the lower quartile.
+    """Return the time of a step [s]: the lower quartile over blocks of ten steps.
 
-    A run that has to stop is timed as far as it goes; it costs NaN if that is not far.
+    A run that has to stop is timed up to there; its cost is NaN if that is too short.
     """
     blocks = []
     with suppress(SimulationError):
@@ -148,7 +148,7 @@ def step_cost(start: Callable[[], World]) -> float:
 
 
 def _lasts(frontier: Frontier, *, alone: bool) -> Reach:
-    """Return until when the bound holds."""
+    """Return the time until which the bound holds."""
     level = make(frontier.scene(frontier.end))
     world, rate, cost = _entrant(frontier, level, alone=alone)
     _, run, _ = figure_of(frontier.figure, lambda: watch(level, world(), frontier.end))

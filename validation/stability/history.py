@@ -1,4 +1,4 @@
-"""The history of the frontiers, in a file that the project keeps."""
+"""The history of the frontiers, in a file of the project."""
 
 import json
 from collections.abc import Mapping
@@ -13,11 +13,11 @@ FILE = Path(__file__).parent / "frontiers.json"
 
 
 NOISE = 2.0
-"""The factor within which pymunk's frontiers vary, which rest on timings."""
+"""The factor within which pymunk's frontiers vary, since they depend on timings."""
 
 
 class Entry(TypedDict):
-    """A frontier at a date."""
+    """A frontier on a date."""
 
     date: str
     version: str
@@ -30,7 +30,7 @@ History = dict[str, list[Entry]]
 
 
 def read(file: Path = FILE) -> History:
-    """Return what the file says; nothing if there is none."""
+    """Return the content of the file; empty if there is none."""
     if not file.is_file():
         return {}
     found: History = json.loads(file.read_text(encoding="utf-8"))
@@ -38,20 +38,20 @@ def read(file: Path = FILE) -> History:
 
 
 def last(history: Mapping[str, list[Entry]], name: str) -> Entry | None:
-    """Return where a frontier lay when it was last written down."""
+    """Return the last entry of a frontier; None if there is none."""
     entries = history.get(name)
     return entries[-1] if entries else None
 
 
 def moved_inward(figure: float, before: Entry | None, tolerance: float) -> bool:
-    """Return whether a frontier lies further in than it did, by more than a factor."""
+    """Return whether a frontier has receded by more than a factor."""
     return before is not None and figure * tolerance < before["figure"]
 
 
 def update(found: Mapping[str, tuple[float, float]], file: Path = FILE) -> None:
-    """Write down where frontiers lie now, those of the sandbox and of pymunk alone.
+    """Record the present frontiers of the sandbox, and of pymunk alone.
 
-    A frontier that has not moved gets no new entry, unless pymunk's has by more than its timings.
+    A frontier that has not moved gets no new entry, unless pymunk's has by more than its noise.
     """
     history = read(file)
     today = datetime.now(UTC).date().isoformat()

@@ -10,7 +10,7 @@ FOLDER = root() / "hard"
 
 
 def write() -> None:
-    """Write every level, once it was seen to be well formed."""
+    """Write every level after checking that it is well formed."""
     FOLDER.mkdir(exist_ok=True)
     for name, make in all_levels().items():
         said = text(make())

@@ -8,7 +8,7 @@ from rich.table import Table
 from validation.stability.run import Outcome
 
 ENOUGH = 0.9
-"""The share of group C that must stand, at a cost below real time."""
+"""The share of group C that must stand at a cost below real time."""
 
 
 def tables(outcomes: Sequence[Outcome]) -> Iterator[Table]:
@@ -67,14 +67,14 @@ def _mark(o: Outcome) -> str:
 
 
 def number(value: float | None) -> str:
-    """Return a figure in three digits."""
+    """Return a figure with three digits."""
     if value is None:
         return ""
     return f"{value:,.0f}" if 100 <= abs(value) < 1e5 else f"{value:.3g}"
 
 
 def further(o: Outcome) -> str:
-    """Return how many times as far as pymunk's a frontier lies."""
+    """Return the ratio of a frontier to pymunk's, in words."""
     if not o.frontier or o.naive_frontier is None:
         return ""
     return "pymunk never" if o.naive_frontier == 0 else f"{o.frontier / o.naive_frontier:.3g}×"
@@ -87,7 +87,7 @@ def standing(outcomes: Iterable[Outcome]) -> tuple[int, int]:
 
 
 def failures(outcomes: Sequence[Outcome]) -> list[str]:
-    """Return what failed, and is not known to be out of reach."""
+    """Return the failures that are not known to be out of reach."""
     failed = [o.name for o in outcomes if not o.passed and not o.beyond]
     stand, many = standing(outcomes)
     if stand < ENOUGH * many:
@@ -96,7 +96,7 @@ def failures(outcomes: Sequence[Outcome]) -> list[str]:
 
 
 def out_of_reach(outcomes: Iterable[Outcome]) -> list[str]:
-    """Return what is out of reach, with its figure and the reason."""
+    """Return the cases that are out of reach, with figures and reasons."""
     said = []
     for o in outcomes:
         if o.beyond is None:

@@ -25,35 +25,35 @@ HALVINGS = 2
 
 
 LONG = 500_000
-"""A case with more steps takes longer than most frontiers."""
+"""The number of steps above which a case takes longer than most frontiers."""
 
 
 @dataclass(frozen=True, slots=True)
 class Outcome:
-    """How a case or a frontier came out.
+    """The outcome of a case or a frontier.
 
     Attributes
     ----------
     name, family, group, criterion, bound, beyond
         As in the case; a frontier has no group.
     passed
-        Whether the figure is within its bound; of a frontier, whether it has not moved inward.
+        Whether the figure is within its bound; for a frontier, whether it has not receded.
     figure
         The figure of the run; for a frontier, of the hardest run that held.
     cost
-        What a second of simulated time took of a processor [s].
+        The processor time per second of the scene [s].
     order
-        The power of the step by which the figure falls, if the case claims one.
+        The power of the step with which the figure falls, if the case claims one.
     axis, unit
-        What makes a frontier harder.
+        The quantity that makes a frontier harder.
     frontier, naive_frontier
         The greatest difficulty that holds, here and for pymunk alone at the same cost.
     previous
-        Where the frontier lay when it was last written down.
+        The frontier in its last entry.
     rate, naive_rate
-        Of the steps at the two frontiers [Hz].
+        The rates of the steps at the two frontiers [Hz].
     seconds
-        How long all of this took [s].
+        The total time [s].
     failure
         Why a run stopped, if it did.
     """
@@ -80,7 +80,7 @@ class Outcome:
 
 
 def outcomes(*, quick: bool) -> Iterator[Outcome]:
-    """Yield the outcomes of all cases and frontiers as they come in; the long ones start first."""
+    """Yield the outcomes of all cases and frontiers as they finish; the long ones start first."""
     steps = {case.name: _steps(case, quick=quick) for case in all_cases()}
     frontiers = [frontier.name for frontier in all_frontiers()]
     long = [name for name in steps if steps[name] >= LONG]
@@ -118,18 +118,18 @@ def run_case(name: str, *, quick: bool) -> Outcome:
 
 
 def _duration(case: HardCase, level: Level, *, quick: bool) -> float:
-    """Return how long a case runs [s]."""
+    """Return the length of a case's run [s]."""
     return (case.quick if quick else None) or case.duration or level.duration(level.defaults)
 
 
 def _steps(case: HardCase, *, quick: bool) -> float:
-    """Return how many steps a case takes."""
+    """Return the number of steps of a case."""
     level = scene(case)
     return _duration(case, level, quick=quick) * (case.rate or level.stepping.rate)
 
 
 def scene(case: HardCase) -> Level:
-    """Return the level of a case, its parameters chosen."""
+    """Return the level of a case, with its parameters set."""
     level = make(case.scene) if case.scene else load(find(case.level))
     values = choose(level, case.parameters)
     parameters = {
@@ -142,7 +142,7 @@ def scene(case: HardCase) -> Level:
 def _figure(
     case: HardCase, level: Level, duration: float, coarser: float = 1.0
 ) -> tuple[float, Run | None, str]:
-    """Return the figure of a run with a longer step, the run, and a failure."""
+    """Return the figure of a run with a longer step, the run, and the reason if it stopped."""
     assert case.figure
     rate = (case.rate or level.stepping.rate) / coarser
     stepping = level.stepping.model_copy(update={"rate": rate})
@@ -155,7 +155,7 @@ def _figure(
 
 
 def _order(case: HardCase, level: Level, duration: float, figure: float) -> float:
-    """Return the slope of the figure over the step, both logarithmic."""
+    """Return the slope of log figure over log step."""
     coarser = [_figure(case, level, duration, 2**i)[0] for i in range(1, HALVINGS + 1)]
     figures = [figure, *coarser]
     if not all(0 < f < inf for f in figures):
@@ -164,7 +164,7 @@ def _order(case: HardCase, level: Level, duration: float, figure: float) -> floa
 
 
 def run_frontier(name: str, *, quick: bool) -> Outcome:
-    """Search for a frontier; in a quick run, see whether it still lies where it did."""
+    """Search for a frontier; in a quick run, check whether it is still where it was."""
     frontier = next(frontier for frontier in all_frontiers() if frontier.name == name)
     before = last(read(), name)
     begin = perf_counter()
@@ -182,7 +182,7 @@ def run_frontier(name: str, *, quick: bool) -> Outcome:
 
 
 def _still_there(frontier: Frontier, before: float, naive: float, begin: float) -> Outcome:
-    """Try a frontier once, further in by its tolerance than where it was."""
+    """Try a frontier once, at its last difficulty reduced by the tolerance."""
     inside = before / frontier.tolerance
     if frontier.whole:
         inside = max(float(int(inside)), frontier.start)

@@ -1,4 +1,4 @@
-"""Measures of a run: one number each, which physics bounds."""
+"""Measures of a run: each is a number that physics bounds."""
 
 from typing import NamedTuple
 
@@ -15,14 +15,14 @@ from sandbox.physics.stepping.world import World
 
 
 class Run(NamedTuple):
-    """What was seen of a run; T instants, the first that of the start."""
+    """The samples of a run; T instants, the first at the start."""
 
     level: Level
-    """with its joints, which stock pymunk has made its own"""
+    """the level with its joints; for stock pymunk they are pymunk's own"""
     world: World
     states: Snapshot
     seconds: float
-    """of the processor, that a second of simulated time took [s]"""
+    """the processor time per second of the scene [s]"""
 
 
 def measured(run: Run, quantity: str) -> Array:
@@ -42,7 +42,7 @@ def drift(run: Run) -> float:
 
 
 def energy(run: Run) -> float:
-    """Return how far the energy strayed, of the largest kinetic energy."""
+    """Return the largest deviation of the energy, relative to the largest kinetic energy."""
     total = measured(run, "system.energy")
     scale = np.abs(measured(run, "system.kinetic_energy")).max()
     return float(np.abs(total - total[0]).max() / scale)
@@ -60,7 +60,7 @@ def separation(run: Run) -> float:
 
 
 def _way(end: End, run: Run) -> Array:
-    """Return where an end of a joint was at every instant, as x + iy: (T,)."""
+    """Return the positions of a joint's end at all instants, as x + iy: (T,)."""
     values = run.level.defaults
     if not isinstance(end, str | Held):
         return np.full(run.states.t.shape, complex(*evaluate(end, values)))
@@ -78,16 +78,16 @@ def mass(run: Run, name: str) -> float:
 
 
 def rows(run: Run, *names: str) -> list[int]:
-    """Return the numbers of bodies."""
+    """Return the indices of bodies."""
     known = list(run.level.bodies)
     return [known.index(name) for name in names]
 
 
 def speed(run: Run) -> float:
-    """Return how fast the quickest body ever was [m/s]."""
+    """Return the greatest speed of any body [m/s]."""
     return float(np.hypot(run.states.velocity[..., 0], run.states.velocity[..., 1]).max())
 
 
 def naive_of(level: Level) -> World:
-    """Return the world of a level in which pymunk is stock, at the level's rate."""
+    """Return the world of a level in stock pymunk, at the level's rate."""
     return build(level, stepping=Stepping(rate=level.stepping.rate, scheme="symplectic-euler"))

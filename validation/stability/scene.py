@@ -1,10 +1,10 @@
-"""The parts from which the scenes of hard cases are made."""
+"""The parts that the scenes of hard cases are made of."""
 
 from collections.abc import Sequence
 from typing import Any
 
 Document = dict[str, Any]
-"""A level, or a part of one, as it stands in its file."""
+"""A level, or a part of one, as in its file."""
 
 Place = Sequence[float]
 """[x, y] in m."""
@@ -13,8 +13,8 @@ G = 9.81  # m/s²
 GRAVITY: Document = {"gravity": {"acceleration": [0, -G]}}
 
 SLOP = 0.01
-"""The overlap that is left alone in a pile, of the size of its bodies: what is taken back pushes,
-and what pushes rocks the pile. pymunk's own, 0.1, was made for pixels."""
+"""The overlap that is left alone in a pile, as a share of the bodies' size: correcting it pushes
+bodies apart, which rocks the pile. pymunk's own, 0.1, was made for pixels."""
 
 WATCHED = 4000
 """The most steps of a level with a high rate, which takes seconds in the app and in the tour."""
@@ -26,7 +26,7 @@ LAGRANGE = "9. Lagrangian mechanics: constraints and pendulums"
 
 
 def pile(size: float, *, overlaps: bool = False) -> Document:
-    """Return the effects of bodies of a size [m] that lie on each other, or begin in each other."""
+    """Return the effects of a pile of bodies of a size [m], which may overlap at the start."""
     contact: Document = {"slop": SLOP * size}
     if overlaps:
         contact["overlaps"] = True
@@ -63,7 +63,7 @@ def block(place: Place, width: float, height: float, **rest: object) -> Document
 
 
 def ground(half: float, friction: float = 0.6, **rest: object) -> Document:
-    """Return a static floor with its surface at y = 0, and its extent to either side [m]."""
+    """Return a static floor with its surface at y = 0, and given its extent to either side [m]."""
     return block((0, -0.5), 2 * half, 1, friction=friction, **rest)
 
 
@@ -73,7 +73,7 @@ def rod(first: object, second: object) -> Document:
 
 
 def rounded(place: Place) -> list[float]:
-    """Return coordinates in as many digits as a reader can use [m]."""
+    """Return coordinates with as many digits as a reader can use [m]."""
     return [round(float(x), 12) for x in place]
 
 
@@ -87,6 +87,6 @@ def check(
 
 
 def level(title: str, summary: str, reference: str, **parts: object) -> Document:
-    """Return a level of the format's first version."""
+    """Return a level in the first version of the format."""
     head = {"format": 1, "title": title, "summary": summary, "reference": reference}
     return {"$schema": "../level.schema.json", **head, **parts}

@@ -1,4 +1,4 @@
-"""Stock pymunk, on the scene of a level: its own stepping, settings and joints."""
+"""Stock pymunk on the scene of a level, with its own stepping, settings and joints."""
 
 import pymunk
 from pymunk import Vec2d
@@ -12,18 +12,18 @@ from sandbox.physics.run import build
 from sandbox.physics.stepping.world import World
 
 LONG = 1e3
-"""m, the length of a rail to either side: pymunk's rails have ends."""
+"""The length of a rail to either side [m], since pymunk's rails have ends."""
 
 
 def naive(level: Level, rate: float) -> World:
-    """Return a world in which pymunk does everything itself, with its default iterations.
+    """Return a world in which pymunk does everything, with its default iterations.
 
     Parameters
     ----------
     level
-        The scene, of which every joint must be one that pymunk has.
+        The scene; pymunk must have all of its joints.
     rate
-        Hz.
+        The rate [Hz].
     """
     stepping = Stepping(rate=rate, scheme="symplectic-euler")
     world = build(level.model_copy(update={"joints": {}}), stepping=stepping)

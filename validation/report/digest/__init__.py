@@ -1,1 +1,1 @@
-"""What a reader wants to know first: a few figures out of many, a file a part of the page."""
+"""Digests of the measurements for the reader, with a module for each part of the page."""

@@ -16,11 +16,11 @@ def chapter(level: str) -> str:
 
 
 class OfLevel(Protocol):
-    """What is about a level."""
+    """Anything that belongs to a level."""
 
     @property
     def level(self) -> str:
-        """Its name."""
+        """The name of the level."""
 
 
 def by_chapter(things: Iterable[T], whose: Callable[[T], OfLevel]) -> list[tuple[str, list[T]]]:

@@ -12,12 +12,12 @@ from validation.cost.summary import ROUNDING
 from validation.report.digest.chapters import by_chapter
 
 CLOSEST = 5
-"""How many of the cases closest to their bounds are shown."""
+"""The number of cases closest to their bounds that are shown."""
 
 
 @dataclass(frozen=True, slots=True)
 class Claim:
-    """What is claimed of a quantity, and how it came out for certain parameters."""
+    """A claim about a quantity, and its outcomes for several parameters."""
 
     name: str
     level: str
@@ -35,12 +35,12 @@ class Chapter:
 
     @property
     def outcomes(self) -> list[Outcome]:
-        """Of all its claims."""
+        """The outcomes of all its claims."""
         return [outcome for claim in self.claims for _, outcome in claim.rows]
 
     @property
     def held(self) -> int:
-        """How many hold."""
+        """The number of outcomes that hold."""
         return sum(outcome.passed for outcome in self.outcomes)
 
 
@@ -51,17 +51,17 @@ class Cases:
     Attributes
     ----------
     chapters
-        They, chapter by chapter.
+        The cases, chapter by chapter.
     failed
-        Those that do not hold.
+        The cases that do not hold.
     closest
-        Those whose errors are the largest parts of their bounds.
+        The cases whose errors are the largest shares of their bounds.
     exact
-        How many are off by rounding alone.
+        The number of cases with no error but rounding.
     least_order
-        The least order of those that claim one.
+        The least order among the cases that claim one.
     naive_missed
-        How many of the bounds stock pymunk misses at the same rate.
+        The number of bounds that stock pymunk misses at the same rate.
     """
 
     chapters: tuple[Chapter, ...]
@@ -75,7 +75,7 @@ class Cases:
 
 
 def cases(outcomes: Sequence[Outcome]) -> Cases:
-    """Return what the cases say."""
+    """Return the digest of the cases."""
     orders = [o.order for o in outcomes if o.order is not None and isfinite(o.order)]
     return Cases(
         chapters=tuple(
@@ -93,7 +93,7 @@ def cases(outcomes: Sequence[Outcome]) -> Cases:
 
 
 def share(outcome: Outcome) -> float:
-    """Return which part of its bound an error takes up."""
+    """Return an error as a share of its bound."""
     return outcome.error / outcome.tolerance
 
 

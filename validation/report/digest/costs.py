@@ -1,4 +1,4 @@
-"""The cost of accuracy beside stock pymunk, over all levels."""
+"""The cost of accuracy compared with stock pymunk, over all levels."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -24,23 +24,23 @@ class Group:
 
 @dataclass(frozen=True, slots=True)
 class Costs:
-    """What accuracy costs, over all levels.
+    """The cost of accuracy, over all levels.
 
     Attributes
     ----------
     rows
-        Every sweep that shows a comparison, with its headline and order.
+        Every sweep that allows a comparison, with its headline and order.
     silent
-        The sweeps that show none.
+        The sweeps that do not.
     exact, converging
-        How much closer than pymunk in the same time, where our error is rounding and where it is
-        not; None if there are no such levels.
+        The gains in accuracy over pymunk in the same time, for levels where our error is rounding
+        and for the others; None if there are no such levels.
     alike
-        The levels on which pymunk, too, is off by rounding alone, and nothing is to be compared.
+        The levels on which pymunk's error is rounding as well, so that there is nothing to compare.
     no_closer
-        The others on which pymunk does as well, or better.
+        The other levels on which pymunk is as accurate, or more so.
     step_ratio
-        What our step takes of pymunk's own, at the same rate: the median.
+        The median ratio of our step's time to pymunk's, at the same rate.
     """
 
     rows: tuple[Row, ...]
@@ -58,7 +58,7 @@ class Costs:
 
 
 def costs(sweeps: Sequence[Sweep]) -> Costs:
-    """Return what the sweeps say."""
+    """Return the digest of the sweeps."""
     found = [(sweep, headline(sweep)) for sweep in sweeps]
     rows = [(sweep, best, order(sweep.points, OURS)) for sweep, best in found if best]
     alike = [s.level for s, best, _ in rows if max(best.error, best.naive_error) <= ROUNDING]
@@ -80,7 +80,7 @@ def _group(ratios: Sequence[float]) -> Group | None:
 
 
 def _step_ratios(sweep: Sweep) -> Iterator[float]:
-    """Yield what ours takes of pymunk's time at the level's own rate, with the same iterations."""
+    """Yield the ratios of our time to pymunk's, at the level's own rate and equal iterations."""
     naive = {(p.rate, p.iterations): p for p in sweep.points if p.scheme == NAIVE}
     for point in sweep.points:
         other = naive.get((point.rate, point.iterations))

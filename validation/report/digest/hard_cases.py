@@ -17,16 +17,16 @@ GROUPS = {
 
 @dataclass(frozen=True, slots=True)
 class HardCases:
-    """Scenes that break engines, and how hard they can be made.
+    """Scenes that break engines, and the difficulties up to which they hold.
 
     Attributes
     ----------
     cases, frontiers
-        Those that must hold, and those that are made harder until they break.
+        The cases that must hold, and the scenes that are made harder until they break.
     failed
-        What does not hold, and should.
+        The unexpected failures.
     out_of_reach
-        The known failures, and why.
+        The known failures, with the reasons.
     """
 
     cases: tuple[Hard, ...]
@@ -36,23 +36,23 @@ class HardCases:
 
     @property
     def held(self) -> int:
-        """How many cases hold."""
+        """The number of cases that hold."""
         return sum(case.passed for case in self.cases)
 
     @property
     def further(self) -> int:
-        """How many frontiers lie no nearer than pymunk's at the same cost."""
+        """The number of frontiers no nearer than pymunk's at the same cost."""
         return sum((f.frontier or 0) >= (f.naive_frontier or 0) for f in self.frontiers)
 
     @property
     def groups(self) -> list[tuple[str, list[Hard]]]:
-        """The cases, by what is claimed of them."""
+        """The cases, grouped by claim."""
         found = {name: [c for c in self.cases if c.group == name] for name in GROUPS}
         return [(GROUPS[name], group) for name, group in found.items() if group]
 
 
 def hard_cases(outcomes: Sequence[Hard]) -> HardCases:
-    """Return what the hard cases say."""
+    """Return the digest of the hard cases."""
     return HardCases(
         cases=tuple(o for o in outcomes if o.frontier is None),
         frontiers=tuple(o for o in outcomes if o.frontier is not None),

@@ -1,4 +1,4 @@
-"""What levels pay for Python in their steps."""
+"""The cost of Python in the steps of levels."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -9,7 +9,7 @@ from validation.effects.costs import LevelCost
 
 @dataclass(frozen=True, slots=True)
 class Hooks:
-    """What levels pay for Python in their steps: the medians."""
+    """The median costs of Python in the steps of levels."""
 
     without: int
     ratio_without: float
@@ -18,7 +18,7 @@ class Hooks:
 
 
 def hooks(levels: Sequence[LevelCost]) -> Hooks:
-    """Return what levels without hooks, and those that have one, pay beside the bare engine."""
+    """Return the costs for levels without hooks, and with one, relative to the bare engine."""
     bare = [cost for cost in levels if not cost.hooks]
     having = [cost for cost in levels if cost.hooks]
     nothing = float("nan")

@@ -10,14 +10,14 @@ from validation.report.digest.chapters import by_chapter
 
 @dataclass(frozen=True, slots=True)
 class Requests:
-    """Accuracies that were asked for, and how they were answered.
+    """Requests for an accuracy, and their results.
 
     Attributes
     ----------
     asked
         All of them.
     expensive
-        How many times the cheapest setting one may cost.
+        The highest cost allowed, as a multiple of that of the cheapest setting.
     """
 
     asked: tuple[Request, ...]
@@ -25,39 +25,39 @@ class Requests:
 
     @property
     def met(self) -> int:
-        """How many are delivered at no more than that."""
+        """The number of requests that are met at no higher cost than that."""
         return sum(request.honoured for request in self.asked)
 
     @property
     def beyond(self) -> int:
-        """Of how many it is said that they cannot be had, and the sweep has none either."""
+        """The number of requests that are refused, and that the sweep does not reach either."""
         return sum(request.beyond for request in self.asked)
 
     @property
     def unmet(self) -> tuple[Request, ...]:
-        """The others."""
+        """The other requests."""
         return tuple(r for r in self.asked if not (r.honoured or r.beyond))
 
     @property
     def too_expensive(self) -> int:
-        """How many are delivered at more than that."""
+        """The number of requests that are met at a higher cost."""
         return sum(r.delivered <= r.target and not r.honoured for r in self.asked)
 
     @property
     def cost_ratio(self) -> float:
-        """What one costs over the cheapest setting of the sweep: the median."""
+        """The median ratio of a request's cost to that of the cheapest setting in the sweep."""
         ratios = [r.cost / r.cheapest for r in self.asked if r.honoured and isfinite(r.cheapest)]
         return median(ratios) if ratios else float("nan")
 
     @property
     def targets(self) -> "list[tuple[float, Requests]]":
-        """The same for each accuracy."""
+        """The requests, grouped by accuracy."""
         targets = dict.fromkeys(request.target for request in self.asked)
         return [(t, Requests(tuple(r for r in self.asked if r.target == t))) for t in targets]
 
     @property
     def chapters(self) -> "list[tuple[str, Requests]]":
-        """The same chapter by chapter."""
+        """The requests, grouped by chapter."""
         groups = by_chapter(self.asked, lambda request: request)
         return [(title, Requests(tuple(group))) for title, group in groups]
 

@@ -1,4 +1,4 @@
-"""The families of hard cases, one a file."""
+"""The families of hard cases, with a module for each."""
 
 from collections.abc import Callable, Iterator, Mapping
 
@@ -45,5 +45,5 @@ def all_frontiers() -> Iterator[Frontier]:
 
 
 def all_levels() -> Mapping[str, Callable[[], Document]]:
-    """Return what makes each level of `levels/hard`, by the name of its file."""
+    """Return the function that makes each level of `levels/hard`, by file name."""
     return {name: make for family in FAMILIES for name, make in family.LEVELS.items()}

@@ -1,4 +1,4 @@
-"""Bounces: balls, boxes and gases that keep their energy, and balls that lose what they should."""
+"""Bounces: balls, boxes and gases that conserve energy, and balls that lose the right amount."""
 
 from collections.abc import Iterator
 
@@ -117,15 +117,15 @@ def _walls(half: float) -> Document:
 
 
 def escaped(run: Run) -> float:
-    """Return how many bodies left the walls."""
+    """Return the number of bodies outside the walls."""
     out = np.abs(run.states.position).max(axis=(0, 2)) > 3.0
     return float(out.sum())
 
 
 def apexes(run: Run) -> float:
-    """Return how far off the first four apexes are, of each: e², e⁴, e⁶, e⁸ times the height.
+    """Return the error of each of the first four apexes: e², e⁴, e⁶, e⁸ times the height.
 
-    In flight y + v²/(2 g) is the height of the next apex, at every step.
+    In flight, y + v²/(2 g) is the height of the next apex at every step.
     """
     e = run.level.bodies["floor"].restitution
     assert e is not None
@@ -151,7 +151,7 @@ KEEPS = "elastic impacts keep the energy, to rounding"
 
 
 def cases() -> Iterator[HardCase]:
-    """Yield what bounces."""
+    """Yield the bounces that must hold."""
     for rate in (60, 240):
         yield HardCase(
             name=f"an elastic ball, 20 s at {rate} Hz", family=FAMILY, group="A",

@@ -1,4 +1,4 @@
-"""Bullets: bodies that move further in a step than their target is wide."""
+"""Bullets: bodies that move further in a step than the width of their target."""
 
 from collections.abc import Iterator
 
@@ -13,7 +13,7 @@ WALL = 0.1  # m
 
 
 def shot(times: float, rate: float = 240) -> Document:
-    """Return a ball that moves a number of its widths a step against a thin wall."""
+    """Return a ball that moves a number of its diameters per step towards a thin wall."""
     speed = times * (2 * RADIUS + WALL) * rate
     return level(
         f"A bullet of {times:g} widths a step",
@@ -53,7 +53,7 @@ def cases() -> Iterator[HardCase]:
 
 
 def frontiers() -> Iterator[Frontier]:
-    """Yield how fast a bullet may be."""
+    """Yield the frontier of a bullet's speed."""
     yield Frontier(
         name="the speed of a bullet", family=FAMILY, axis="widths a step", scene=shot,
         figure=returns, bound=0, criterion="it comes back from the wall", start=0.1, end=1e4,

@@ -24,7 +24,7 @@ from validation.stability.scene import (
 FAMILY = "chains"
 
 HOLDS = 0.01
-"""As a share of a link's length."""
+"""The tolerance of a link's length, as a share of it."""
 
 TRUE = 1e-4
 SWINGS = "energy, of the kinetic, and lengths, of a link, to 1e-4: what the levels promise"
@@ -41,7 +41,7 @@ def chain(
     rate: float = 2000,
     mass: float = 1.0,
 ) -> Document:
-    """Return a straight chain of massless links between discs, let go at an angle [rad].
+    """Return a straight chain of massless links between discs, released at an angle [rad].
 
     The last disc is `load` times as heavy as each of the others [kg].
     """
@@ -73,7 +73,7 @@ def chain(
 
 
 def catenary(count: int = 40, width: float = 4.0, link: float = 0.15) -> Document:
-    """Return a chain between two points at rest: every link along its pull."""
+    """Return a chain at rest between two points, with every link along its tension."""
     places = hanging(count, width, link)
     beads = {f"bead{i}": disc(places[i], 0.03) for i in range(1, count)}
     ends = [list(places[0]), *beads, list(places[-1])]
@@ -94,11 +94,11 @@ def catenary(count: int = 40, width: float = 4.0, link: float = 0.15) -> Documen
 
 
 def hanging(count: int, width: float, link: float) -> list[tuple[float, float]]:
-    """Return where the beads of such a chain are at rest [m].
+    """Return the equilibrium positions of the beads in such a chain [m].
 
-    The pull across, H, is the same in every link, and along the height it grows by the weight of a
-    bead from link to link: link k slopes by atan(w (k - (n - 1) / 2) / H). H is bisected until the
-    links span the width.
+    The horizontal tension H is the same in every link, and the vertical one grows by the weight of
+    a bead from link to link: link k slopes by atan(w (k - (n - 1) / 2) / H). H is found by
+    bisection so that the links span the width.
     """
     rising = G * (np.arange(count) - (count - 1) / 2)
     low, high = 1e-6, 1e9
@@ -117,7 +117,7 @@ def hanging(count: int, width: float, link: float) -> list[tuple[float, float]]:
 
 
 def sag(run: Run) -> float:
-    """Return by how much the sag differs from that of a smooth catenary, of that."""
+    """Return the relative difference between the sag and that of a smooth catenary."""
     width, length = 4.0, 40 * 0.15
     low, high = 1e-3, 1e3
     for _ in range(200):
@@ -129,7 +129,7 @@ def sag(run: Run) -> float:
 
 
 def bridge(planks: int = 160, rate: float = 240) -> Document:
-    """Return a slack row of planks between two banks, with a load in its middle."""
+    """Return a slack row of planks between two banks, with a load in the middle."""
     width, link = 0.98 * planks * 0.25, 0.25
     places = hanging(planks, width, link)
     beads = {f"bead{i}": disc(places[i], 0.06) for i in range(1, planks)}
@@ -153,7 +153,7 @@ def bridge(planks: int = 160, rate: float = 240) -> Document:
 def net(count: int = 20, load: float = 100, rate: float = 1000) -> Document:
     """Return a square net that hangs by two corners, with a load in the middle of its lower edge.
 
-    Its rods are pymunk's own: the upper row is taut between the corners, which exact ones refuse.
+    Its rods are pymunk's own: the upper row is taut between the corners, which exact rods refuse.
     """
     last, middle, link = count - 1, count // 2, 0.5
     return level(
@@ -174,7 +174,7 @@ def net(count: int = 20, load: float = 100, rate: float = 1000) -> Document:
 
 
 def _knots(count: int, load: float, link: float) -> Document:
-    """Return the knots of a net: its upper corners stand still, the load is one of its lowest."""
+    """Return the knots of a net; its upper corners are static, the load is in the lowest row."""
     last, middle = count - 1, count // 2
     knot = {"shape": {"type": "disc", "radius": 0.1}, "mass": 1.0}
     corner = {"type": "static", "shape": knot["shape"]}
@@ -216,7 +216,7 @@ def _links(count: int) -> Document:
 
 
 def of_link(run: Run) -> float:
-    """Return by how much a link is too long or short, of a link."""
+    """Return the largest relative error of a link's length."""
     first = next(iter(run.level.joints.values()))
     return separation(run) / span(first, run.level.bodies, run.level.defaults)
 
@@ -275,7 +275,7 @@ def cases() -> Iterator[HardCase]:
 
 
 def frontiers() -> Iterator[Frontier]:
-    """Yield how much chains hold."""
+    """Yield the frontiers of chains."""
     yield Frontier(
         name="a load on 20 links", family=FAMILY, axis="load, of a link",
         scene=lambda load: chain(20, load, rate=5000), figure=swings_true, bound=TRUE,

@@ -1,4 +1,4 @@
-"""Compositions: contacts, friction and joints that are right only if solved together."""
+"""Compositions: contacts, friction and joints that are correct only if solved together."""
 
 from collections.abc import Iterator
 from itertools import pairwise
@@ -29,10 +29,10 @@ FAMILY = "compositions"
 RATE = 240.0  # Hz
 
 CARRIES = 1e-9
-"""As a share of the force."""
+"""The tolerance of a force, relative to it."""
 
 ROLLS = 1e-6
-"""As a share of the force."""
+"""The tolerance of a force, relative to it."""
 
 WHEEL = 10.0  # kg
 AXLES = {"back": -0.5, "front": 0.5}  # m
@@ -40,11 +40,11 @@ AXLES = {"back": -0.5, "front": 0.5}  # m
 ROUGHNESS = 0.25
 ROPE = 0.01  # kg
 MARGIN = 0.01
-"""The share by which a weight is below or above what friction holds."""
+"""The share by which a weight is below or above what friction can hold."""
 
 SLIPS = 0.25  # s
 CREEPS = 0.01
-"""As a share of the way that the heavier weight has slipped at the end."""
+"""The tolerance, as a share of the distance that the heavier weight has slipped at the end."""
 
 STANDS = 1e-9  # m
 
@@ -108,7 +108,7 @@ def car(mass: float) -> Document:
 
 
 def capstans(links: int, rate: float = RATE / 2) -> Document:
-    """Return ropes of links half round two rough drums: the weight on one is too much for it."""
+    """Return ropes of links round half of two rough drums; one of the weights is too heavy."""
     limit = exp(ROUGHNESS * pi)
     held, held_rods = _capstan("held", -1.7, (1 - MARGIN) * limit, links)
     slips, slips_rods = _capstan("slips", 1.7, (1 + MARGIN) * limit, links)
@@ -133,7 +133,7 @@ def capstans(links: int, rate: float = RATE / 2) -> Document:
 
 
 def _capstan(name: str, x: float, load: float, links: int) -> tuple[Document, Document]:
-    """Return a drum of 1 m about (x, 0), with a rope between 1 kg and `load` kg; its joints."""
+    """Return a drum of 1 m about (x, 0), with a rope between 1 kg and `load` kg, and the joints."""
     bend = pi / links
     thin = 0.3 * bend
     around = 1 + thin
@@ -155,7 +155,7 @@ def _capstan(name: str, x: float, load: float, links: int) -> tuple[Document, Do
 
 
 def _slipping(load: float, links: int) -> float:
-    """Return how fast a weight draws such a rope [m/s²]."""
+    """Return the acceleration of a weight on such a rope [m/s²]."""
     return capstan_acceleration(load, ROUGHNESS, links + 1, ROPE / (links + 1), G)
 
 
@@ -182,28 +182,28 @@ def stack(count: int) -> Document:
 
 
 def carried(run: Run, force: float, *names: str) -> float:
-    """Return how far the forces that carry bodies are from one [N], of that: from half the run on.
+    """Return the relative error of the forces that carry bodies, in the second half of the run.
 
-    Before it pymunk alone has time to settle.
+    pymunk alone needs the first half to settle.
     """
     pressed = run.states.normal[len(run.states.t) // 2 :, rows(run, *names)]
     return float(np.abs(pressed / force - 1).max())
 
 
 def floor_carries(run: Run) -> float:
-    """Return how far the floor's force on a strut's foot is from both weights, of these."""
+    """Return the relative error of the floor's force on a strut's foot, which is both weights."""
     return carried(run, (mass(run, "weight") + mass(run, "foot")) * G, "foot")
 
 
 def wheels_carry(run: Run) -> float:
-    """Return how far the floor's forces on a car's wheels are from their half each, of that."""
+    """Return the relative error of the floor's forces on a car's wheels, which are half each."""
     return carried(run, (mass(run, "chassis") / 2 + WHEEL) * G, *AXLES)
 
 
 def creeps(run: Run) -> float:
-    """Return by how much either weight is not where it belongs, of the way of the one that slips.
+    """Return the error of either weight's position, relative to the distance of the slipping one.
 
-    That is a t² / 2 as long as it is short beside a link.
+    That distance is a t² / 2 as long as it is short compared with a link.
     """
     links = sum(name.startswith("held_knot") for name in run.level.bodies) - 1
     height = run.states.position[:, rows(run, "held_large", "slips_large"), 1]
@@ -246,7 +246,7 @@ def cases() -> Iterator[HardCase]:
 
 
 def frontiers() -> Iterator[Frontier]:
-    """Yield how far compositions go."""
+    """Yield the frontiers of compositions."""
     yield Frontier(
         name="a weight on a strut", family=FAMILY, axis="mass ratio", scene=strut,
         figure=floor_carries, bound=CARRIES, criterion=FORCE, start=1, end=1e6, duration=3,

@@ -15,7 +15,7 @@ LEAVE = "as many leave as came, with the same speed: momentum and energy leave n
 
 
 def cradle(count: int, coming: int = 1, gap: float = 0.0) -> Document:
-    """Return a row of balls, into which others come at 1 m/s."""
+    """Return a row of balls that others hit at 1 m/s."""
     balls: Document = {}
     for i in range(count):
         comes = i < coming
@@ -38,7 +38,7 @@ def cradle(count: int, coming: int = 1, gap: float = 0.0) -> Document:
 
 
 def leaves(run: Run) -> float:
-    """Return how far the velocities at the end are from those that came, mirrored [m/s]."""
+    """Return the largest error of the final velocities from the mirrored initial ones [m/s]."""
     velocity = run.states.velocity
     return float(np.abs(velocity[-1, :, 0] - velocity[0, ::-1, 0]).max())
 
@@ -97,7 +97,7 @@ def cases() -> Iterator[HardCase]:
 
 
 def frontiers() -> Iterator[Frontier]:
-    """Yield how long a cradle may be."""
+    """Yield the frontier of a cradle's length."""
     yield Frontier(
         name="a cradle that touches", family=FAMILY, axis="balls", whole=True,
         scene=lambda n: cradle(round(n)), figure=leaves, bound=1e-6, criterion=LEAVE, start=2,

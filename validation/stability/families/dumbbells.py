@@ -17,13 +17,13 @@ RATE = 160.0  # Hz
 FALL = 1.0  # m/s
 
 BOUNCED = 3 / RATE
-"""s; they hit the floor after half of it."""
+"""The duration of a run [s]; the impact comes after half of it."""
 
 BOUNCES = 1e-10  # m/s
 AS_ONE = "the ends leave the floor as those of one rigid body, to 1e-10 of the speed of the fall"
 
 DUMBBELLS = ((20, 1.0, True), (35, 0.6, False), (70, 0.3, True), (10, 0.0, False), (85, 0.8, True))
-"""Angle [°], restitution, and whether the upper end is the heavy one."""
+"""The angle [°], the restitution, and whether the upper end is the heavy one."""
 
 
 def dumbbells(ratio: float) -> Document:

@@ -31,14 +31,14 @@ PUSH = 150.0  # N
 
 
 def fall(run: Run) -> float:
-    """Return how far a fall is from that of Galileo, of its height."""
+    """Return the error of a fall from Galileo's law, relative to its height."""
     p, t = run.level.defaults, run.states.t
     expected = p["height"] - p["g"] * t**2 / 2
     return float(np.abs(measured(run, "ball.position.y") - expected).max() / p["height"])
 
 
 def late(scene: Level, duration: float) -> float:
-    """Return how far naive pymunk's fall is from one that is late by half a step, of that."""
+    """Return the relative error of naive pymunk's fall from a fall that is late by half a step."""
     run = watch(scene, naive_of(scene), duration, every_step=True)
     p, t = scene.defaults, run.states.t
     error = measured(run, "ball.position.y") - (p["height"] - p["g"] * t**2 / 2)
@@ -47,7 +47,7 @@ def late(scene: Level, duration: float) -> float:
 
 
 def atwood(run: Run) -> float:
-    """Return how far an Atwood machine is from its closed form, of the way."""
+    """Return the error of an Atwood machine from its closed form, relative to its distance."""
     p, t = run.level.defaults, run.states.t
     y = measured(run, "left.position.y")
     way = (p["m2"] - p["m1"]) * p["g"] / (p["m1"] + p["m2"]) * t**2 / 2
@@ -55,13 +55,13 @@ def atwood(run: Run) -> float:
 
 
 def rolls(run: Run) -> float:
-    """Return how far a disc that slid is at last from 2/3 of its speed, of that."""
+    """Return the relative error of a sliding disc's final speed, 2/3 of the initial one."""
     speed = measured(run, "disc.velocity.x")
     return float(abs(speed[-1] / (2 / 3 * speed[0]) - 1))
 
 
 def rolling() -> Document:
-    """Return a box on discs that is pulled (SimBenchmark's rolling, in the plane)."""
+    """Return a box that is pulled over discs (SimBenchmark's rolling, in the plane)."""
     apart, radius = 0.5, 0.2
     discs = {
         f"disc{i + 1}": disc(((i - (BALLS - 1) / 2) * apart, radius), radius, friction=2)
@@ -89,9 +89,9 @@ def rolling() -> Document:
 
 
 def rollers(run: Run) -> float:
-    """Return how far the box is from a t, of its last speed.
+    """Return the error of the box's velocity from a t, relative to its final one.
 
-    Rollers go half as fast as the box, and turn: M v²/2 + n (3/2) m (v/2)²/2 = F x, and so
+    The rollers move at half the box's speed, and turn: M v²/2 + n (3/2) m (v/2)²/2 = F x, and so
     a = F / (M + 3 n m / 8).
     """
     expected = PUSH * run.states.t / (10 + 3 / 8 * BALLS)
@@ -125,13 +125,13 @@ def pair() -> Document:
 
 
 def linear(run: Run) -> float:
-    """Return by how much momentum changes after the start, of it."""
+    """Return the relative change of momentum after the start."""
     p = np.stack([measured(run, f"system.momentum.{axis}") for axis in "xy"], axis=1)[1:]
     return float(np.abs(p - p[0]).max() / np.abs(p).max())
 
 
 def angular(run: Run) -> float:
-    """Return by how much angular momentum changes after the start, of it."""
+    """Return the relative change of angular momentum after the start."""
     turning = measured(run, "system.angular_momentum")[1:]
     return float(np.abs(turning - turning[0]).max() / np.abs(turning).max())
 
@@ -157,7 +157,7 @@ def boxes() -> Document:
 
 
 def fingerprint(scene: Level, steps: int = 600) -> str:
-    """Return a hash of all places, angles and velocities after some steps."""
+    """Return a hash of all positions, angles and velocities after some steps."""
     world = build(scene)
     state = world.advance(steps)
     parts = state.position, state.angle, state.velocity, state.angular_velocity
@@ -165,7 +165,7 @@ def fingerprint(scene: Level, steps: int = 600) -> str:
 
 
 def differing(scene: Level, _duration: float) -> float:
-    """Return how many of three runs here and one in a new process differ from the first."""
+    """Return how many of three runs here and one in a new process differ from the first run."""
     here = [fingerprint(scene) for _ in range(3)]
     ((_, there),) = spread(_fingerprint_elsewhere, ["hard/144-boxes"], 1)
     return float(sum(other != here[0] for other in (*here[1:], there)))
@@ -179,7 +179,7 @@ LEVELS = {"rollers": rolling, "free-pair": pair, "144-boxes": boxes}
 
 
 def cases() -> Iterator[HardCase]:
-    """Yield what should be exact."""
+    """Yield the cases that should be exact."""
     yield HardCase(
         name="free fall, 2 s at 60 Hz", family=FAMILY, group="A", level="kinematics/free-fall",
         criterion="h - g t²/2, to rounding", figure=fall, bound=1e-12, duration=2,

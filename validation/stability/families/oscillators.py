@@ -64,14 +64,14 @@ def orbit(rate: float = 480) -> Document:
 
 
 def strays(run: Run) -> float:
-    """Return how far a planet is from Kepler's ellipse, of its perihelion."""
+    """Return the largest distance of a planet from Kepler's ellipse, relative to its perihelion."""
     expected = np.stack(kepler_place(NEAR, ECCENTRICITY, PULL, run.states.t), axis=1)
     apart = run.states.position[:, 0] - expected
     return float(np.hypot(apart[:, 0], apart[:, 1]).max() / NEAR)
 
 
 def pendulum(degrees: float, rate: float = RATE, far: float = 0.0) -> Document:
-    """Return a pendulum of 1 m that is let go at an angle, at some position [m]."""
+    """Return a pendulum of 1 m that is released at an angle, at some position [m]."""
     angle = np.radians(degrees)
     return level(
         f"A pendulum of {degrees:g}°",
@@ -88,9 +88,9 @@ def pendulum(degrees: float, rate: float = RATE, far: float = 0.0) -> Document:
 
 
 def swings(run: Run) -> float:
-    """Return how far a pendulum's angle is from the true one, of its amplitude.
+    """Return the error of a pendulum's angle, relative to its amplitude.
 
-    The period is the complete elliptic integral; within one, Runge and Kutta.
+    The period is from the complete elliptic integral, the motion within it by Runge and Kutta.
     """
     x, y = run.states.position[:, 0].T
     amplitude = float(np.arctan2(x[0], -y[0]))
@@ -107,7 +107,7 @@ def _falls(y: Array) -> Array:
 
 
 def double(run: Run) -> float:
-    """Return how far a double pendulum's bobs are from the Euler-Lagrange equations [m]."""
+    """Return the distance of a double pendulum's bobs from the Euler-Lagrange solution [m]."""
     start = np.radians(run.level.defaults["angle"])
     a, b = solution(_double, np.array([start, start, 0.0, 0.0]), run.states.t)[:2]
     upper = np.stack((np.sin(a), -np.cos(a)), axis=1)
@@ -130,7 +130,7 @@ def _double(y: Array) -> Array:
 
 
 def damped(run: Run) -> float:
-    """Return how far a damped spring is from its closed form, of its amplitude."""
+    """Return the error of a damped spring from its closed form, relative to its amplitude."""
     p = run.level.defaults
     true = 1 + damped_oscillation(run.states.t, 2.0, 50.0, p["c"], p["A"])
     return float(np.abs(measured(run, "block.position.x") - true).max() / p["A"])
@@ -161,12 +161,12 @@ def stiff(share: float = 1.99, rate: float = RATE) -> Document:
 
 
 def swells(run: Run) -> float:
-    """Return how far a spring swings, of its amplitude at the start."""
+    """Return the largest displacement of a spring, relative to its initial amplitude."""
     return float(np.abs(measured(run, "block.position.x") - 1).max() / 0.01)
 
 
 def is_told(_scene: Level, duration: float) -> float:
-    """Return how far a spring beyond ω dt = 2 swings, of its start, until it is refused."""
+    """Return the same for a spring beyond ω dt = 2, until it is refused."""
     far = 0.0
     try:
         world = build(make(stiff(2.01)))
@@ -178,7 +178,7 @@ def is_told(_scene: Level, duration: float) -> float:
 
 
 def spinning() -> Document:
-    """Return a rod that spins about a pin at its end, a hundredth of a radian a step."""
+    """Return a rod that spins about a pin at its end by a hundredth of a radian per step."""
     stick = box((0.5, 0), 1, 0.05, velocity=[0, SPIN / 2], angular_velocity=SPIN)
     return level(
         "A spinning rod",
@@ -195,13 +195,13 @@ def spinning() -> Document:
 
 
 def loses_spin(run: Run) -> float:
-    """Return what is lost of the spin, of it."""
+    """Return the relative loss of spin."""
     spin = measured(run, "rod.angular_velocity")
     return float(np.abs(spin / SPIN - 1)[1:].max())
 
 
 def slope() -> Document:
-    """Return a block on an incline of 30° that friction should hold, at 0.6."""
+    """Return a block on an incline of 30° that friction of 0.6 should hold."""
     angle = pi / 6
     block = box(_on_slope(0, 0.25), 0.5, 0.5, friction=0.6)
     corners = [list(_on_slope(x, y)) for x, y in ((-5, 0), (5, 0), (5, -1), (-5, -1))]
@@ -223,7 +223,7 @@ def slope() -> Document:
 
 
 def _on_slope(along: float, out: float) -> tuple[float, float]:
-    """Return a place along an incline of 30° and out of it [m]."""
+    """Return a position on an incline of 30°, from the distances along and out of it [m]."""
     c, s = cos(pi / 6), sin(pi / 6)
     return along * c - out * s, along * s + out * c
 
@@ -239,7 +239,7 @@ LEVELS = {
 
 
 def cases() -> Iterator[HardCase]:
-    """Yield what should converge."""
+    """Yield the cases that should converge."""
     yield from _orbits_and_pendulums()
     yield from _springs()
     yield from _steady()
@@ -308,7 +308,7 @@ def _steady() -> Iterator[HardCase]:
 
 
 def frontiers() -> Iterator[Frontier]:
-    """Yield how long a step, and how stiff a spring, may be."""
+    """Yield the frontiers of a step's length and a spring's stiffness."""
     yield Frontier(
         name="the step of an orbit", family=FAMILY, axis="step", unit="s",
         scene=lambda dt: orbit(1 / dt), figure=strays, bound=0.01,

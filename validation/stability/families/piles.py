@@ -30,7 +30,7 @@ PARTS = 0.5  # m
 def stack(
     count: int, heaviest: float = 1.0, rate: float = 2000, iterations: int = 4, size: float = 1.0
 ) -> Document:
-    """Return boxes of 1 kg on top of each other, the highest of another mass [kg]."""
+    """Return boxes of 1 kg on top of each other, with another mass for the highest [kg]."""
     last = count - 1
     boxes = {
         f"box{i + 1}": box(
@@ -63,7 +63,7 @@ def pyramid(
     overlap: float = 0.0,
     rate: float = 480,
 ) -> Document:
-    """Return a pyramid, somewhere, its boxes further apart or in each other by a share of them."""
+    """Return a pyramid somewhere, its boxes spaced or overlapping by a share of their size."""
     pitch = size * (1.1 if not overlap else 1 - overlap)
     rise = size * (1 - overlap)
     boxes: Document = {}
@@ -123,7 +123,7 @@ def dropped(rows: int = 6, heights: float = 2.0) -> Document:
 
 
 def topples(run: Run) -> float:
-    """Return by how much an apex is not where it belongs at the end [m]."""
+    """Return the distance of an apex from its place at the end [m]."""
     rows = 6
     names = list(run.level.bodies)
     apexes = [names.index(f"box{k}_{rows}_1") for k in (1, 2, 3)]
@@ -131,7 +131,7 @@ def topples(run: Run) -> float:
 
 
 def flies(run: Run) -> float:
-    """Return how much higher than a pyramid that has parted any box ever was [m]."""
+    """Return the greatest height of a box above a pyramid that has parted [m]."""
     rows = max(int(name[3:].split("_")[0]) for name in run.level.bodies if name != "ground")
     return float(run.states.position[..., 1].max() - (rows - 0.5))
 
@@ -210,7 +210,7 @@ def _pyramids() -> Iterator[HardCase]:
 
 
 def frontiers() -> Iterator[Frontier]:
-    """Yield how far piles go."""
+    """Yield the frontiers of piles."""
     yield Frontier(
         name="height of a stack", family=FAMILY, axis="boxes", whole=True,
         scene=lambda n: stack(round(n), rate=1400, iterations=10), figure=drift, bound=RESTS,

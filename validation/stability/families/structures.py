@@ -52,7 +52,7 @@ def _centroid(corners: list[tuple[float, float]]) -> tuple[float, float]:
 
 
 def cards(stories: int = 5) -> Document:
-    """Return a house of cards: pairs that lean on each other, and one across from pair to pair."""
+    """Return a house of cards: pairs that lean on each other, with a card across each two pairs."""
     half, thin = CARD[0] / 2, CARD[1] / 2
     rise = half * cos(TILT) + thin * sin(TILT)  # from a card's middle to its highest corner
     reach = half * sin(TILT) + thin * cos(TILT)
@@ -93,7 +93,7 @@ LEANS = "no card of 40 cm moves by 4 mm"
 
 
 def cases() -> Iterator[HardCase]:
-    """Yield what is built and must stand."""
+    """Yield the structures that must stand."""
     yield HardCase(
         name="an arch of 17 stones", family=FAMILY, group="C", level="hard/arch", duration=10,
         criterion=STANDS, figure=drift, bound=0.01, quick=2,
@@ -106,7 +106,7 @@ def cases() -> Iterator[HardCase]:
 
 
 def frontiers() -> Iterator[Frontier]:
-    """Yield how much can be built."""
+    """Yield the frontiers of structures."""
     yield Frontier(
         name="stones of an arch", family=FAMILY, axis="stones", whole=True,
         scene=lambda n: arch(2 * round(n) + 1), figure=drift, bound=0.01, criterion=STANDS,
