@@ -173,7 +173,7 @@ def cluster(address: str, workers: int = 1) -> Iterator[Cluster]:
             )
         ) from error
     try:
-        with suppress(TimeoutError):  # it is told by what there is
+        with suppress(TimeoutError):  # go on with the workers that came
             client.wait_for_workers(workers, timeout=3 * PATIENCE)
         yield Cluster(client, address)
     finally:

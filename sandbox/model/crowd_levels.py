@@ -15,13 +15,14 @@ Document = dict[str, Any]
 RADIUS = 0.05  # m
 G = 9.81  # m/s²
 GOLDEN = 0.6180339887498949
-"""The golden ratio, whose multiples have evenly spread fractional parts: they look random."""
+"""The inverse golden ratio: the fractional parts of its multiples are evenly spread, but look
+random."""
 
 FILLED = 0.2
 """The share of the plane that a gas fills."""
 
 DEEP = 10
-"""The height of a pile of 100 discs and more: the lowest then carry the same load and have the same
+"""The layers of a pile of 100 discs and more: the lowest then carry the same load and have the same
 number of contacts in any of them. Ten sweeps at 60 Hz cannot support heaps twice as deep."""
 
 LINK = 0.1  # m

@@ -42,8 +42,8 @@ def cart_pendulum(
     """Return the distance that a cart has rolled [m] and its pendulum's angle [rad], from rest.
 
     L = (M + m) x'² / 2 + m l x' θ' cos θ + m l² θ'² / 2 + m g l cos θ (the chapter, section 9). By
-    the first Lagrange equation (M + m) x' + m l θ' cos θ stays 0; the second is then (M + m sin² θ)
-    l θ'' = −(M + m) g sin θ − m l θ'² sin θ cos θ. Solved by Runge and Kutta.
+    the first Lagrange equation (M + m) x' + m l θ' cos θ stays 0; the second is then
+    (M + m sin² θ) l θ'' = −(M + m) g sin θ − m l θ'² sin θ cos θ. Solved by Runge and Kutta.
     """
 
     def slope(y: Array) -> Array:

@@ -38,8 +38,9 @@ def axle_loads(
 def ladder_spin(start: float, angle: float, length: float, g: float) -> float:
     """Return the angular velocity of a ladder that slides down a smooth wall [rad/s].
 
-    With its foot on a smooth floor its centre moves on a circle of L/2 about the corner: m L² ω² /
-    6 is the loss of m g L sin θ / 2. Angles are from the floor; 0 < angle <= start < π/2.
+    With its foot on a smooth floor its centre moves on a circle of L/2 about the corner:
+    m L² ω² / 6 is the loss of m g L sin θ / 2. Angles are from the floor;
+    0 < angle <= start < π/2.
     """
     return float(np.sqrt(3 * g / length * (np.sin(start) - np.sin(angle))))
 
@@ -108,9 +109,9 @@ def dumbbell_bounce(
     """Return the motion of a dumbbell after hitting a smooth floor: spin [rad/s], velocity [m/s].
 
     It falls without spin. Its first end hits the floor; the second is at `angle` above the
-    horizontal. The floor's impulse J is vertical, so the first end leaves with J (1/M + x²/I) - v =
-    e v (Newton's law of restitution), where x is its lever arm about the centre (the chapter,
-    sections 7 and 8).
+    horizontal. The floor's impulse J is vertical, so the first end leaves with
+    J (1/M + x²/I) - v = e v (Newton's law of restitution), where x is its lever arm about the
+    centre (the chapter, sections 7 and 8).
     """
     whole = sum(masses)
     moment = masses[0] * masses[1] / whole * length**2

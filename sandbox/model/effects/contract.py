@@ -62,7 +62,7 @@ class Effect:
     account
         The account of its energy; its name if left out.
     inside
-        Whether it acts only between bodies, so that their total momentum is conserved.
+        Whether it acts only between bodies, so that it does not change their total momentum.
     strength
         The fields that give it strength: if all of them are zero, a remark says so.
     needs

@@ -197,7 +197,7 @@ def _candidates(level: Level, values: Values) -> Iterator[Stepping]:
         judge = start.model_copy(update={"iterations": min(MORE_SWEEPS * start.iterations, 1000)})
         yield judge
         if contact.located or level.effects.in_sequence:  # locating and sequences cost time
-            naive = judge if level.effects.in_sequence else start  # at once only sweeps
+            naive = judge if level.effects.in_sequence else start  # rows together need more sweeps
             yield naive.model_copy(update={"scheme": "symplectic-euler", "rate": lowest})
     yield start
 

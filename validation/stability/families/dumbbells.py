@@ -61,10 +61,10 @@ def _masses(ratio: float, *, top_heavy: bool) -> tuple[float, float]:
 
 
 def misses(run: Run) -> float:
-    """Return by how much a dumbbell leaves the floor differently from one rigid body [m/s].
+    """Return the error of a dumbbell's motion after its impact, relative to a rigid body's [m/s].
 
-    Looked at in the first instant after its impact: the velocity of its centre of mass, and its
-    spin times its length of 1 m.
+    It is the largest, at the first instant after the impact, of the error of the centre of mass's
+    velocity and that of the spin times the length of 1 m.
     """
     return max(_misses(run, i) for i in range(1, len(DUMBBELLS) + 1))
 

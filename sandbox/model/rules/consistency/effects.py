@@ -15,7 +15,7 @@ from sandbox.model.shapes import Area
 
 
 def laws_act(level: Level) -> Iterator[Fault]:
-    """Effects have an effect, and the bodies that forces act on can move."""
+    """Effects do something, and the bodies that forces act on can move."""
     for effect, place, said in level.effects.said:
         if effect.needs and all(getattr(said, field).source == 0 for field in effect.needs):
             rule = Message("needs {needs} greater than 0", needs=either(map(repr, effect.needs)))
@@ -68,7 +68,7 @@ def turned_apart(level: Level) -> Iterator[Fault]:
 
 
 def rotation_used(level: Level) -> Iterator[Fault]:
-    """Rotation is declared if a dynamic body can turn, and only if something can turn one."""
+    """Rotation is declared if a body has a moment or a spin, and only if something turns one."""
     dynamic = {name: body for name, body in level.bodies.items() if body.type == "dynamic"}
     turning = any(given(body, "angular_velocity") for body in dynamic.values())
     if level.effects.rotation:

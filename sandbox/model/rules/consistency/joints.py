@@ -33,7 +33,7 @@ AS_FOUND = Message("a joint that an event ties is as long as it is found; leave 
 SLACK_AT = Message(
     "a joint that an event ties must say the 'length' at which it is slack, if it is a spring"
 )
-"""The message about a slack joint that an event ties."""
+"""The reasons why an event cannot tie a joint."""
 
 
 def something_to_hold(level: Level) -> Iterator[Fault]:

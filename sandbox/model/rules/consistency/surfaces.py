@@ -186,7 +186,7 @@ def located_slips_fit(level: Level) -> Iterator[Fault]:
 
 
 def impacts_of_constant_masses(level: Level) -> Iterator[Fault]:
-    """Masses are constant if pymunk does not solve the impacts: others take the initial ones."""
+    """Masses are constant where pymunk does not solve the impacts: the initial ones are used."""
     changing = sorted({name for _, name in bodies_of_flows(level)})
     if not changing:
         return
@@ -206,7 +206,7 @@ def impacts_of_constant_masses(level: Level) -> Iterator[Fault]:
 
 
 def arcs_fit(level: Level) -> Iterator[Fault]:
-    """Impacts on arcs and curves are found at the next step: they are not located nor stick."""
+    """Refuse located impacts on arcs and curves, which are found a step later, and sticking."""
     contact, sticking = level.effects.contact, level.effects.sticking
     arcs = {
         name: Message("an arc") if isinstance(body.shape, Arc) else Message("a curve")
