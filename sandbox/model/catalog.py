@@ -106,7 +106,7 @@ def find(level: str) -> Path:
     if name in known:
         return root() / f"{name}.json"
     if level.endswith(".json"):
-        if os.path.exists(level):  # a folder, say: who reads it says so
+        if os.path.exists(level):  # such as a folder, which the reader refuses
             return Path(level)
         hint = meant(Path(level).stem, _endings(known))
         refuse(brief(level), Message("there is no such file{hint}", hint=hint))

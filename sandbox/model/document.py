@@ -17,10 +17,10 @@ from sandbox.model.origin import Origin
 
 _NOT_FINITE = frozenset({"NaN", "Infinity", "-Infinity"})
 _HALF = re.compile(r"\\u[dD][89a-fA-F]")
-"""What begins an escape for half of a character; two together are one."""
+"""The beginning of an escape for a surrogate; a pair of them is one character."""
 
 DEEPEST = 100
-"""Brackets in each other, from which on a text that cannot be read is too deep. A level has ten."""
+"""The nesting of brackets above which an unreadable text is too deep; a level has ten."""
 
 
 def refuse(source: str, rule: Message, place: Position | None = None) -> NoReturn:
@@ -67,7 +67,7 @@ class Document(Origin):
         self._raise(sorted(once.values(), key=lambda m: (m.line or 0, m.column or 0)))
 
     def refuse_depth(self) -> NoReturn:
-        """Raise that brackets stand in brackets too often, at the first that does."""
+        """Refuse too deeply nested brackets, at the first of them."""
         at = json_positions.nested_beyond(self.text, DEEPEST)
         rule = Message(
             "is nested too deeply: more than {most} brackets in each other", most=DEEPEST
@@ -119,7 +119,7 @@ class Document(Origin):
 
 
 def _halved(value: Value) -> bool:
-    """Whether the key or the text of a value holds half of a character."""
+    """Whether the key or the text of a value contains a lone surrogate."""
     texts = [str(step) for step in value.path[-1:]]
     texts += [json.loads(value.text)] if value.text.startswith('"') else []
     return any("\ud800" <= letter <= "\udfff" for text in texts for letter in text)

@@ -77,7 +77,7 @@ def values(text: str) -> Iterator[Value]:
 
 
 def nested_beyond(text: str, depth: int) -> int:
-    """Return where the first bracket is that has more than so many around it; 0 if none has."""
+    """Return the index of the first bracket nested deeper than a depth; 0 if there is none."""
     around = 0
     for match in TOKEN.finditer(text):
         if match[0] in "{[":
@@ -90,7 +90,7 @@ def nested_beyond(text: str, depth: int) -> int:
 
 
 def long_number(text: str, digits: int) -> int:
-    """Return where the first number is that is written with more digits; 0 if none is."""
+    """Return the index of the first number with more digits than given; 0 if there is none."""
     long = (match for match in TOKEN.finditer(text) if len(match[0]) > digits)
     return next((match.start() for match in long if not match[0].startswith('"')), 0)
 

@@ -106,7 +106,7 @@ PARTS = (
 
 
 def collect(part: Part, source: Path | None, *, quick: bool) -> Content:
-    """Return a part from its file in a folder; measure it if there is no folder.
+    """Return a part from its file in a folder, or measure it if there is no such file.
 
     Raises
     ------
