@@ -1,4 +1,4 @@
-"""The window. Only here is pygame imported; it is told to start without its greeting."""
+"""The window. Only this package imports pygame, which starts without its greeting."""
 
 import os
 

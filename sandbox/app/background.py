@@ -1,6 +1,6 @@
-"""Work in another process, so that the window never waits for it.
+"""Runs work in a background process, so that the window never waits for it.
 
-The process is bounded in time, gives way to the window, and ends with it, however that ends.
+The process has a time limit and a lower priority, and ends when the window does, however that ends.
 """
 
 import os
@@ -17,18 +17,18 @@ from sandbox.app.drawing import theme
 from sandbox.app.words import language
 
 LIMIT = 120.0  # s, how long a process may live
-POLITE = 5  # by how much its priority is lower, where there are priorities
+POLITE = 5  # added to the process's niceness, where there is one
 
 Work = Callable[..., Iterator[Any]]
 
 
 class Background:
-    """One piece of work at a time, whose findings come in one by one.
+    """Runs one task at a time, and receives its results one by one.
 
     Attributes
     ----------
     running
-        Whether something is being worked on.
+        Whether a task is running.
     """
 
     def __init__(self) -> None:
@@ -37,16 +37,16 @@ class Background:
 
     @property
     def running(self) -> bool:
-        """Whether something is being worked on."""
+        """Whether a task is running."""
         return self._process is not None
 
     @property
     def pid(self) -> int | None:
-        """The process that works; None if none does."""
+        """The process ID; None if no task is running."""
         return self._process.pid if self._process else None
 
     def start(self, work: Work, *arguments: object) -> None:
-        """Begin a piece of work, and drop the one in progress."""
+        """Start a task, and cancel the one in progress."""
         self.cancel()
         task = ForkingPickler.dumps((work, arguments, theme.used(), language.used()))
         self._findings, sender = SpawnContext().Pipe(duplex=False)
@@ -64,15 +64,15 @@ class Background:
                 if not self._findings.poll():
                     return
                 finding = self._findings.recv()
-            except (EOFError, OSError):  # at its end, or in the middle of a finding
+            except (EOFError, OSError):  # at the end, or in the middle of a result
                 self.cancel()
                 return
             yield finding
 
     def cancel(self) -> None:
-        """End what is under way, at once."""
+        """End the task at once."""
         if self._process is not None:
-            self._process.kill()  # to terminate it would be a request, which it may ignore
+            self._process.kill()  # terminate() would be a request, which it may ignore
             self._process.join()
             self._process.close()
         if self._findings is not None:
@@ -81,13 +81,13 @@ class Background:
 
 
 def _hand_over(order: Connection, task: memoryview) -> None:
-    """Send a task, in a thread: one that fills the pipe waits for the process to be there."""
-    with order, suppress(BrokenPipeError):  # cancelled before it began
+    """Send a task, in a thread: one that fills the pipe blocks until the process reads it."""
+    with order, suppress(BrokenPipeError):  # cancelled before it started
         order.send_bytes(task)
 
 
 def _run(sender: Connection, orders: Connection) -> None:
-    """Work, in the other process, and send what is found."""
+    """Run the task in the other process, and send its results."""
     Thread(target=_end_with_the_window, daemon=True).start()
     limit = Timer(LIMIT, os._exit, (1,))
     limit.daemon = True
@@ -96,12 +96,12 @@ def _run(sender: Connection, orders: Connection) -> None:
         os.nice(POLITE)
     try:
         work, arguments, look, spoken = orders.recv()
-        theme.use(look)  # pictures that it draws look like the window
-        language.use(spoken)  # and it tells what it finds as the window does
+        theme.use(look)  # so that its pictures match the window
+        language.use(spoken)  # so that its texts match the window
         for finding in work(*arguments):
             sender.send(finding)
     except BrokenPipeError:
-        pass  # nobody wants to know any more
+        pass  # nobody reads the results any more
     finally:
         sender.close()
 

@@ -19,22 +19,22 @@ NOTE = 5.0  # s, how long a passing note is shown
 
 
 class Banner:
-    """Passing notes, and how it stands with the run that is shown."""
+    """Shows temporary notes, and the status of the current run."""
 
     def __init__(self) -> None:
         self._note, self._left = "", 0.0
         self._ended: tuple[object, str, str] = None, "", ""
 
     def tell(self, text: str, *, lasting: bool = False) -> None:
-        """Show a note for a while, or until the next; an empty note removes the present one."""
+        """Show a note for a while, or until the next one; an empty note removes it."""
         self._note, self._left = text, inf if lasting else NOTE
 
     def tells(self, text: str) -> bool:
-        """Whether this is the note of the moment."""
+        """Whether this note is shown at present."""
         return self._left > 0 and self._note == text
 
     def update(self, seconds: float) -> None:
-        """Let time pass."""
+        """Advance by some time [s]."""
         self._left -= seconds
 
     def draw(
@@ -49,7 +49,7 @@ class Banner:
         return (self._of_run(session) if session is not None else None) or noted
 
     def _of_run(self, session: Session) -> tuple[str, Color] | None:
-        """Return what is more pressing than a note, or else what takes the place of none."""
+        """Return the run's message that takes precedence over a note, or is shown without one."""
         if session.run.trying and isinstance(session.failure, SimulationError):
             message = say(
                 "{failure} – trying what helps …", failure=session.failure.with_advice(NOTHING)
@@ -80,7 +80,7 @@ class Banner:
         return say("Run complete at {when} – R restarts, Space goes on", when=when)
 
     def _compared(self, session: Session) -> str:
-        """Tell once for each run what the changed effects make of it."""
+        """Return how the changed effects alter the run, computed once per run and language."""
         world, spoken, told = self._ended
         if world is not session.world or spoken != language.used():
             told = whatif.summary(session, whatif.compared(session))

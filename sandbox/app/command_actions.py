@@ -1,6 +1,6 @@
-"""What each command does: the window's own, those of its pages, and those of its overlays.
+"""The actions of all commands: those of the window, of its pages, and of its overlays.
 
-Which key calls for it stands in `keymap`.
+The keys of the commands are in `keymap`.
 """
 
 from collections.abc import Callable, Mapping
@@ -25,12 +25,12 @@ from sandbox.model.errors import SandboxError
 
 
 class CommandActions:
-    """Carries out commands by their names, as keys and buttons ask for them.
+    """Executes commands by name, for keys and buttons.
 
     Attributes
     ----------
     names
-        All commands that it knows.
+        The names of all commands.
     """
 
     def __init__(self, workspace: Workspace) -> None:
@@ -46,7 +46,7 @@ class CommandActions:
         self.names = frozenset(self._acts)
 
     def do(self, command: str) -> None:
-        """Do what a command asks for: beside the cards, or at the stage."""
+        """Execute a command; one that does not work on the home page first closes that."""
         space, maker = self._space, self._space.maker
         if space.panels.home.open and command not in AT_HOME:
             space.go_home()
@@ -106,7 +106,7 @@ class CommandActions:
         }
 
     def _of_pages(self) -> Mapping[str, Callable[[], None]]:
-        """Return what opens the pages, and what they understand."""
+        """Return the commands that open pages, and the pages' own commands."""
         opening = {page.command: partial(self.turn_to, page.command) for page in PAGES}
         acting = {
             each.name: partial(self._act_on, page.command, each)
@@ -136,7 +136,7 @@ class CommandActions:
             self._space.session.restart()
 
     def _take_back(self, *, again: bool) -> None:
-        """Undo the last change of the run, or do it again; what is built has an undo of its own."""
+        """Undo or redo the last change of the run; the editor has its own undo."""
         space = self._space
         if space.session is None or space.maker is not None:
             return
@@ -153,7 +153,7 @@ class CommandActions:
             self._space.open_file(path)
 
     def _switch(self, overlay: str) -> None:
-        """Draw an overlay from now on, or draw it no more."""
+        """Show or hide an overlay."""
         shown = self._space.stage.shown
         shown[overlay] = not shown[overlay]
 
@@ -163,7 +163,7 @@ class CommandActions:
             self._space.lay_out()
 
     def _has_room(self, column: str) -> bool:
-        """Whether the window is wide enough for a column; if it is not, say so."""
+        """Whether the window is wide enough for a column; if not, show a note."""
         space = self._space
         least = room(column, space.pen.scale, beside=space.panels.side is not None)
         enough = space.surface.width >= least
@@ -172,7 +172,7 @@ class CommandActions:
         return enough
 
     def _show_checks(self) -> None:
-        """Show the level's own page, and on it the checks."""
+        """Show the checks on the level's own page."""
         self.turn_to(PAGES[0].command)
         if self._space.panels.side is not None:
             self._space.panels.side.show_checks()
@@ -184,18 +184,18 @@ class CommandActions:
         self._space.lay_out()
 
     def turn_to(self, page: str) -> None:
-        """Show a page of the side panel, also where that was hidden."""
+        """Show a page of the side panel, and the panel itself if it was hidden."""
         if self._has_room("side"):
             self._space.panels.show(page)
             self._space.lay_out()
 
     def _turn_on(self, by: int) -> None:
-        """Show the page some tabs further on; the first comes after the last."""
+        """Show the page some tabs further on, cyclically."""
         pages = [page.command for page in PAGES]
         self.turn_to(pages[(pages.index(self._space.panels.page) + by) % len(pages)])
 
     def _act_on(self, page: str, asked: PageCommand) -> None:
-        """Do what a page is asked for, and show it."""
+        """Show a page and execute one of its commands."""
         space = self._space
         if space.session is None:
             return
@@ -211,20 +211,20 @@ class CommandActions:
         self._space.panels.go_on(-1 if pygame.key.get_mods() & pygame.KMOD_SHIFT else 1)
 
     def _find(self) -> None:
-        """Look for a level, also where the list of them was hidden."""
+        """Focus the search for levels, and show the list if it was hidden."""
         if self._space.panels.list is None:
             self._toggle_column("levels")
         self._space.panels.seek()
 
     def _show_challenges(self) -> None:
-        """Show the cards, those of the challenges in view."""
+        """Show the home page, scrolled to the challenges."""
         entries = self._space.files.entries
         first = next((each.path for each in entries if each.chapter == catalog.CHALLENGES), None)
         self._space.panels.home.leave()
         self._space.go_home(first)
 
     def _ask_for_file(self) -> None:
-        """Let a person choose a file of their own, at first where the last one was."""
+        """Ask for a level's file, starting in the folder of the last one."""
         size = self._space.surface.size
         if any(have < least for have, least in zip(size, SMALLEST, strict=True)):
             least = " × ".join(map(str, SMALLEST))
@@ -234,11 +234,11 @@ class CommandActions:
         self._space.panels.ask_for_file(recent[0].parent if recent else Path.home())
 
     def _show_help(self) -> None:
-        """Show the first sheet of the help, then the next, and after the last none."""
+        """Show the next sheet of the help; close it after the last."""
         self._space.help = (self._space.help + 1) % (self._space.sheets + 1)
 
     def _leave(self) -> None:
-        """Leave the help, a widget, a search or the measures, whichever is there; else quit."""
+        """Close the first of help, widget, search or measurement that is open; else quit."""
         space = self._space
         stopwatch = space.workers.of(Stopwatch)
         if space.help:
@@ -259,7 +259,7 @@ class CommandActions:
             self._quit()
 
     def _quit(self) -> None:
-        """Quit where that is asked for twice: Esc is hit as well to be rid of something else."""
+        """Quit at the second press of Esc, which may have been meant for something else."""
         asked = say("Esc once more quits")
         if self._space.banner.tells(asked):
             self._space.open = False

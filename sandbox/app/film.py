@@ -15,35 +15,35 @@ from sandbox.model.files import write_atomically
 
 Kind = Literal["gif", "mp4"]
 
-FRAMES = 25  # a second
+FRAMES = 25  # per second
 SIZE: dict[Kind, tuple[int, int]] = {"gif": (640, 400), "mp4": (1280, 720)}  # px
 LONGEST = 60.0
-"""s, the longest film; of a longer run it shows the beginning."""
+"""The longest duration of a film [s]; a longer run is cut off."""
 LACKING = later("a film needs PyAV and Pillow: install mechanics-sandbox[film]")
 
 
 def film(run: Run, path: Path, kind: Kind) -> Iterator[float | str]:
-    """Make a film of a run, in its own time.
+    """Make a film of a run, at the speed of its own time.
 
     Parameters
     ----------
     run
         The run to film.
     path
-        The file that is written, whole or not at all.
+        The file to write, completely or not at all.
     kind
         The format.
 
     Yields
     ------
     float or str
-        How much of it is done, from 0 to 1, a few times a second; at last a sentence that says
-        where the film is, or why there is none.
+        The progress from 0 to 1, five times per second of film; at last a sentence that says where
+        the film is, or why it could not be made.
     """
-    os.environ["SDL_VIDEODRIVER"] = "dummy"  # it is made in a process without a window
+    os.environ["SDL_VIDEODRIVER"] = "dummy"  # the process has no window
     os.environ["SDL_AUDIODRIVER"] = "dummy"
     try:
-        import av  # noqa: F401 (to say at once that it is missing)
+        import av  # noqa: F401 (to report at once that it is missing)
         import PIL  # noqa: F401
     except ImportError:
         yield say(LACKING)
@@ -67,7 +67,7 @@ def _filmed(run: Run, path: Path, kind: Kind) -> Iterator[float]:
 
 
 def _frames(run: Run, size: tuple[int, int]) -> Iterator[tuple[float, bytes]]:
-    """Yield how much of a run is done, and the picture there: rows of red, green and blue bytes."""
+    """Yield the progress from 0 to 1, and the picture there: rows of red, green and blue bytes."""
     import pygame
 
     from sandbox.app.drawing.text import Pen

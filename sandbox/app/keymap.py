@@ -1,6 +1,6 @@
-"""Which key calls for which command: the window's own keys, and those of overlays and pages.
+"""The key bindings of all commands: those of the window, and those of overlays and pages.
 
-What a command does stands in `command_actions`.
+The actions of the commands are in `command_actions`.
 """
 
 import pygame
@@ -21,7 +21,7 @@ BINDINGS: tuple[Binding, ...] = (
 
 
 def command(event: pygame.event.Event) -> str | None:
-    """Return what a pressed key calls for."""
+    """Return the command of a pressed key, or None."""
     if event.mod & CONTROL:
         return next((b.command for b in BINDINGS if event.key in b.controls), None)
     if event.mod & pygame.KMOD_ALT:
@@ -34,7 +34,7 @@ def command(event: pygame.event.Event) -> str | None:
 
 
 def tip(command: str) -> str:
-    """Return what a button for a command says while the mouse rests on it."""
+    """Return the tooltip of a button for a command."""
     binding = next((binding for binding in BINDINGS if binding.command == command), None)
     if binding is None:  # a page without a key
         return say(page(command).text)

@@ -7,7 +7,7 @@ import pygame
 
 @dataclass(frozen=True, slots=True)
 class Binding:
-    """A command, the keys or characters that call for it, and what is said about it."""
+    """A command, its keys or characters, and their description in the help."""
 
     command: str
     shown: str
@@ -15,7 +15,7 @@ class Binding:
     keys: tuple[int, ...] = ()
     characters: str = ""
     controls: tuple[int, ...] = ()
-    """keys that call for it together with Ctrl, or Cmd"""
+    """the keys of the command together with Ctrl or Cmd"""
 
 
 CONTROL = pygame.KMOD_CTRL | pygame.KMOD_META
@@ -60,7 +60,7 @@ SMALLER = (pygame.K_MINUS, pygame.K_KP_MINUS)
 USUAL = (pygame.K_0, pygame.K_KP_0)
 
 NEXT_PAGE = "next page"
-"""The command that opens the next page, also one without a key of its own."""
+"""The command that opens the next page; it also reaches pages without a key."""
 
 WINDOW = (
     Binding("page down", "Page down", "scroll the panel down", (pygame.K_PAGEDOWN,)),
@@ -104,4 +104,4 @@ AT_HOME = COMFORT | {
 """The commands that work on the home page; any other returns to the stage first."""
 
 WHILE_TYPING = COMFORT | {"next field", "leave", "undo", "redo"}
-"""The commands whose keys still work while something is typed."""
+"""The commands whose keys also work while the user types."""

@@ -1,4 +1,4 @@
-"""The files of levels that the window lists: those of the catalogue, and a person's own."""
+"""The level files in the window's list: those of the catalogue, and the user's own."""
 
 from pathlib import Path
 
@@ -8,14 +8,14 @@ from sandbox.app.panels import levels
 
 
 class LevelFiles:
-    """All levels that can be chosen.
+    """The list of levels.
 
     Attributes
     ----------
     entries
-        What the list shows of each, in its order.
+        The entries of the list, in its order.
     recent
-        The files that were opened last.
+        The files that were opened recently.
     """
 
     def __init__(self) -> None:
@@ -24,11 +24,11 @@ class LevelFiles:
         self.entries = [*opened, *levels.entries()]
 
     def say_anew(self) -> None:
-        """Show the list in the present language."""
+        """Translate the list into the current language."""
         self.entries = [known.said_anew() for known in self.entries]
 
     def read_again(self, path: Path) -> None:
-        """Let the list say what a file is called now; list it, if it was not there."""
+        """Update the entry of a file; add one if there was none."""
         for i, known in enumerate(self.entries):
             if known.path == path:
                 self.entries[i] = entry(path, known.chapter)
@@ -36,7 +36,7 @@ class LevelFiles:
         self.entries.insert(0, entry(path, "opened"))
 
     def neighbour(self, path: Path | None, direction: int) -> Path | None:
-        """Return the next level, or the previous one, in a circle; None if there is none."""
+        """Return the next or the previous level, cyclically; None if the list is empty."""
         paths = [known.path for known in self.entries]
         if not paths:
             return None

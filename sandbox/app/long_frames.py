@@ -1,8 +1,9 @@
-"""What the window shows and accepts while a frame takes long: a step, or the building of a level.
+"""Handles events and shows a message during a long frame, such as a slow step or building a level.
 
-A step is not cut into frames. Whatever makes one long comes to cancellation points
-(`physics/state/cancellation.py`), and there the window shows that it is alive, stops what takes
-long if somebody hits Esc or closes it, and keeps all other events for the next frame.
+A step is not split over frames. Long computations pass cancellation points
+(`physics/state/cancellation.py`). There the window shows that it is responding, cancels the
+computation if the user presses Esc or closes the window, and keeps all other events for the next
+frame.
 """
 
 from collections.abc import Iterator, Sequence
@@ -20,38 +21,38 @@ from sandbox.model.message import Message
 from sandbox.physics.state.cancellation import cancellable
 
 LONG = 0.25  # s, after which a message is shown
-AGAIN = 0.1  # s from one look to the next
+AGAIN = 0.1  # s, between two looks
 
 
 class HoldUp:
-    """Looks after a window while one of its frames takes long."""
+    """Keeps a window responsive during long frames."""
 
     def __init__(self, space: Workspace) -> None:
         self._space = space
         self._kept: list[pygame.Event] = []
         self._since = self._looked = 0.0  # s
-        self._behind: pygame.Surface | None = None  # what was shown when it began
+        self._behind: pygame.Surface | None = None  # the picture at the start
 
     @contextmanager
     def watched(self) -> Iterator[None]:
-        """Look after what is computed within."""
+        """Return a context in which the window stays responsive."""
         self._since = self._looked = perf_counter()
         self._behind = None
         with cancellable(self._look):
             yield
 
     def events(self) -> Sequence[pygame.Event]:
-        """Return the events since the last frame."""
+        """Return the events since the last frame, including those kept during it."""
         kept, self._kept = self._kept, []
         return [*kept, *pygame.event.get()]
 
     def _look(self) -> None:
-        """Show what is waited for, and how long it takes, if it takes long.
+        """Show a message with the time taken, once the frame is long.
 
         Raises
         ------
         SandboxError
-            If somebody does not want to wait.
+            If the user cancels.
         """
         now = perf_counter()
         if now - self._since < LONG or now - self._looked < AGAIN:
@@ -76,7 +77,7 @@ class HoldUp:
         return stopped
 
     def _keep(self, event: pygame.Event) -> None:
-        """Keep an event; of the mouse's movements, only their sum."""
+        """Keep an event; successive mouse movements are merged."""
         last = self._kept[-1] if self._kept else None
         if last and last.type == event.type == pygame.MOUSEMOTION and last.buttons == event.buttons:
             by = last.rel[0] + event.rel[0], last.rel[1] + event.rel[1]
@@ -85,7 +86,7 @@ class HoldUp:
             self._kept.append(event)
 
     def _draw(self, text: str) -> None:
-        """Draw a sentence across the middle of the last picture, at the window's present size."""
+        """Draw a message across the middle of the last picture, at the window's current size."""
         surface = pygame.display.get_surface() or self._space.surface
         if self._behind is None:
             self._behind = surface.copy()

@@ -1,8 +1,9 @@
-"""Tones at impacts: the deeper the heavier what is struck, the louder the harder it is struck.
+"""Tones at impacts: heavier bodies sound lower, and harder impacts louder.
 
 Bodies of one shape and material ring at frequencies in inverse proportion to their lengths, and so
-to the cube root of their masses. A body of the scene's middle mass rings at `PITCH`, rounded to a
-semitone. The overtones are those of a free bar (Rayleigh, The Theory of Sound, § 171).
+to the cube root of their masses. A body of the scene's median mass rings at `PITCH`; other pitches
+are rounded to a semitone. The overtones are those of a free bar (Rayleigh, The Theory of Sound,
+§ 171).
 """
 
 from collections.abc import Sequence
@@ -21,26 +22,26 @@ LASTING = 0.35  # s
 FADING = 0.06  # s, in which the loudness falls to 1/e
 PITCH = 523.25  # Hz, C5
 SEMITONES = -26, 24
-"""The deepest and the highest tone, from `PITCH`: 117 Hz to 2.1 kHz."""
+"""The lowest and the highest tone, relative to `PITCH`: 117 Hz to 2.1 kHz."""
 OVERTONES = (1.0, 1.0), (2.756, 0.45), (5.404, 0.2)
-"""For each overtone, its frequency relative to the lowest, and its initial strength; the higher,
-the faster it fades."""
+"""The frequency relative to the lowest, and the initial amplitude, of each partial; higher ones
+fade faster."""
 LOUDEST = 16_000
 """The largest sample, of 32,767 possible: two tones at once are not clipped."""
 AT_ONCE = 3
-"""How many tones may begin in a frame: those of the hardest impacts."""
-APART = 0.05  # s, between two frames in which tones begin
+"""The largest number of tones that start in a frame: those of the hardest impacts."""
+APART = 0.05  # s, between two frames in which tones start
 BUFFER = 512
-"""The samples that the device takes at a time: at this rate a tone is 23 ms late."""
+"""The buffer size of the device in samples: at this rate the latency is 23 ms."""
 
 
 def opened() -> str:
-    """Open the sound device, if it is not open; return why that cannot be, if so."""
+    """Open the sound device, if it is not open; return why that fails, else an empty string."""
     if pygame.mixer.get_init():
         return ""
     try:
         pygame.mixer.init(RATE, -16, 1, BUFFER, allowedchanges=0)
-    except (pygame.error, NotImplementedError) as error:  # the latter where there is no mixer
+    except (pygame.error, NotImplementedError) as error:  # the latter without a mixer
         return str(error) or say("no reason is known")
     return ""
 
@@ -49,8 +50,8 @@ class Sounds:
     """Plays the impacts of runs."""
 
     def __init__(self) -> None:
-        self._silent = False  # no device has opened
-        self._rest = 0.0  # s, before tones may begin again
+        self._silent = False  # whether no device could be opened
+        self._rest = 0.0  # s, until tones may start again
         self._known: dict[int, pygame.mixer.Sound] = {}
 
     def play(self, blows: Sequence[Blow], world: World, seconds: float) -> int:
@@ -59,11 +60,11 @@ class Sounds:
         Parameters
         ----------
         blows
-            What came in the frame.
+            The impacts of the frame.
         world
-            In which.
+            The world of the run.
         seconds
-            How long the frame was [s].
+            The duration of the frame [s].
         """
         self._rest -= seconds
         if not blows or self._rest > 0 or not self._ready():
@@ -85,21 +86,21 @@ class Sounds:
         return self._known[above]
 
     def _ready(self) -> bool:
-        """Whether tones can be heard; where no device opens, that is tried once."""
+        """Whether a device is open; opening one is tried only once if it fails."""
         if not (self._silent or pygame.mixer.get_init()):
             self._silent = bool(opened())
         return pygame.mixer.get_init() is not None
 
 
 def semitones(mass: Array, body: int) -> int:
-    """Return how far above `PITCH` a body rings, among all of a scene: (n,) [kg]."""
+    """Return the pitch of a body relative to `PITCH` [semitones], given all masses: (n,) [kg]."""
     middle = float(np.median(mass[mass > 0]))
     above = -12 / 3 * log2(float(mass[body]) / middle)
     return min(max(round(above), SEMITONES[0]), SEMITONES[1])
 
 
 def tone(above: int) -> Array:
-    """Return a tone so many semitones above `PITCH`, from -1 to 1: (k,)."""
+    """Return the samples of a tone some semitones above `PITCH`: (k,), from −1 to 1."""
     t = np.arange(round(RATE * LASTING)) / RATE
     lowest = PITCH * 2 ** (above / 12)
     parts = [

@@ -1,4 +1,4 @@
-"""How long the program takes from its start to its first picture."""
+"""Measures the time from the start of the program to its first picture."""
 
 import subprocess
 import sys
@@ -8,10 +8,10 @@ from sandbox.model.errors import SandboxError
 from sandbox.model.message import Message
 
 STARTS = 2
-"""How often the program is started. The fastest start counts, since disturbances only add."""
+"""The number of starts. The fastest one counts, since disturbances only add."""
 
 LIMIT = 120.0
-"""How long a start may take [s]."""
+"""The longest time of a start [s]."""
 
 
 def first_picture(level: str) -> float:
@@ -20,7 +20,7 @@ def first_picture(level: str) -> float:
     Parameters
     ----------
     level
-        A name or a path, as `play` takes it.
+        A name or a path, as for the command `play`.
 
     Raises
     ------
@@ -31,7 +31,7 @@ def first_picture(level: str) -> float:
 
 
 def _start(level: str) -> float:
-    """Return what one start takes [s]: `perf_counter` is the same clock in both processes."""
+    """Return the time of one start [s]; `perf_counter` is the same clock in both processes."""
     command = [sys.executable, "-m", "sandbox", "play", "--first-picture", "--", level]
     begun = perf_counter()
     try:

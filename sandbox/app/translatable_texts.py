@@ -1,7 +1,7 @@
-"""The words that registers and models declare, collected for the catalogue of translations.
+"""Collects the texts that registers and models declare, for the catalogue of translations.
 
-Where something is declared, in the window or below it, stands its name and what is said of it, in
-English. Nobody lists these again: who shows one asks `language.say` for it.
+Declarations, in the window and below it, contain names and descriptions in English. There is no
+other list of these; code that shows one translates it by `language.say`.
 """
 
 import re
@@ -27,8 +27,8 @@ from sandbox.physics.measuring.free_body import FRICTION, HAND, IMPACT, NORMAL
 from sandbox.physics.measuring.goals import Standing
 
 _WORD = re.compile(r"[^\W\d_]{2}(?![^{}]*\})")
-"""Two letters in a row, outside placeholders. A text without them, such as a key or a sign, is the
-same in every language."""
+"""Two successive letters outside placeholders. A text without them, such as a key or a symbol, is
+the same in every language."""
 
 
 def words() -> Iterator[str]:
@@ -38,7 +38,7 @@ def words() -> Iterator[str]:
 
 
 def shown_keys() -> Iterator[str]:
-    """Yield what keys and gestures are called in the help, some more than once."""
+    """Yield the names of keys and gestures in the help, some more than once."""
     every = (
         *(binding.shown for binding in keymap.BINDINGS),
         *(key for page in PAGES for key, _ in page.keys),
@@ -48,12 +48,12 @@ def shown_keys() -> Iterator[str]:
 
 
 def has_words(text: str) -> bool:
-    """Whether there is anything in a text to be translated."""
+    """Whether a text contains anything to translate."""
     return bool(_WORD.search(text))
 
 
 def _of_the_window() -> Iterator[str]:
-    """Yield what pages, overlays, keys, tools and themes are called, and what they do."""
+    """Yield the names and descriptions of pages, overlays, keys, tools, themes and chapters."""
     yield from (binding.text for binding in keymap.BINDINGS)
     for page in PAGES:
         yield page.caption
@@ -95,7 +95,7 @@ def _of_the_format() -> Iterator[str]:
 
 
 def _models(kind: Any, known: set[type[Model]]) -> Iterator[type[Model]]:  # noqa: ANN401
-    """Yield the models that a type consists of, except those that are known already."""
+    """Yield the models that a type consists of, except known ones."""
     kind = fields.bare(kind)
     parts: Iterable[Any] = get_args(kind)
     if isinstance(kind, type) and issubclass(kind, Model):

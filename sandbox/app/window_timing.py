@@ -1,4 +1,4 @@
-"""How long the window takes: to its first picture, to another level, and for each of its frames."""
+"""Measures the times to the window's first picture, to another level, and for each frame."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -21,10 +21,10 @@ BEFORE = (FIRST, "newton/atwood")
 """The levels from which the change to another level is timed."""
 
 SHOWN = ("graph page", "forces")
-"""What is open beside the stage: a page with a growing graph, and the arrows of a free body."""
+"""The commands before the timing: a page with a growing graph, and the arrows of a free body."""
 
 LOOKS = 5
-"""How many pictures pygame_gui makes of a button, one per frame: normal, hovered, ..."""
+"""The number of pictures that pygame_gui makes of a button, one per frame: normal, hovered, ..."""
 
 BOUNDS = {"first_picture": 1.5, "switch": 0.3, "frame_p99": 1 / RATE}
 """The largest allowed values of the attributes of a timing [s]."""
@@ -32,22 +32,22 @@ BOUNDS = {"first_picture": 1.5, "switch": 0.3, "frame_p99": 1 / RATE}
 
 @dataclass(frozen=True, slots=True)
 class Timing:
-    """What a level took in the window.
+    """The times of a level in the window.
 
     Attributes
     ----------
     level
         The name of the level.
     first_picture
-        From the start of a program that plays it to its first picture [s].
+        The time from the start of the program to the first picture of the level [s].
     switch
-        From the command that opens it, while another level is open, to its first picture [s].
+        The time from opening the level, while another one is open, to its first picture [s].
     cost
-        What a second of it takes in the window beside the drawing, on the processor [s].
+        The processor time for a second of the level in the window, without drawing [s].
     frame_p50, frame_p99
-        Of the frames' times on the processor: the middle, and what 99 of 100 stay below [s].
+        The median and the 99th percentile of the processor times of frames [s].
     speed
-        How fast its time passed, 1 for real time.
+        The simulated time over real time.
     """
 
     level: str
@@ -65,28 +65,28 @@ class Timing:
 
     @property
     def smooth(self) -> bool:
-        """Whether 99 of 100 frames are in time."""
+        """Whether 99 of 100 frames are within their bound."""
         return "frame_p99" not in self.beyond
 
 
 def time_window(name: str, size: tuple[int, int], seconds: float) -> Timing:
-    """Start the program on a level, open the level in a hidden window, and play it there.
+    """Start the program on a level, then open the level in a hidden window and play it there.
 
-    It plays as long as it goes on, or begins again. The program has a window of its usual size.
+    A run that ends is restarted. The program's window has its default size.
 
     Parameters
     ----------
     name
         The level.
     size
-        Of the window in which it plays [px].
+        The size of the hidden window [px].
     seconds
-        How long it plays.
+        The duration of play [s].
 
     Raises
     ------
     SandboxError
-        If there is no such level, or it does not run.
+        If the level does not exist, or does not run.
     """
     window = Window(size)
     try:
@@ -110,7 +110,7 @@ def time_window(name: str, size: tuple[int, int], seconds: float) -> Timing:
 
 
 def _switch(window: Window, name: str) -> float:
-    """Open another level, then this one, and return what that takes until it is shown [s]."""
+    """Open another level, then this one, and return the time until this one is shown [s]."""
     path = catalog.find(name).resolve()
     window.open_level(next(one for one in BEFORE if catalog.find(one).resolve() != path))
     _settle(window)
@@ -121,7 +121,7 @@ def _switch(window: Window, name: str) -> float:
 
 
 def _settle(window: Window) -> None:
-    """Draw all widgets as `LOOKS` says: what is drawn once is no part of any later frame."""
+    """Draw all pictures of widgets, which are drawn only once, so that later frames lack them."""
     for _ in range(LOOKS):
         _show(window, 0.0)
     window.look_through()
@@ -130,7 +130,7 @@ def _settle(window: Window) -> None:
 def _cost(session: Session, most: float) -> float:
     """Return the time to run and observe a second of a level [s], within a time limit [s].
 
-    It runs twice, and of each step the quicker counts: what disturbs one only adds to it.
+    The level runs twice, and the shorter time of each step counts: disturbances only add.
     """
     first, second = (list(_steps(session, most / 2)) for _ in range(2))
     quicker = [min(pair) for pair in zip(first, second, strict=False)]
@@ -150,7 +150,7 @@ def _steps(session: Session, most: float) -> Iterator[float]:
 
 
 def _play(window: Window, count: int) -> tuple[list[float], float]:
-    """Return what each of some frames took [s], and how much time of the level has passed [s]."""
+    """Return the processor time of each frame [s], and the simulated time [s]."""
     took, passed = [], 0.0
     for _ in range(count):
         assert window.session is not None

@@ -1,1 +1,1 @@
-"""Words and numbers about a run: one module per card."""
+"""Cards with text and numbers about a run: one module per card."""

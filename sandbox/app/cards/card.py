@@ -17,7 +17,7 @@ COLUMNS = (0.39, 0.39, 0.22)
 
 
 class Card:
-    """A column of text and pictures that grows downwards."""
+    """A column to which text and pictures are added from top to bottom."""
 
     def __init__(self, pen: Pen, width: int) -> None:
         self.pen = pen
@@ -36,7 +36,7 @@ class Card:
             self.y += line.height
 
     def put(self, part: pygame.Surface, x: int, y: int = 0) -> None:
-        """Put a picture at the present height, without moving on."""
+        """Add a picture at the current height, without moving down."""
         self._parts.append((part, (x, self.y + y)))
 
     def heading(self, text: str) -> None:
@@ -49,7 +49,7 @@ class Card:
         self.y += 4
 
     def columns(self, cells: Sequence[tuple[str, Color]], size: int) -> None:
-        """Add a row with the measured and the expected value and the error, smaller if needed."""
+        """Add a row of measured value, expected value and error, in smaller letters if needed."""
         x = float(self.indent)
         for (text, color), share in zip(cells, COLUMNS, strict=True):
             room = share * (self.width - self.indent)
@@ -60,7 +60,7 @@ class Card:
         self.y += self.pen.height(size)
 
     def drawn(self, background: Color | None = None) -> pygame.Surface:
-        """Return the card as it stands."""
+        """Return the card as drawn so far."""
         surface = pygame.Surface((self.width, max(self.y, 1)))
         surface.fill(background or theme.PANEL)
         surface.blits(self._parts)

@@ -28,9 +28,24 @@ def checks(
     left_out: int = 0,
     splits: Mapping[int, Split] = NOTHING,
 ) -> pygame.Surface:
-    """Draw how the checks of a level that puts its words so stand, and how many are left out.
+    """Draw the results of a level's checks, and the number of checks that are left out.
 
-    Of a check whose numerical error is known, only the digits that survive it are shown.
+    Where the numerical error of a check is known, only the digits that it leaves certain are shown.
+
+    Parameters
+    ----------
+    pen, width
+        The pen, and the width of the card [px].
+    readings
+        The results so far.
+    words
+        Translates the level's texts.
+    disturbed
+        Whether the run was changed by hand, so that no formula describes it.
+    left_out
+        The number of checks that are not among the readings.
+    splits
+        The numerical errors of checks, by index.
     """
     card = Card(pen, width)
     card.heading(say("Checks"))
@@ -51,7 +66,7 @@ def checks(
 
 
 def unjudged(pen: Pen, width: int) -> pygame.Surface:
-    """Draw that the formulas say nothing of a run with other effects."""
+    """Draw a note that the formulas do not apply to a run with changed effects."""
     card = Card(pen, width)
     card.heading(say("Checks"))
     message = say("The effects are changed: the formulas do not describe this run.")
@@ -106,7 +121,7 @@ def _color(verdict: str) -> Color:
 
 
 def _check_title(card: Card, check: Check, words: Say) -> None:
-    """Write what is checked, and beside it, where there is room, the quantity's name."""
+    """Add the check's title, and the quantity's name beside it where there is room."""
     lines = card.pen.paragraph(title(check, words), card.width - card.indent, 14, bold=True)
     name = card.pen.write(check.quantity if check.label else "", 12, theme.DIM)
     for line in lines:
@@ -117,7 +132,7 @@ def _check_title(card: Card, check: Check, words: Say) -> None:
 
 
 def _badge(pen: Pen, verdict: str, color: Color) -> pygame.Surface:
-    """Draw a verdict as a sign, so that it is not shown by its colour alone."""
+    """Draw a verdict as a symbol, so that it does not depend on colour alone."""
     sign = pygame.Surface((17, 17), pygame.SRCALPHA)
     if verdict in ("passed", "failed"):
         pygame.draw.aacircle(sign, color, (8, 8), 8)

@@ -1,4 +1,4 @@
-"""The card with the mistakes in a level's file, each below its place in the text."""
+"""The card with the mistakes in a level's file, each below its position in the text."""
 
 from collections.abc import Sequence
 from itertools import pairwise
@@ -16,17 +16,17 @@ AROUND = 2
 """Lines shown before and after a line with a mistake."""
 
 AHEAD = 8
-"""Characters shown, at least, from the place of the mistake on."""
+"""The least number of characters shown from the mistake on."""
 
-SIZE = 13  # of letters, in an excerpt
+SIZE = 13  # font size in an excerpt
 PADDING = 10  # px
-GUTTER = 14  # px, between the number of a line and the line
+GUTTER = 14  # px, between a line's number and its text
 LONGEST = 400
-"""Characters of a line that are considered: as many as the widest window shows."""
+"""The number of characters of a line that are drawn: as many as the widest window shows."""
 
 
 def groups(mistakes: Sequence[Mistake]) -> list[list[Mistake]]:
-    """Put together what stands so near in the text that one excerpt shows it."""
+    """Group mistakes that are close enough in the text for a common excerpt."""
     found: list[list[Mistake]] = [[mistakes[0]]] if mistakes else []
     for before, after in pairwise(mistakes):
         near = before.line and after.line and after.line - before.line <= 2 * AROUND + 1
@@ -40,16 +40,16 @@ def groups(mistakes: Sequence[Mistake]) -> list[list[Mistake]]:
 def excerpt(
     pen: Pen, width: int, lines: Sequence[str], mistakes: Sequence[Mistake]
 ) -> pygame.Surface:
-    """Draw the lines around some mistakes, with a caret at each and beside it what is wrong.
+    """Draw the lines around some mistakes, with a caret and a message at each.
 
     Parameters
     ----------
     pen, width
-        How wide the picture is [px].
+        The pen, and the width of the picture [px].
     lines
-        The text of the file; empty if it cannot be read.
+        The lines of the file; empty if it cannot be read.
     mistakes
-        Some that stand close together, in the order of the text.
+        A group of mistakes from `groups`, in the order of the text.
     """
     card = Card(pen, width)
     card.y = PADDING
@@ -76,11 +76,11 @@ class _Sheet:
         self._font = card.pen.spare(SIZE)
         self._left = PADDING + self._font.size("0" * digits)[0] + GUTTER
         self._room = max(card.width - self._left - PADDING, 1)
-        self._wide = self._room // self._font.size("0")[0]  # letters that there is room for
-        self._begin = 0  # the first letter of the line that is shown
+        self._wide = self._room // self._font.size("0")[0]  # characters per line
+        self._begin = 0  # index of the first visible character of the line
 
     def put(self, number: int, text: str, mistakes: Sequence[Mistake]) -> None:
-        """Put a line, and below it what is wrong; once more for a place that is not in view."""
+        """Add a line and its messages; repeat the line for a mistake beyond its visible part."""
         for i, mistake in enumerate(mistakes):
             column = (mistake.column or 1) - 1
             if i == 0 or not self._begin <= column < self._begin + self._wide:
@@ -104,7 +104,7 @@ class _Sheet:
         self._card.y += drawn.height
 
     def _message(self, mistake: Mistake, text: str, start: int) -> None:
-        """Put a caret below a place of the line above, and beside it what is wrong there."""
+        """Add a caret below a position of the line above, with the message beside or below it."""
         token = TOKEN.match(text, start)
         before = text[self._begin : start]
         marked = text[start : min(token.end() if token else start, start + LONGEST)] or " "

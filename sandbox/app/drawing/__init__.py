@@ -1,1 +1,1 @@
-"""What all that is drawn is made of: the way from metres to pixels, colours, lines, letters."""
+"""Basics of drawing: the camera from metres to pixels, colours, lines and text."""

@@ -1,4 +1,4 @@
-"""The map between metres, y up, and pixels, y down: the only place where y flips."""
+"""The transformation between metres, y up, and pixels, y down: the only place where y flips."""
 
 from collections.abc import Iterable
 
@@ -7,26 +7,26 @@ from sandbox.model.shapes import XY, evaluate
 from sandbox.model.view import View
 
 ASPECT = 16 / 9
-"""Width over height of the part of the plane that every level's view shows. A narrower picture
-shows only the middle of it."""
+"""Width over height of the part of the plane in a level's view; a narrower picture shows only the
+middle of it."""
 
 LEAST, MOST = 1e-3, 1e5
-"""Bounds of the scale [px/m]."""
+"""Lower and upper bound of the scale [px/m]."""
 
 
 class Camera:
-    """What part of the plane a surface shows.
+    """The part of the plane that a surface shows.
 
     Attributes
     ----------
     center
-        The point in the middle [m].
+        The point in the middle of the surface [m].
     scale
-        px/m.
+        The scale [px/m].
     fitted
-        Whether it shows what a level asks for, not what a person has chosen.
+        Whether it shows the level's view, rather than one chosen by the user.
     size
-        Of the surface [px].
+        The size of the surface [px].
     """
 
     def __init__(self, size: tuple[int, int]) -> None:
@@ -37,7 +37,7 @@ class Camera:
         self.fitted = True
 
     def fit(self, view: View, values: Values) -> None:
-        """Show what a level asks for."""
+        """Show a level's view."""
         self.center = evaluate(view.center, values)
         self._width = view.width(values)
         self._middle = self._width * view.middle
@@ -48,7 +48,7 @@ class Camera:
         self.scale = min(self.size[0] / self._middle, self.size[1] * ASPECT / self._width)
 
     def resize(self, size: tuple[int, int]) -> None:
-        """Keep the centre, and the part that is shown unless a person has chosen it."""
+        """Set the size of the surface; a level's view is fitted anew, else the scale stays."""
         self.size = size
         if self.fitted:
             self._fill()
@@ -71,12 +71,12 @@ class Camera:
         return x, y
 
     def pan(self, dx: float, dy: float) -> None:
-        """Move the picture by some pixels."""
+        """Move the picture by some distance [px]."""
         self.center = self.center[0] - dx / self.scale, self.center[1] + dy / self.scale
         self.fitted = False
 
     def zoom(self, factor: float, pixel: XY | None = None) -> None:
-        """Change the scale; the point under the pixel, or the centre, stays where it is."""
+        """Multiply the scale; the point under the pixel, by default the centre, stays in place."""
         pixel = pixel or (self.size[0] / 2, self.size[1] / 2)
         before = self.to_world(pixel)
         self.scale = min(max(self.scale * factor, LEAST), MOST)

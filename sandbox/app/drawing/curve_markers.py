@@ -1,4 +1,4 @@
-"""Signs and dashes that tell lines apart without their colours."""
+"""Markers and dash patterns that distinguish lines without colours."""
 
 from collections.abc import Callable
 
@@ -9,16 +9,16 @@ from sandbox.app.drawing.theme import Color
 from sandbox.model.shapes import XY
 
 DASHES: tuple[tuple[int, int], ...] = ((6, 5), (2, 4), (12, 4))
-"""The dash patterns of the runs beside the one that is played: length of dash and gap [px]."""
+"""The dash patterns of companion runs: lengths of dash and gap [px]."""
 
 
 def dash(lane: int) -> tuple[int, int]:
-    """Return the dashes of a lane [px]."""
+    """Return the dash pattern of a companion run: lengths of dash and gap [px]."""
     return DASHES[lane % len(DASHES)]
 
 
 def sign(surface: pygame.Surface, which: int, color: Color, pixel: XY, radius: float = 4) -> None:
-    """Draw one of some signs, so large [px]; after the last comes the first."""
+    """Draw a marker of some radius [px]; the index is taken modulo the number of markers."""
     _SIGNS[which % len(_SIGNS)](surface, color, pixel, radius)
 
 
@@ -55,4 +55,4 @@ _SIGNS: tuple[Callable[[pygame.Surface, Color, XY, float], None], ...] = (
     _disc, _diamond, _square, _triangle, _ring, _cross,
 )  # fmt: skip
 SIGNS = len(_SIGNS)
-"""The number of different signs."""
+"""The number of different markers."""

@@ -1,6 +1,7 @@
 """The colours of the current theme; each theme declares all of them in a file of `themes`.
 
-The dark ones are after Okabe and Ito's palette, which no common colour blindness confuses.
+Those of the dark theme follow Okabe and Ito's palette, which stays distinct with any common colour
+blindness.
 """
 
 import json
@@ -14,7 +15,7 @@ Color = tuple[int, int, int]
 Name = Literal["dark", "light", "contrast"]
 """The name of a theme, and of its file."""
 NAMES: tuple[Name, ...] = get_args(Name)
-"""All themes, in the order in which they are offered."""
+"""All themes, in the order of the menu."""
 DARK: Name = "dark"
 """The default theme."""
 
@@ -49,42 +50,42 @@ POTENTIAL: Color
 TOTAL: Color
 FORCES: tuple[Color, ...]
 ACTING: Mapping[str, Color]
-"""The colours of the forces on a body, by name; other forces use colours of bodies."""
+"""The colours of the forces on a body, by name; other forces take colours from `BODIES`."""
 LANES: tuple[Color, ...]
-"""The colours of the runs beside the one that is played."""
+"""The colours of companion runs and of earlier runs."""
 BODIES: tuple[Color, ...]
 
 _used = DARK
 
 
 def use(name: Name) -> None:
-    """Use another theme's colours from now on; what is drawn already stays as it is."""
+    """Switch to a theme's colours; pictures that are already drawn do not change."""
     global _used
     _used = name
     globals().update({key.upper(): value for key, value in palette(name).items()})
 
 
 def used() -> Name:
-    """Return the name of the theme that is in use."""
+    """Return the name of the current theme."""
     return _used
 
 
 def title(name: Name) -> str:
-    """Return what a theme is called where one is chosen."""
+    """Return the title of a theme, for the menu."""
     return str(_read(name)["title"])
 
 
 @cache
 def palette(name: Name) -> Mapping[str, Any]:
-    """Return the colours of a theme: one each, or several that are numbered or named.
+    """Return the colours of a theme by name: single colours, sequences, or mappings.
 
-    `fading` is how far colours fade: the less, the stronger they stay; 1 for as far as is asked.
+    `fading` is the exponent of the share in `faded`: with a smaller one, colours stay stronger.
     """
     return {key: _colors(value) for key, value in _read(name).items() if key != "title"}
 
 
 def widgets(scale: float) -> dict[str, Any]:
-    """Return the look of pygame_gui's widgets: colours of the theme in use, and scaled sizes."""
+    """Return the theme of pygame_gui's widgets, with the current colours and scaled sizes."""
     look = json.loads((_FOLDER / "widgets.json").read_text(encoding="utf-8"))
     declared = _read(_used)
     for part in look.values():
@@ -96,13 +97,13 @@ def widgets(scale: float) -> dict[str, Any]:
 
 
 def mix(a: Color, b: Color, share: float) -> Color:
-    """Return a colour on the way from one to another."""
+    """Return a mixture of two colours, with some share of the second."""
     red, green, blue = (round(p + (q - p) * share) for p, q in zip(a, b, strict=True))
     return red, green, blue
 
 
 def faded(color: Color, share: float) -> Color:
-    """Return what is left of a colour that fades into the stage."""
+    """Return a colour faded into that of the stage, with some share of it left."""
     now = palette(_used)
     return mix(now["stage"], color, share ** now["fading"])
 
@@ -137,7 +138,7 @@ def _colors(declared: object) -> object:
 
 
 def _scaled(lengths: str, scale: float) -> str:
-    """Scale lengths that are parted by commas [px]."""
+    """Scale lengths that are separated by commas [px]."""
     return ",".join(str(round(float(each) * scale)) for each in lengths.split(","))
 
 

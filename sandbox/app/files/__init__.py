@@ -1,1 +1,1 @@
-"""What is kept in a person's own files, from one day to the next."""
+"""Data that the window keeps in the user's files."""

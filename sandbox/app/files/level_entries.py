@@ -18,18 +18,18 @@ class Texts(NamedTuple):
 
 
 class Entry(NamedTuple):
-    """A level that can be chosen.
+    """A level in the list.
 
     Attributes
     ----------
     path, chapter
-        The file, and the heading under which it is listed.
+        The file, and the chapter under which it is listed.
     original
-        What the file says, in the language of its author.
+        The texts of the file, in the language of its author.
     title, summary
-        The same as it is shown, in the present language.
+        The texts in the current language.
     words
-        The words that a search finds, in lower case: those shown, and those in the file.
+        The text that a search looks through, in lower case: as shown, and as in the file.
     """
 
     path: Path
@@ -40,18 +40,18 @@ class Entry(NamedTuple):
     words: str
 
     def said_anew(self) -> "Entry":
-        """Return the entry in the present language."""
+        """Return the entry in the current language."""
         return _entry(self.path, self.chapter, self.original)
 
 
 def entry(path: Path, chapter: str) -> Entry:
-    """Return the entry of a file, whatever is in it."""
+    """Return the entry of a file, even one that cannot be read."""
     try:
         data = json.loads(path.read_text(encoding="utf-8"))
         title = legible(str(data["title"])).strip() or path.stem
         texts = Texts(title, *(str(data.get(k, "")) for k in ("summary", "reference")))
     except (OSError, ValueError, KeyError, TypeError, AttributeError, RecursionError):
-        texts = Texts(path.stem)  # why it cannot be read is told when it is opened
+        texts = Texts(path.stem)  # the reason is shown when the file is opened
     return _entry(path, chapter, texts)
 
 

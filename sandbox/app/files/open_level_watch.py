@@ -1,4 +1,4 @@
-"""A watch on the file of the open level, which may change on disk."""
+"""Watches the file of the open level for changes on disk."""
 
 from pathlib import Path
 
@@ -6,9 +6,10 @@ from sandbox.model.file_watching import PAUSE, Watch
 
 
 class FileWatch:
-    """Reports when a file has changed, once its writer has finished.
+    """Reports that a file has changed, once its writer has finished.
 
-    A file that was changed at the last look is left for the next one: an editor may be half way.
+    A change is reported only when the next check finds no further one: an editor may still be
+    writing.
     """
 
     def __init__(self) -> None:
@@ -18,9 +19,9 @@ class FileWatch:
         self._writing = False
 
     def changed(self, path: Path | None, seconds: float) -> bool:
-        """Let time pass [s], and return whether a file is another one than when it was shown.
+        """Advance by some time [s], and return whether a file has changed since the first call.
 
-        Of a file that was not asked for the last time, it is noted what it looks like.
+        A call with another path starts a new watch.
         """
         if path != self._path:
             self._path, self._watch = path, Watch([path] if path is not None else [])

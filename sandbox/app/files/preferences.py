@@ -12,9 +12,9 @@ from sandbox.app.words.language import of_system, say
 from sandbox.model.files import data_folder
 
 SIZES = (80, 90, 100, 110, 125, 150, 175, 200)
-"""The sizes of text, in per cent of the usual one."""
+"""The sizes of text, in per cent of the standard size."""
 USUAL = 100  # %
-DENSE = 2000  # px: a desktop that is as high or higher has pixels too small for the usual size
+DENSE = 2000  # px, the height of a desktop from which pixels are too small for the standard size
 ON_DENSE = 150  # %
 
 
@@ -25,46 +25,46 @@ def _one_of_the_sizes(size: int | None) -> int | None:
 
 
 class Preferences(BaseModel):
-    """The choices; what another version of the app has kept beside them is passed over."""
+    """The settings; unknown ones, of another version of the app, are ignored."""
 
     model_config = ConfigDict(frozen=True, extra="ignore")
 
     theme: Name = DARK
     size: Annotated[int | None, AfterValidator(_one_of_the_sizes)] = None
-    """of text [%]; None for what suits the screen"""
+    """size of text [%]; None to suit the screen"""
     language: Language | None = None
-    """None for that of the system"""
+    """language of the window; None for that of the system"""
     sound: bool = False
     """whether impacts are heard"""
     reduced: bool = False
-    """whether nothing moves or flashes but what is simulated"""
+    """whether nothing but the simulation moves or flashes"""
 
 
 _KIND = TypeAdapter(Preferences)
 
 
 def file() -> Path:
-    """Return where they are kept; it need not be there."""
+    """Return the path of the settings; the file need not exist."""
     return data_folder() / "settings.json"
 
 
 def suiting(height: int) -> int:
-    """Return the size of text that suits a desktop so high [px]: more where pixels are small."""
+    """Return the size of text [%] for a desktop of some height [px]: larger for small pixels."""
     return ON_DENSE if height >= DENSE else USUAL
 
 
 class Comfort:
-    """The preferences of a window; the last ones that were kept to begin with.
+    """The preferences of a window, initially those that were saved last.
 
     Attributes
     ----------
     chosen
-        What is chosen. Whoever has followed an earlier choice finds another object here.
+        The current settings; every change replaces the object.
 
     Parameters
     ----------
     desktop
-        How high the desktop is [px]; 0 if nobody knows.
+        The height of the desktop [px]; 0 if unknown.
     """
 
     def __init__(self, desktop: int = 0) -> None:
@@ -83,17 +83,17 @@ class Comfort:
 
     @property
     def scale(self) -> float:
-        """How many times larger than usual text is, and what it stands in."""
+        """The factor by which text, and everything around it, is larger than the standard size."""
         return self.size / 100
 
     def choose(self, **changes: object) -> str:
-        """Choose, and keep that; return why it cannot be kept, if so."""
+        """Change settings and save them; return why that fails, else an empty string."""
         self.chosen = _KIND.validate_python({**self.chosen.model_dump(), **changes})
         why = user_data.keep(file(), _KIND, self.chosen)
         return say("the settings could not be saved: {why}", why=why) if why else ""
 
     def resize(self, direction: int) -> str:
-        """Choose the next larger size of text, or the next smaller one; see `choose`."""
+        """Choose the next larger or smaller size of text; see `choose`."""
         beyond = [size for size in SIZES if (size - self.size) * direction > 0]
         if not beyond:
             return ""

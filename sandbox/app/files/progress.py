@@ -1,4 +1,4 @@
-"""The challenges that were solved, kept in the user's data folder."""
+"""The stars of solved challenges, kept in the user's data folder."""
 
 from pathlib import Path
 from typing import Annotated
@@ -13,14 +13,14 @@ _STARS = TypeAdapter(dict[str, Annotated[int, Field(ge=1, le=3)]])
 
 
 def file() -> Path:
-    """Return where the stars are kept; it need not be there."""
+    """Return the path of the stars; the file need not exist."""
     return data_folder() / "stars.json"
 
 
 class Progress:
-    """How many stars each challenge has earned so far, by the title of its level.
+    """The number of stars that each challenge has earned, by the title of its level.
 
-    A file that is missing, or that something else has written, counts as none.
+    A file that is missing or not valid counts as empty.
     """
 
     def __init__(self) -> None:
@@ -31,10 +31,10 @@ class Progress:
         return self._stars.get(title, 0)
 
     def earn(self, title: str, stars: int) -> str:
-        """Note stars, if they are more than before; return why they cannot be kept, if so."""
+        """Save stars if they are more than before; return why that fails, else an empty string."""
         if stars <= self.stars(title):
             return ""
-        self._stars = {**_read(), **self._stars, title: stars}  # another window may have some, too
+        self._stars = {**_read(), **self._stars, title: stars}  # with those of other windows
         why = user_data.keep(file(), _STARS, self._stars)
         return say("the stars could not be saved: {why}", why=why) if why else ""
 

@@ -12,34 +12,34 @@ from sandbox.model.files import data_folder
 _PATHS = TypeAdapter(list[str])
 
 MOST = 12
-"""How many files are remembered."""
+"""The largest number of files that are kept."""
 
 
 def file() -> Path:
-    """Return where they are kept; it need not be there."""
+    """Return the path of the list; the file need not exist."""
     return data_folder() / "recent.json"
 
 
 class Recent:
-    """The files that were opened last.
+    """The files that were opened recently.
 
-    A file that is missing, or that something else has written, counts as none.
+    A list that is missing or not valid counts as empty.
 
     Attributes
     ----------
     paths
-        The files that are still there, the latest first.
+        The files that still exist, the latest first.
     """
 
     def __init__(self) -> None:
         self.paths: tuple[Path, ...] = tuple(map(Path, filter(os.path.isfile, _read())))
 
     def add(self, path: Path) -> str:
-        """Note that a file was opened; return why that cannot be kept, if so."""
+        """Add an opened file and save the list; return why that fails, else an empty string."""
         if self.paths[:1] == (path,):
             return ""
         self.paths = (path, *(each for each in self.paths if each != path))[:MOST]
-        others = [each for each in _read() if each != str(path)]  # another window's, too
+        others = [each for each in _read() if each != str(path)]  # with those of other windows
         why = user_data.keep(file(), _PATHS, [str(path), *others][:MOST])
         message = later("the list of recent files could not be saved: {why}")
         return say(message, why=why) if why else ""

@@ -1,4 +1,4 @@
-"""Where a person's own files are saved, and what they are called."""
+"""The folder and the names of files that the user saves."""
 
 import re
 from pathlib import Path
@@ -7,10 +7,10 @@ import platformdirs
 
 
 def folder() -> Path:
-    """Return where the files go; it need not be there."""
+    """Return the folder for saved files; it need not exist."""
     return platformdirs.user_documents_path() / "Mechanics sandbox"
 
 
 def stem(title: str) -> str:
-    """Return what a file about a level is called, from the level's title."""
+    """Return the name of a file about a level, without suffix, from the level's title."""
     return re.sub(r"[^a-z0-9]+", "-", title.casefold()).strip("-") or "level"

@@ -1,1 +1,1 @@
-"""The levels as cards, with pictures of them."""
+"""The home page: levels as cards with pictures."""

@@ -1,4 +1,4 @@
-"""The layout of the cards: in rows as wide as the area, below the headings of their chapters."""
+"""The layout of the cards: rows as wide as the area, below the headings of their chapters."""
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
@@ -9,19 +9,19 @@ from pygame import Rect
 from sandbox.app.files.level_entries import Entry
 from sandbox.app.words.language import say
 
-MARGIN = 24  # px, around all
+MARGIN = 24  # px, around all cards
 GAP = 16  # px, between two cards
-NARROWEST = 190  # px, a card
+NARROWEST = 190  # px, the least width of a card
 MOST = 6
 """The most cards in a row."""
-WORDS = 46  # px, below a picture
+WORDS = 46  # px, the height of the text below a picture
 HEADING = 46  # px
 ASPECT = 1.6  # of a picture, width over height
 
 
 @dataclass(frozen=True, slots=True)
 class Heading:
-    """What stands above some cards."""
+    """A heading above cards, with their number, and its position on the sheet [px]."""
 
     text: str
     count: int
@@ -30,18 +30,18 @@ class Heading:
 
 @dataclass(frozen=True, slots=True)
 class Grid:
-    """Cards on a sheet that may be higher than what is seen of it.
+    """Cards on a sheet that may be higher than its visible part.
 
     Attributes
     ----------
     cards
-        The place of each level's card on the sheet [px], in their order.
+        The levels in order, with the rectangles of their cards on the sheet [px].
     headings
-        What stands between them.
+        The headings above groups of cards.
     picture
         The size of a card's picture [px].
     height
-        Of the sheet [px].
+        The height of the sheet [px].
     """
 
     cards: tuple[tuple[Entry, Rect], ...]
@@ -50,13 +50,13 @@ class Grid:
     height: int
 
     def at(self, point: tuple[float, float]) -> int | None:
-        """Return which card is at a point of the sheet; None if none is."""
+        """Return the index of the card at a point of the sheet [px]; None if there is none."""
         return next(
             (i for i, (_, place) in enumerate(self.cards) if place.collidepoint(point)), None
         )
 
     def beside(self, index: int, dx: int, dy: int) -> int:
-        """Return the card that is next in a direction; the same where there is none."""
+        """Return the index of the next card in a direction; the same if there is none."""
         if dx:
             return min(max(index + dx, 0), len(self.cards) - 1)
         here = self.cards[index][1]
@@ -71,7 +71,7 @@ class Grid:
 def lay_out(
     width: int, sections: Iterable[tuple[str, Sequence[Entry]]], scale: float = 1.0
 ) -> Grid:
-    """Put cards in rows on a sheet of some width [px], a heading above those of each section."""
+    """Lay out cards in rows on a sheet of some width [px], with a heading above each section."""
     margin, gap, narrowest, words, heading = (
         round(length * scale) for length in (MARGIN, GAP, NARROWEST, WORDS, HEADING)
     )

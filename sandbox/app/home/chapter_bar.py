@@ -1,4 +1,4 @@
-"""The bar above the cards: the chapters, each a click away."""
+"""The bar above the cards, with a button for each chapter."""
 
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
@@ -9,20 +9,20 @@ from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.home.card_grid import Heading
 
-CAPTION = 14  # the size of its letters
-HEIGHT = 30  # px, how high a chapter is
-MARGIN = 24  # px, left and right of it
-GAP = 6  # px, between two, and above and below a row
+CAPTION = 14  # font size
+HEIGHT = 30  # px, of a button
+MARGIN = 24  # px, left and right of the bar
+GAP = 6  # px, between two buttons, and above and below a row
 PADDING = 11  # px, beside a caption
 
 
 class ChapterBar:
-    """The headings of the cards beside each other, in as many rows as they need.
+    """The headings of the cards as buttons, in as many rows as they need.
 
     Attributes
     ----------
     hovered
-        The heading under the mouse; None if none is.
+        The heading under the mouse, or None.
     """
 
     def __init__(self, pen: Pen) -> None:
@@ -32,7 +32,7 @@ class ChapterBar:
         self.hovered: Heading | None = None
 
     def take_room(self, area: pygame.Rect, headings: Sequence[Heading]) -> pygame.Rect:
-        """Stand at the top of an area, and return what is left of it; one heading needs no bar."""
+        """Take the top of an area, and return the rest; a single heading needs no bar."""
         self._places = list(self._placed(area, headings)) if len(headings) > 1 else ()
         self.hovered = self.hovered if self.hovered in headings else None
         bottom = self._places[-1][1].bottom + self._pen.px(GAP) if self._places else area.y
@@ -53,17 +53,25 @@ class ChapterBar:
             x += width + px(GAP)
 
     def place(self, text: str) -> pygame.Rect:
-        """Return where a chapter is in the window."""
+        """Return the rectangle of a chapter's button in the window [px]."""
         return next(place for heading, place in self._places if heading.text == text)
 
     def follow(self, pixel: tuple[int, int]) -> bool:
-        """Take note of where the mouse is, and return whether that is on the bar."""
+        """Update the hovered heading, and return whether the mouse is over the bar."""
         over = (heading for heading, place in self._places if place.collidepoint(pixel))
         self.hovered = next(over, None)
         return self._area.collidepoint(pixel)
 
     def draw(self, surface: pygame.Surface, top: float) -> None:
-        """Draw the chapters, and mark the one at the top of the visible cards [px]."""
+        """Draw the chapters, and mark the one at the top of the visible cards.
+
+        Parameters
+        ----------
+        surface
+            The surface to draw on.
+        top
+            The height on the sheet of cards at the top of the visible part [px].
+        """
         surface.fill(theme.STAGE, self._area.clip(surface.get_rect()))
         here = _at(top, [heading for heading, _ in self._places])
         for heading, place in self._places:
@@ -76,6 +84,6 @@ class ChapterBar:
 
 
 def _at(top: float, headings: Sequence[Heading]) -> Heading | None:
-    """Return the heading of the cards at a height of their sheet [px]."""
+    """Return the heading of the cards at a height on their sheet [px]."""
     ends = [(first, second.y) for first, second in pairwise(headings)]
     return next((each for each, end in ends if top < end), headings[-1] if headings else None)

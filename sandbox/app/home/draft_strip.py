@@ -11,11 +11,11 @@ from sandbox.app.words.language import say
 from sandbox.editing.recovery import Recoverable
 
 MOST = 3
-"""How many drafts have a row here, the newest; the page Build lists the others."""
-ROW = 34  # px, how high a row is
-MARGIN = 24  # px, left and right of it
-GAP = 6  # px, above and below each
-PADDING = 12  # px, beside its words
+"""The largest number of drafts shown here, the newest; the page Build lists the others."""
+ROW = 34  # px, the height of a row
+MARGIN = 24  # px, left and right of a row
+GAP = 6  # px, above and below a row
+PADDING = 12  # px, beside the text
 
 
 class Strip:
@@ -24,7 +24,7 @@ class Strip:
     Attributes
     ----------
     hovered
-        The draft under the mouse; None if none is.
+        The draft under the mouse, or None.
     """
 
     def __init__(self, pen: Pen) -> None:
@@ -34,24 +34,24 @@ class Strip:
         self.hovered: Recoverable | None = None
 
     def offer(self, left: Sequence[Recoverable]) -> None:
-        """Offer other drafts from now on."""
+        """Set the drafts to show."""
         self._rows, self.hovered = left[:MOST], None
 
     def take_room(self, area: pygame.Rect) -> pygame.Rect:
-        """Stand at the top of an area, and return what is left of it."""
+        """Take the top of an area, and return the rest."""
         height = len(self._rows) * self._pen.px(ROW + GAP) + bool(self._rows) * self._pen.px(GAP)
         self._area = pygame.Rect(area.topleft, (area.width, min(height, area.height)))
         rest = area.height - self._area.height
         return pygame.Rect(area.x, self._area.bottom, area.width, rest)
 
     def place(self, index: int) -> pygame.Rect:
-        """Return where a row is."""
+        """Return the rectangle of a row in the window [px]."""
         px, (x, y) = self._pen.px, self._area.topleft
         top = y + px(GAP) + index * px(ROW + GAP)
         return pygame.Rect(x + px(MARGIN), top, self._area.width - 2 * px(MARGIN), px(ROW))
 
     def follow(self, pixel: tuple[int, int]) -> bool:
-        """Take note of where the mouse is, and return whether that is on the strip."""
+        """Update the hovered draft, and return whether the mouse is over the strip."""
         places = {i: self.place(i).collidepoint(pixel) for i in range(len(self._rows))}
         self.hovered = next((self._rows[i] for i, over in places.items() if over), None)
         return self._area.collidepoint(pixel)
@@ -70,7 +70,7 @@ class Strip:
 
 
 def summary(left: Recoverable) -> str:
-    """Return what is said of a draft."""
+    """Return the text that describes a draft."""
     name = left.path.name if left.path else left.title or say("a level without a name")
     when = strftime("%Y-%m-%d %H:%M", localtime(left.when))
     return say(

@@ -1,4 +1,4 @@
-"""The home page: all levels as cards in place of the stage."""
+"""The home page, which shows all levels as cards in place of the stage."""
 
 from collections.abc import Sequence
 from functools import cache, lru_cache
@@ -19,15 +19,15 @@ from sandbox.app.words.language import say
 from sandbox.editing.recovery import Recoverable, recoverable
 from sandbox.model import catalog
 
-WHEEL = 90.0  # px, a notch
-BAR = 5  # px, the width of what shows how far it is scrolled
-STARS = 3  # the most that a challenge gives
+WHEEL = 90.0  # px, per notch
+BAR = 5  # px, the width of the scroll bar
+STARS = 3  # the most stars of a challenge
 RADIUS = 6  # px, of a star
-PADDING = 9  # px, beside a card's words
-ROWS = 4, 23  # px, where these begin below the picture
+PADDING = 9  # px, beside a card's text
+ROWS = 4, 23  # px, from the picture to the lines of text
 
 Line = tuple[str, int, theme.Color]
-"""A text, its letter size, and its colour."""
+"""A text, its font size, and its colour."""
 
 _STEPS = {
     pygame.K_LEFT: (-1, 0), pygame.K_RIGHT: (1, 0), pygame.K_UP: (0, -1), pygame.K_DOWN: (0, 1),
@@ -40,19 +40,19 @@ class Home:
     Attributes
     ----------
     open
-        Whether it is shown.
+        Whether the page is shown.
     chosen
-        The level that was chosen last, until it is taken.
+        The level that was chosen last, until the window takes it.
     recovered
-        The draft that was chosen to go on with, until it is taken.
+        The draft that was chosen last, until the window takes it.
     thumbnails
         The pictures on the cards.
     preview
         The level that plays on its card.
     strip
-        The drafts that are offered above them.
+        The drafts above the cards.
     chapters
-        The bar that leads to the first cards of each chapter.
+        The bar of chapters above the cards.
     """
 
     def __init__(self, pen: Pen) -> None:
@@ -67,23 +67,23 @@ class Home:
         self._area = pygame.Rect(0, 0, 1, 1)
         self._laid_out: object = None
         self._grid = lay_out(1, ())
-        self._top = 0.0  # px, of the sheet, that is at the area's upper edge
+        self._top = 0.0  # px, the height on the sheet at the area's upper edge
         self._focus = 0
         self._hovered: int | None = None
         self._pressed: int | None = None
         self._held: Recoverable | None = None  # the draft on which the mouse was pressed
-        self._here: Path | None = None  # the level that is played
+        self._here: Path | None = None  # the open level
         self._words = lru_cache(maxsize=600)(self._lines)
 
     def enter(self, path: Path | None) -> None:
-        """Show the cards as they are by now, that of a level in view."""
+        """Show the page, with up-to-date cards, scrolled to a level."""
         self.open, self._progress = True, Progress()
         self.thumbnails.forget()
         self._laid_out, self._here = None, path
         self.strip.offer(recoverable())
 
     def renew(self) -> None:
-        """Lay out and draw everything again, in the present theme, scale and language."""
+        """Lay out and draw everything again, in the current theme, scale and language."""
         self._words.cache_clear()
         self.thumbnails.cancel()
         self.thumbnails.forget()
@@ -91,14 +91,14 @@ class Home:
         self._laid_out = None
 
     def leave(self) -> None:
-        """Show them no more."""
+        """Hide the page."""
         self.open = False
         self.preview.stop()
         self.thumbnails.cancel()
 
     @property
     def grid(self) -> Grid:
-        """The cards, and where they stand on their sheet."""
+        """The layout of the cards on their sheet."""
         return self._grid
 
     @property
@@ -107,11 +107,21 @@ class Home:
         return self._grid.cards[self._focus][0] if self._grid.cards else None
 
     def place(self, index: int) -> pygame.Rect:
-        """Return where a card is in the window, whether it is in view or not."""
+        """Return the rectangle of a card in the window, which may be out of view [px]."""
         return self._grid.cards[index][1].move(self._area.x, self._area.y - round(self._top))
 
     def update(self, area: pygame.Rect, found: Sequence[Entry], sought: str) -> None:
-        """Follow the window's size and what is looked for, and let pictures come in."""
+        """Update the layout for an area and a search, and take in finished pictures.
+
+        Parameters
+        ----------
+        area
+            The area of the page in the window [px].
+        found
+            The levels to show.
+        sought
+            The text of the search.
+        """
         area = self.strip.take_room(area)
         wanted = tuple(area), tuple(found), sought.strip()
         if wanted != self._laid_out:
@@ -121,7 +131,7 @@ class Home:
         self.thumbnails.follow(seen, [level.path for level, _ in self._grid.cards])
 
     def play(self, seconds: float) -> None:
-        """Let the level under the mouse play for some time [s]."""
+        """Advance the preview of the level under the mouse by some time [s]."""
         over = None if self._hovered is None else self._grid.cards[self._hovered][0].path
         self.preview.follow(over, seconds)
 
@@ -139,14 +149,14 @@ class Home:
         self._show_focus()
 
     def _chapter_of_focus(self) -> float:
-        """Return where the heading above the card with the focus is on the sheet [px]."""
+        """Return the height on the sheet of the heading above the focused card [px]."""
         if not self._grid.cards:
             return 0.0
         y = self._grid.cards[self._focus][1].y
         return float(max(heading.y for heading in self._grid.headings if heading.y < y))
 
     def _show_focus(self) -> None:
-        """Scroll as far as it takes to see the card with the focus, and the heading above it."""
+        """Scroll until the focused card and the heading above it are in view."""
         if self._grid.cards:
             place = self._grid.cards[self._focus][1]
             highest = place.bottom + self._pen.px(MARGIN) - self._area.height
@@ -156,12 +166,12 @@ class Home:
         self._top = min(max(top, 0.0), max(self._grid.height - self._area.height, 0.0))
 
     def _seen(self) -> list[tuple[Entry, pygame.Rect]]:
-        """Return the cards that are in view, with their places in the window."""
+        """Return the levels whose cards are in view, with their rectangles in the window [px]."""
         placed = ((entry, self.place(i)) for i, (entry, _) in enumerate(self._grid.cards))
         return [(entry, place) for entry, place in placed if place.colliderect(self._area)]
 
     def process(self, event: pygame.event.Event) -> bool:
-        """Handle a key or a click, and return whether it was for the cards."""
+        """Handle an event, and return whether it was meant for this page."""
         if event.type == pygame.KEYDOWN:
             return self._key(event)
         if event.type == pygame.MOUSEWHEEL:
@@ -181,7 +191,7 @@ class Home:
         return inside or beside
 
     def _point(self, pixel: tuple[int, int]) -> bool:
-        """Note which card is under the mouse, and return whether the mouse is over the cards."""
+        """Update the hovered card, and return whether the mouse is over the cards."""
         inside = self._area.collidepoint(pixel)
         on = (pixel[0] - self._area.x, pixel[1] - self._area.y + self._top)
         self._hovered = self._grid.at(on) if inside else None
@@ -228,7 +238,7 @@ class Home:
         self._show_focus()
 
     def draw(self, surface: pygame.Surface) -> None:
-        """Draw what is in view, with the pictures that are there."""
+        """Draw the visible part, with the pictures that are ready."""
         self.strip.draw(surface)
         self.chapters.draw(surface, self._top)
         area = self._area.clip(surface.get_rect())
@@ -288,9 +298,9 @@ class Home:
             surface.blit(pen.write(text, size, color), (x, below.y + pen.px(y)))
 
     def _lines(self, level: Entry, room: int, whole: int) -> tuple[Line, Line]:
-        """Return what is written of a level: a title that is long has the summary's line, too.
+        """Return the two lines of a card: title and summary, or a long title on both.
 
-        Of its own line it has some room, of the summary's the whole [px].
+        The first line may be as wide as `room`, the second as wide as `whole` [px].
         """
         pen, title = self._pen, level.title[:200]
         if pen.shorten(title, room, 14) == title:
@@ -311,7 +321,7 @@ class Home:
 
 @cache
 def _star(color: theme.Color, radius: int) -> pygame.Surface:
-    """Draw a star with five points, one of them up; large at first, so that its edges are soft."""
+    """Draw a five-pointed star, one point up; it is scaled down to smooth its edges."""
     large = 4 * radius
     drawn = pygame.Surface((2 * large, 2 * large), pygame.SRCALPHA)
     drawn.fill((*color, 0))

@@ -24,10 +24,10 @@ from sandbox.model.loading import MAX_BYTES, load
 from sandbox.version import __version__
 
 SIZE = 320, 200  # px
-DRAWN = 480, 300  # px, before it is made smaller: lines are thinner then
-PATIENCE = 1.0  # s of computing, after which a run is drawn where it is
+DRAWN = 480, 300  # px, before scaling down, which makes lines thinner
+PATIENCE = 1.0  # s of computing, after which a run is drawn at its current step
 MOST = 1000
-"""How many pictures are kept, the latest."""
+"""The largest number of pictures in the cache; older ones are removed."""
 LARGEST = 500_000
 """The largest picture that is read [bytes]; a larger one was not written by this program."""
 
@@ -36,23 +36,23 @@ _BEGIN, _END = b"\x89PNG\r\n\x1a\n", b"IEND\xaeB`\x82"
 
 
 class Picture(NamedTuple):
-    """What was drawn of a level."""
+    """A picture of a level."""
 
     path: Path
-    """of its file"""
+    """the level's file"""
     key: str
-    """what the picture is kept by; empty if the file cannot be read"""
+    """the picture's key in the cache; empty if the file cannot be read"""
     png: bytes
-    """empty if the level cannot be drawn"""
+    """the PNG file; empty if the level cannot be drawn"""
 
 
 def folder() -> Path:
-    """Return the folder in which pictures are kept; it need not be there."""
+    """Return the folder of the cache; it need not exist."""
     return platformdirs.user_cache_path("mechanics-sandbox") / "pictures"
 
 
 def key(path: Path) -> str:
-    """Return what a level's picture is kept by, from all that it depends on.
+    """Return the key of a level's picture, a hash of everything that the picture depends on.
 
     Raises
     ------
@@ -62,13 +62,13 @@ def key(path: Path) -> str:
     content = read_ordinary(path.resolve(), MAX_BYTES)
     if content is None:
         raise OSError("not an ordinary file")
-    spoken = language.used() if b'"labels"' in content else ""  # words that are drawn
+    spoken = language.used() if b'"labels"' in content else ""  # the picture contains text
     about = f"{__version__} {DRAWN} {SIZE} {theme.used()} {spoken}".encode()
     return hashlib.sha256(about + content).hexdigest()[:32]
 
 
 def kept(known: str, where: Path | None = None) -> bytes:
-    """Return a picture that was drawn before, by its key; nothing if there is none."""
+    """Return the cached picture with a key; empty if there is none."""
     try:
         png = read_ordinary((where or folder()) / f"{known}.png", LARGEST) or b""
     except OSError:
@@ -77,7 +77,7 @@ def kept(known: str, where: Path | None = None) -> bytes:
 
 
 def made(paths: Sequence[Path], where: Path) -> Iterator[Picture]:
-    """Draw levels in a process without a window, and keep the pictures in a folder."""
+    """Draw levels in a process without a window, and cache the pictures in a folder."""
     os.environ["SDL_VIDEODRIVER"] = os.environ["SDL_AUDIODRIVER"] = "dummy"
     pygame.font.init()
     pen = Pen()
@@ -94,14 +94,14 @@ def _made(path: Path, pen: Pen, where: Path) -> Picture:
         return Picture(path, "", b"")
     except SandboxError:
         return Picture(path, known, b"")
-    with suppress(SandboxError, OSError):  # a folder that takes none is no reason to show none
+    with suppress(SandboxError, OSError):  # the picture is shown even if it cannot be cached
         where.mkdir(parents=True, exist_ok=True)
         write_atomically(where / f"{known}.png", png, follow=False)
     return Picture(path, known, png)
 
 
 def draw(path: Path, pen: Pen) -> pygame.Surface:
-    """Draw a level at a telling moment, or as far as it comes in a second of computing.
+    """Draw a level at a telling moment, or as far as it gets in `PATIENCE` of computing.
 
     Raises
     ------
@@ -125,7 +125,7 @@ def draw(path: Path, pen: Pen) -> pygame.Surface:
 
 
 def _forget_the_oldest(where: Path) -> None:
-    """Remove what is more than is to be kept."""
+    """Remove all but the latest pictures from the cache."""
     with suppress(OSError):
         found = [(entry.stat().st_mtime, entry.path) for entry in os.scandir(where)]
         for _, path in sorted(found)[:-MOST]:

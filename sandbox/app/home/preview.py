@@ -1,8 +1,8 @@
 """The preview that plays on a card while the mouse rests on it, unless the level is expensive.
 
 It is computed within the window's own frames, in a few milliseconds of each. A level is expensive
-if it has many parts, needs a search, or if its steps or pictures take too long. Its card then keeps
-its still picture.
+if it has many parts, asks for an accuracy, or if its steps or pictures take too long. Its card then
+keeps its still picture.
 """
 
 from pathlib import Path
@@ -18,26 +18,26 @@ from sandbox.model.errors import SandboxError
 from sandbox.model.level import Level
 from sandbox.model.loading import MAX_BYTES, load
 
-AFTER = 0.4  # s, that the mouse must rest on a card
-LASTING = 6.0  # s, of the run that are shown
-BUDGET = 0.003  # s, of a frame for steps
-MOST = 0.010  # s, of the processor that a frame may take for steps and picture, on average
+AFTER = 0.4  # s, the time that the mouse must rest on a card
+LASTING = 6.0  # s, the part of the run that is shown
+BUDGET = 0.003  # s, the time for steps in a frame
+MOST = 0.010  # s, the processor time for steps and picture in a frame, on average
 SMOOTHING = 0.2
 """The weight of the last frame in the average."""
 PARTS = 16
-"""The most bodies and joints of a level that is previewed."""
+"""The largest number of bodies and joints of a level that is previewed."""
 LARGEST = min(20_000, MAX_BYTES)
 """The largest level file that is previewed [bytes]; a larger one takes too long to read in a
 frame."""
 
 
 class Preview:
-    """Plays the level under the mouse, small.
+    """Plays the level under the mouse on its card.
 
     Attributes
     ----------
     path
-        The level on which the mouse rests; None if it rests on none.
+        The level whose card is under the mouse, or None.
     """
 
     def __init__(self) -> None:
@@ -49,16 +49,16 @@ class Preview:
 
     @property
     def playing(self) -> bool:
-        """Whether a level is played, or soon will be."""
+        """Whether a preview is playing, or will start soon."""
         waits = self.path is not None and self.path not in self._dear and self._session is None
         return waits or (self._session is not None and self._session.playing)
 
     def stop(self) -> None:
-        """Show nothing."""
+        """Stop the preview."""
         self.path, self._session = None, None
 
     def follow(self, path: Path | None, seconds: float) -> None:
-        """Let the mouse rest on a card for some time [s], or on none."""
+        """Advance by some time [s], with the mouse on a level's card or on none."""
         if path != self.path:
             self.path, self._rested, self._session = path, 0.0, None
         if path is None or path in self._dear:
@@ -70,7 +70,7 @@ class Preview:
             self._begin(path)
 
     def _begin(self, path: Path) -> None:
-        """Open a level, unless it is expensive."""
+        """Start a level, unless it is expensive."""
         self._cost = 0.0
         try:
             level = load(path) if path.stat().st_size <= LARGEST else None
@@ -79,7 +79,7 @@ class Preview:
                 return
             session = Session(level, patient=False)
         except (SandboxError, OSError):
-            self._dear.add(path)  # its page says why it cannot be opened
+            self._dear.add(path)  # the reason is shown when the level is opened
             return
         if session.waiting:
             self._dear.add(path)
@@ -92,7 +92,7 @@ class Preview:
         self._stage.fit()
 
     def _play(self, session: Session, path: Path, seconds: float) -> None:
-        """Take the steps that are due and draw them; give up a level that takes too long."""
+        """Take the steps that are due and draw the result; stop a level that takes too long."""
         if not session.playing:
             return
         begun = thread_time()
@@ -107,12 +107,12 @@ class Preview:
             self._session = None
 
     def picture(self, path: Path, size: tuple[int, int]) -> pygame.Surface | None:
-        """Return what is seen of a level now [px]; None if it is not played."""
+        """Return the current picture of a level in a size [px]; None if it is not played."""
         if path != self.path or self._session is None or not self._session.world.steps:
             return None
         return pygame.transform.smoothscale(self._drawn, size)
 
 
 def is_expensive(level: Level) -> bool:
-    """Whether a level has too many parts to be built and drawn beside the cards."""
+    """Whether a level has too many parts for a preview, or asks for an accuracy."""
     return len(level.bodies) + len(level.joints) > PARTS or level.stepping.accuracy is not None

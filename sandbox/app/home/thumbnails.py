@@ -1,4 +1,4 @@
-"""The pictures on the cards: read from disk or drawn in the background, never waited for."""
+"""The pictures on the cards, read from disk or drawn in the background without waiting."""
 
 from collections.abc import Sequence
 from io import BytesIO
@@ -11,43 +11,43 @@ from sandbox.app.home import picture_cache
 from sandbox.app.home.picture_cache import SIZE
 
 AT_ONCE = 3
-"""How many pictures are read from disk per frame."""
+"""The number of pictures that are read from disk per frame."""
 BATCH = 16
-"""How many levels are drawn before the visible ones are determined anew."""
+"""The number of levels that are drawn before the visible ones are determined anew."""
 MOST = 80
-"""How many pictures are held in memory: more than are ever visible at once."""
+"""The number of pictures that are kept in memory: more than are ever visible at once."""
 
 
 class Thumbnails:
-    """Pictures of levels, as far as there are any yet."""
+    """Loads and draws the pictures of levels."""
 
     def __init__(self) -> None:
         self._work = Background()
-        self._pictures: dict[Path, pygame.Surface] = {}  # the latest that were asked for at the end
+        self._pictures: dict[Path, pygame.Surface] = {}  # least recently used first
         self._lacking: set[Path] = set()  # not on disk
-        self._kept: set[Path] = set()  # on disk, unless that takes none
-        self._hopeless: set[Path] = set()  # that cannot be drawn
+        self._kept: set[Path] = set()  # on disk, unless they could not be saved
+        self._hopeless: set[Path] = set()  # cannot be drawn
         self._drawing: list[Path] = []
         self._size = SIZE
 
     def forget(self) -> None:
-        """Check all files again, since they may have changed."""
+        """Forget all pictures, since files may have changed."""
         for known in (self._pictures, self._lacking, self._kept, self._hopeless):
             known.clear()
 
     def of(self, path: Path) -> pygame.Surface | None:
-        """Return the picture of a level, if it is there."""
+        """Return the picture of a level; None if it is not ready."""
         found = self._pictures.pop(path, None)
         if found is not None:
             self._pictures[path] = found
         return found
 
     def hopeless(self, path: Path) -> bool:
-        """Whether there never will be a picture of a level as its file is."""
+        """Whether a level cannot be drawn."""
         return path in self._hopeless
 
     def resize(self, size: tuple[int, int]) -> None:
-        """Have pictures of another size from now on [px]."""
+        """Set the size of the pictures [px]."""
         if size != self._size:
             self._size = size
             self._pictures.clear()
@@ -63,7 +63,7 @@ class Thumbnails:
             self._drawing.remove(made.path)
             self._take(made.path, made.png, seen=made.path in seen)
         if not self._work.running:
-            self._hopeless.update(self._drawing[:1])  # at which the process has ended
+            self._hopeless.update(self._drawing[:1])  # at which the process ended early
             self._drawing = []
         waiting = [path for path in seen if self._unknown(path)]
         for path in waiting[:AT_ONCE]:
@@ -74,7 +74,7 @@ class Thumbnails:
             self._draw(seen, others)
 
     def _unknown(self, path: Path) -> bool:
-        """Whether a visible card has not been looked up yet."""
+        """Whether the picture of a visible card has not been looked up yet."""
         known = path in self._pictures or path in self._lacking or path in self._hopeless
         return not known and path not in self._drawing
 
@@ -90,7 +90,7 @@ class Thumbnails:
             self._lacking.add(path)
 
     def _draw(self, seen: Sequence[Path], others: Sequence[Path]) -> None:
-        """Have the next few levels drawn."""
+        """Start drawing the next few levels."""
         known = self._kept | self._hopeless
         wanted = [path for path in seen if path in self._lacking]
         wanted += [path for path in others if path not in known and path not in wanted]
@@ -99,11 +99,11 @@ class Thumbnails:
             self._work.start(picture_cache.made, list(self._drawing), picture_cache.folder())
 
     def _take(self, path: Path, png: bytes, *, seen: bool) -> None:
-        """Keep a picture as the cards need it; where there is none, there will be none."""
+        """Keep a finished picture of a visible card; an invalid one marks its level as hopeless."""
         self._lacking.discard(path)
         self._kept.add(path)
         if not seen and png:
-            return  # it will be read when it is
+            return  # it will be read from disk once it is visible
         try:
             drawn = pygame.image.load(BytesIO(png), "x.png").convert()
         except pygame.error:
@@ -114,6 +114,6 @@ class Thumbnails:
             self._pictures.pop(next(iter(self._pictures)))
 
     def cancel(self) -> None:
-        """End the work."""
+        """Stop drawing."""
         self._work.cancel()
         self._drawing = []

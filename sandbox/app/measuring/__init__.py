@@ -1,1 +1,1 @@
-"""Measuring tools on the stage, and the mouse that uses them."""
+"""Measuring tools on the stage, and the mouse there."""

@@ -1,4 +1,4 @@
-"""A probe on the trails: when the body under the mouse was there, and how fast."""
+"""A probe for trails: time, position and speed of a body at the point under the mouse."""
 
 from collections.abc import Iterator
 from typing import NamedTuple
@@ -15,10 +15,10 @@ from sandbox.app.words import formatting
 from sandbox.model.shapes import XY
 
 REACH = 8.0
-"""How close to a trail the mouse must be [px]."""
+"""The largest distance from the mouse to a trail [px]."""
 
 DIGITS = 4
-AWAY, PADDING = 16, 8  # px, from the instant to what is told of it, and around that
+AWAY, PADDING = 16, 8  # px, from the instant to the text, and around the text
 
 
 class Found(NamedTuple):
@@ -29,11 +29,11 @@ class Found(NamedTuple):
     body
         The body of the trail.
     t, place, speed
-        When, where, and how fast it was there [s, m, m/s].
+        The time, position and speed of the body [s, m, m/s].
     distance
-        From there to the mouse [px].
+        The distance to the mouse [px].
     scales
-        How much of the plane is seen [m], and the highest speed [m/s]: what values stand beside.
+        The width of the view [m] and the highest speed [m/s], relative to which values are rounded.
     """
 
     body: str
@@ -45,7 +45,7 @@ class Found(NamedTuple):
 
     @property
     def text(self) -> str:
-        """The text that describes it."""
+        """The text that describes the instant."""
         wide, fastest = self.scales
         told = zip((*self.place, self.speed), (wide, wide, fastest), strict=True)
         x, y, speed = (
@@ -56,7 +56,7 @@ class Found(NamedTuple):
 
 
 def find(view: View, session: Session, pixel: XY) -> Found | None:
-    """Return the nearest instant that is kept of the run, or of one before; None if none is near.
+    """Return the nearest recorded instant of this run or an earlier one; None if none is near.
 
     Parameters
     ----------
@@ -65,7 +65,7 @@ def find(view: View, session: Session, pixel: XY) -> Found | None:
     session
         The session of the runs.
     pixel
-        The mouse, from the stage's corner [px].
+        The position of the mouse on the stage [px].
     """
     if not (view.few and view.shown["trail"] and alike(session.world, view.world)):
         return None
@@ -75,7 +75,7 @@ def find(view: View, session: Session, pixel: XY) -> Found | None:
 
 
 def _near(view: View, history: History, pixel: XY) -> Iterator[Found]:
-    """Yield the nearest instant of each moving body, if that is near enough."""
+    """Yield the nearest instant of each moving body, if it is within `REACH`."""
     states, mouse, scale = history.snapshots, view.camera.to_world(pixel), view.camera.scale
     for name, outline in view.outlines.items():
         if not outline.moves or outline.hidden:
@@ -91,7 +91,7 @@ def _near(view: View, history: History, pixel: XY) -> Iterator[Found]:
 
 
 def draw(surface: pygame.Surface, view: View, session: Session, pixel: XY) -> None:
-    """Mark the point of a trail under the mouse, and describe it."""
+    """Mark and describe the point of a trail under the mouse."""
     over = surface.get_rect().collidepoint(pixel)
     found = find(view, session, pixel) if over else None
     if found is None:

@@ -1,4 +1,4 @@
-"""A protractor: the angle between a tape and another line from its end."""
+"""A protractor, which measures the angle between a tape and another line from its end."""
 
 from dataclasses import dataclass
 from math import atan2, degrees, pi
@@ -20,7 +20,7 @@ RADIUS = 26  # px, of the arc
 
 @dataclass(frozen=True, slots=True)
 class Protractor:
-    """What is measured: from one point over the corner to another [m]."""
+    """An angle between two legs: the points at their ends, and the common corner [m]."""
 
     first: XY
     corner: XY
@@ -28,7 +28,7 @@ class Protractor:
 
     @classmethod
     def on(cls, before: "Tape | Protractor", second: XY) -> "Protractor":
-        """Lay it on a tape, with the corner at its end; or move its other leg."""
+        """Return a protractor on a tape, with the corner at its end, or one with a moved leg."""
         if isinstance(before, Protractor):
             return cls(before.first, before.corner, second)
         return cls(before.start, before.end, second)
@@ -41,7 +41,7 @@ class Protractor:
 
     @property
     def text(self) -> str:
-        """The angle, for a person to read."""
+        """The angle as text."""
         return f"{number(self.angle, 4)}°"
 
     @property

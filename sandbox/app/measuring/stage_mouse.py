@@ -1,4 +1,4 @@
-"""The mouse on the stage: it drags bodies and forces, moves the view, zooms, and measures."""
+"""The mouse on the stage, which drags bodies and forces, moves the view, zooms, and measures."""
 
 from contextlib import suppress
 from enum import Enum, auto
@@ -13,12 +13,12 @@ from sandbox.app.words.slider_steps import rounded
 from sandbox.model.errors import ValueRangeError
 from sandbox.model.shapes import XY
 
-ZOOM = 1.15  # a notch of the wheel
-STILL = 3  # px; a click that moves less does not touch the scene
+ZOOM = 1.15  # per notch of the wheel
+STILL = 3  # px, the least movement that makes a click a drag
 
 
 class Doing(Enum):
-    """What a button held down is for."""
+    """The purpose of a button held down."""
 
     NOTHING = auto()
     PANNING = auto()
@@ -33,7 +33,7 @@ class Hand:
     Attributes
     ----------
     tape
-        The last measurement, a distance or an angle; None after a click elsewhere.
+        The last measurement, a distance or an angle; None after a click without Shift.
     """
 
     def __init__(self, stage: Stage) -> None:
@@ -41,12 +41,12 @@ class Hand:
         self._doing = Doing.NOTHING
         self._pressed: XY = (0.0, 0.0)
         self._moved = False
-        self._components: dict[str, tuple[int, float]] = {}  # by parameter: axis, N at first
+        self._components: dict[str, tuple[int, float]] = {}  # by parameter: axis, N at the start
         self.tape: Tape | Protractor | None = None
-        self._before: Tape | Protractor | None = None  # on which a protractor is laid
+        self._before: Tape | Protractor | None = None  # to which a protractor is attached
 
     def process(self, event: pygame.event.Event, area: pygame.Rect, session: Session) -> None:
-        """Do what a mouse event over the window asks for."""
+        """Handle a mouse event."""
         match event.type:
             case pygame.MOUSEBUTTONDOWN if area.collidepoint(event.pos):
                 self._press(event, self._local(event.pos, area), session)
@@ -57,7 +57,7 @@ class Hand:
                 self._doing = Doing.NOTHING
 
     def wheel(self, notches: float, pixel: XY, area: pygame.Rect) -> None:
-        """Zoom about the mouse."""
+        """Zoom around the mouse."""
         self._stage.camera.zoom(ZOOM**notches, self._local(pixel, area))
 
     @staticmethod
@@ -104,11 +104,11 @@ class Hand:
                 pass
 
     def _laid(self, start: XY, end: XY) -> Tape | Protractor:
-        """Return a new tape; or with Ctrl the angle that the end makes with the last one."""
+        """Return a new tape, or, if Ctrl was held, a protractor on the last one."""
         return Protractor.on(self._before, end) if self._before else Tape(start, end)
 
     def _force(self, pixel: XY, session: Session) -> None:
-        """Change a force by as much as the mouse has moved since it took hold of the tip."""
+        """Change a force by the movement of the mouse since it grabbed the tip."""
         x, y = self._pressed
         newton = self._stage.newton
         by = (pixel[0] - x) / newton, (y - pixel[1]) / newton
@@ -119,5 +119,5 @@ class Hand:
             if name in parameters
         }
         if any(value != session.values[name] for name, value in wanted.items()):
-            with suppress(ValueRangeError):  # what the level cannot begin with stays as it was
+            with suppress(ValueRangeError):  # values that the level does not allow are ignored
                 session.restart(wanted)

@@ -1,4 +1,4 @@
-"""A tape measure: from one point of the plane to another."""
+"""A tape measure between two points of the plane."""
 
 from dataclasses import dataclass
 from math import atan2, degrees, hypot
@@ -14,21 +14,21 @@ from sandbox.model.shapes import XY
 
 @dataclass(frozen=True, slots=True)
 class Tape:
-    """What is measured: from where to where [m]."""
+    """A distance between two points [m]."""
 
     start: XY
     end: XY
 
     @property
     def text(self) -> str:
-        """The distance, its two parts, and the angle, for a person to read."""
+        """The distance, its two components, and the angle as text."""
         dx, dy = self.end[0] - self.start[0], self.end[1] - self.start[1]
         angle = degrees(atan2(dy, dx))
         parts = f"Δx {number(dx, 4)} m   Δy {number(dy, 4)} m   {number(angle, 4)}°"
         return f"{number(hypot(dx, dy), 4)} m    {parts}"
 
     def draw(self, surface: pygame.Surface, camera: Camera, pen: Pen) -> None:
-        """Draw the tape, with what it measures beside its end."""
+        """Draw the tape, with its text beside the end."""
         start, end = camera.to_screen(self.start), camera.to_screen(self.end)
         lines.stroke(surface, theme.NOTICE, start, end, 2)
         for point in (start, end):

@@ -1,1 +1,1 @@
-"""What was seen of a run, kept for pages, cards and the stage."""
+"""Observations of a run, for pages, cards and the stage."""

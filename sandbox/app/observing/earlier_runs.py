@@ -1,4 +1,4 @@
-"""Earlier runs, kept for comparison when a parameter is changed."""
+"""Earlier runs, kept for comparison after a parameter was changed."""
 
 from typing import NamedTuple
 
@@ -10,19 +10,19 @@ from sandbox.model.expressions import Values
 from sandbox.physics.stepping.world import World
 
 BRIEF = 0.05
-"""The share of a level's duration that a branch must last to be kept: while a slider is dragged, a
-run branches at every step."""
+"""The least duration of a branch that is kept, as a fraction of the level's: while a slider is
+dragged, a run branches at every step."""
 
 
 class Observed(NamedTuple):
-    """What has been seen of a run.
+    """The observations of a run.
 
     Attributes
     ----------
     trail, history
-        The paths of its bodies, and everything else that was observed.
+        The paths of the bodies, and all states that are kept.
     world
-        The world that was observed.
+        The world of the run.
     """
 
     trail: Trail
@@ -30,21 +30,21 @@ class Observed(NamedTuple):
     world: World
 
     def steps(self) -> int:
-        """Return how many steps it has taken."""
+        """Return the number of steps of the run."""
         return self.world.steps
 
 
 class Earlier(NamedTuple):
-    """A run with other parameters that was there before.
+    """An earlier run with other parameters or actions.
 
     Attributes
     ----------
     changed
-        The parameters that were changed after it; none where a hand changed it.
+        The parameters that were changed after it; empty if the user acted on the run instead.
     left
-        When a branch left it [s]; None if the next run started anew.
+        The time at which a branch left it [s]; None if the next run started anew.
     trail, history, world
-        As of what was observed.
+        The observations; see `Observed`.
     """
 
     changed: frozenset[str]
@@ -54,7 +54,7 @@ class Earlier(NamedTuple):
     world: World
 
     def label(self, now: Values) -> str:
-        """Label it by the parameters in which it differs from another run."""
+        """Return a label with the parameters that differ from another run's."""
         told = self.changed | _differing(self.world.values, now)
         values = ", ".join(f"{n} = {v:.6g}" for n, v in self.world.values.items() if n in told)
         if self.left is None:
@@ -64,30 +64,30 @@ class Earlier(NamedTuple):
         return say("{values}, left at {t:.2f} s", values=values, t=self.left)
 
     def repeats(self, other: "Earlier") -> bool:
-        """Whether it had the parameters of another one, and was left at the same time."""
+        """Whether the run has the same parameters as another, and was left at the same time."""
         return self.left == other.left and self.world.values == other.world.values
 
 
 def alike(world: World, other: World) -> bool:
-    """Whether two worlds have the same bodies, so that one run can be laid over the other."""
+    """Whether two worlds have the same bodies, so that their runs can be drawn together."""
     return world is other or list(world.level.bodies) == list(other.level.bodies)
 
 
 def kept(
     earlier: tuple[Earlier, ...], run: Observed, values: Values, left: float | None = None
 ) -> tuple[Earlier, ...]:
-    """Return the earlier runs with one more; no more of them than there are colours.
+    """Return the earlier runs with one more, at most as many as there are colours.
 
     Parameters
     ----------
     earlier
-        Those that there are; the newest is last.
+        The earlier runs so far, the newest last.
     run
-        The observations of the run that is left.
+        The observations of the run to add.
     values
-        The parameters of what comes after it.
+        The parameters of the next run.
     left
-        When a branch left it [s]; None if the next run starts anew.
+        The time at which a branch leaves it [s]; None if the next run starts anew.
     """
     made = Earlier(_differing(run.world.values, values), left, *run)
     others = tuple(one for one in earlier if not one.repeats(made))
@@ -101,7 +101,7 @@ def _differing(values: Values, others: Values) -> frozenset[str]:
 
 
 def _is_brief(run: Observed) -> bool:
-    """Whether it is a branch that hardly lasted."""
+    """Whether a run is a branch of very short duration; see `BRIEF`."""
     world, begun = run.world, float(run.history.snapshots.t[0])
     lasted, whole = world.t - begun, world.level.duration(world.values)
     return begun > 0 and lasted < BRIEF * whole

@@ -1,4 +1,4 @@
-"""The energies of a run over time, and the accounts of where they come from and go."""
+"""The energies of a run over time, and the balance of what changed them."""
 
 from dataclasses import dataclass
 
@@ -15,14 +15,14 @@ from sandbox.physics.state.snapshot import Snapshot
 from sandbox.physics.stepping.world import World
 
 INSTANTS = 500
-"""How many instants are kept per duration of the level, about."""
+"""The approximate number of instants that are kept per duration of the level."""
 
 _ENERGIES = ("system.kinetic_energy", "system.potential_energy", "system.energy")
 
 
 @dataclass(frozen=True, slots=True)
 class Energies:
-    """Of the whole system [J]."""
+    """The energies of the whole system [J]."""
 
     kinetic: float
     potential: float
@@ -30,22 +30,22 @@ class Energies:
 
 
 class Books:
-    """The energies of a world from its present state on; `note` is called at every step.
+    """Records the energies of a world from its current state on; `note` is called at every step.
 
-    Where they come from and go is booked only while somebody looks: that takes as long as the steps
-    themselves, or longer.
+    The balance is recorded only while it is shown: that takes as long as the steps themselves, or
+    longer.
 
     Attributes
     ----------
     start
-        The energies with which the run began, or with which a hand has left it.
+        The energies at the start of the run, or after the user's last action on a body.
 
     Parameters
     ----------
     world
         The world to watch.
     steps
-        How many steps reach the end of its duration.
+        The number of steps in the level's duration.
     """
 
     def __init__(self, world: World, steps: int) -> None:
@@ -58,7 +58,7 @@ class Books:
         self._since: float | None = None
 
     def note(self) -> None:
-        """Take in a step."""
+        """Record a step."""
         if self._ledger is not None:
             self._ledger.note()
         if self._let_go:
@@ -67,7 +67,7 @@ class Books:
             self._history.note(self._world.snapshot)
 
     def keep(self, kept: bool) -> None:
-        """Book what steps do from now on, or no more."""
+        """Start or stop recording the balance."""
         if kept and self._ledger is None:
             self._open()
         elif not kept:
@@ -75,22 +75,22 @@ class Books:
 
     @property
     def kept(self) -> bool:
-        """Whether steps are booked."""
+        """Whether the balance is recorded."""
         return self._ledger is not None
 
     def _open(self) -> None:
-        """Start books without any steps."""
+        """Start a new balance at the current step."""
         self._ledger = Ledger(self._world)
         self._since = self._world.t if self._world.steps else None
 
     @property
     def since(self) -> float | None:
-        """The time since which steps are booked [s]; None if all of the run are."""
+        """The time since which the balance is recorded [s]; None if it covers the whole run."""
         return self._since if self.kept else self._world.t
 
     @property
     def covered(self) -> str:
-        """What the balance is of, in words: since when, and whether it is read at the step."""
+        """The period that the balance covers, in words, and whether it is half a step ahead."""
         told = [say("since the start")]
         if self.since is not None:
             told = [say("since t = {t}", t=formatting.seconds(self.since))]
@@ -99,31 +99,31 @@ class Books:
         return ", ".join(told)
 
     def hand_over(self) -> None:
-        """Compare energies with the present ones from now on: a hand has done work, and lets go.
+        """Compare energies with the current ones from now on, after the user has done work.
 
-        Half of its last pull is still to come, so those after the next step count.
+        Half of the last pull is still to come, so the energies after the next step count.
         """
         self.start, self._let_go = self.energies, True
 
     def restart(self) -> None:
-        """Start again, as after a hand has moved a body; the start of the run stays."""
+        """Start recording anew, as after a body was moved by hand; `start` stays."""
         if self.kept:
             self._open()
         self._history.restart(self._world.snapshot)
 
     @property
     def energies(self) -> Energies:
-        """The energies of now."""
+        """The current energies."""
         return Energies(*(float(value) for value in self._meter(self._world.snapshot).values()))
 
     @property
     def balance(self) -> Balance:
-        """Where energy and momentum came from and went, since steps are booked."""
+        """The balance of energy and momentum since recording started; see `since`."""
         return (self._ledger or Ledger(self._world)).balance
 
     @property
     def history(self) -> Array:
-        """Energies over time: (k, 4), [s], then kinetic, potential and total [J], up to now."""
+        """Energies over time up to now: (k, 4), time [s], kinetic, potential and total [J]."""
         now = self._rows(Snapshot.stack([self._world.snapshot]))
         return np.vstack((self._history.rows, now))
 

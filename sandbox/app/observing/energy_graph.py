@@ -1,4 +1,4 @@
-"""The energies of a run over time, as lines of a graph."""
+"""The graph of a run's energies over time."""
 
 from collections.abc import Sequence
 
@@ -11,7 +11,7 @@ from sandbox.model.expressions import Array
 from sandbox.model.shapes import XY
 
 DASH = 9, 3
-"""The dashes of the potential energy: length of dash and gap [px]."""
+"""The dash pattern of the potential energy: lengths of dash and gap [px]."""
 
 ROOM = 0.06
 """The free space above and below the lines, as a share of the height."""
@@ -26,11 +26,11 @@ def energies(size: tuple[int, int], points: Array, duration: float) -> pygame.Su
     Parameters
     ----------
     size
-        Of the graph [px].
+        The size of the graph [px].
     points
         (k, 4), k > 0: time [s], then kinetic, potential and total energy [J].
     duration
-        What the graph has room for at least [s].
+        The least time span of the graph [s].
     """
     graph = pygame.Surface(size)
     graph.fill(theme.STAGE)
@@ -54,7 +54,7 @@ def energies(size: tuple[int, int], points: Array, duration: float) -> pygame.Su
 
 
 def sample(series: int, size: tuple[int, int]) -> pygame.Surface:
-    """Draw a piece of a line as it is in the graph."""
+    """Draw a sample of one of the graph's lines, for the legend."""
     color, thickness, dashed = _series()[series]
     surface = pygame.Surface(size, pygame.SRCALPHA)
     _draw(surface, [(0, size[1] // 2), (size[0], size[1] // 2)], color, thickness, dashed=dashed)
@@ -73,5 +73,5 @@ def _draw(
 
 
 def _series() -> tuple[tuple[Color, int, bool], ...]:
-    """Return colour and thickness [px] of kinetic, potential and total energy, and if dashed."""
+    """Return the colour, thickness [px] and dashing of kinetic, potential and total energy."""
     return (theme.KINETIC, 1, False), (theme.POTENTIAL, 1, True), (theme.TOTAL, 2, False)

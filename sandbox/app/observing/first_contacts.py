@@ -1,4 +1,4 @@
-"""When bodies first touched each other in a run."""
+"""The times of the first contacts between bodies in a run."""
 
 from collections.abc import Mapping
 from typing import NamedTuple
@@ -7,19 +7,19 @@ from sandbox.physics.stepping.world import Pair, World
 
 
 class Met(NamedTuple):
-    """When two bodies first touched [s], and whether that was located between two steps."""
+    """The time of a first contact [s], and whether it was located between two steps."""
 
     t: float
     located: bool
 
 
 class FirstContacts:
-    """Watches a world from its present state on, at every step.
+    """Records first contacts in a world from its current state on; `note` is called at every step.
 
     Attributes
     ----------
     met
-        The pairs that have touched so far.
+        The first contacts so far, by pair of bodies.
     """
 
     def __init__(self, world: World) -> None:
@@ -29,11 +29,11 @@ class FirstContacts:
 
     @property
     def met(self) -> Mapping[Pair, Met]:
-        """The pairs that have touched so far."""
+        """The first contacts so far, by pair of bodies."""
         return self._met
 
     def note(self) -> None:
-        """Take in a step."""
+        """Record a step."""
         contacts = self._world.contacts
         if len(contacts.first) and contacts.first.any():
             for pair, t in self._world.impacts:

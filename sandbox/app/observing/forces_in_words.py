@@ -11,14 +11,13 @@ from sandbox.physics.stepping.world import World
 
 DIGITS = 4
 MANY = 5
-"""Up to so many forces on a body share one line; more get a line each."""
+"""The largest number of forces on a body that share one line; more get a line each."""
 TURNS = 1e-6
-"""m: a torque is not mentioned if a force of the same body would give it at a shorter arm than
-this."""
+"""The lever arm up to which the torque of a force is not mentioned [m]."""
 
 
 def forces(world: World) -> Iterator[str]:
-    """Yield the forces on each body that they can move: a line a body, or a line a force.
+    """Yield the forces on each dynamic body: a line per body, or a line per force.
 
     Parameters
     ----------
@@ -39,7 +38,7 @@ def forces(world: World) -> Iterator[str]:
 
 
 def way(x: float, y: float) -> str:
-    """Name one of eight directions, y up."""
+    """Return the nearest of eight directions in words, y up."""
     steep, level = abs(y) > 0.4142 * abs(x), abs(x) > 0.4142 * abs(y)
     sideways = ("right" if x > 0 else "left") if level else ""
     upright = ("up" if y > 0 else "down") if steep else ""
@@ -47,8 +46,8 @@ def way(x: float, y: float) -> str:
 
 
 def _forces_on(found: FreeBody) -> Iterator[str]:
-    """Yield each force, and what they come to together."""
-    arm = sqrt(found.moment / found.mass)  # m, at which a force turns the body as it moves it
+    """Yield each force, and the resultant."""
+    arm = sqrt(found.moment / found.mass)  # m, radius of gyration
     least = FAINT * found.largest
     strong = [
         each for each in found.forces
@@ -69,7 +68,7 @@ def _forces_on(found: FreeBody) -> Iterator[str]:
 
 
 def _acting(acting: Acting) -> str:
-    """Return a force with its name, who gives it, its size and where it points."""
+    """Return a force in words: its name, source, magnitude and direction."""
     name = f"{acting.name} from {acting.by}" if acting.by else acting.name
     torque = formatting.quantity(acting.couple, "N m", DIGITS)
     if not acting.size:

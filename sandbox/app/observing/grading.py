@@ -17,20 +17,23 @@ from sandbox.physics.measuring.recording import Recorder, Trace
 T = TypeVar("T")
 
 SHARE = 0.05
-"""The share of the time that grading may take while the run plays."""
+"""The fraction of the time that grading may take while the run plays."""
 
-LEAST = 0.1  # s, between two looks
+LEAST = 0.1  # s, the least time between two evaluations
 
 
 @dataclass(frozen=True, slots=True)
 class Reading:
-    """A check's result so far; for a check at every step, with the present values.
+    """A check's result so far, with its values.
 
     Attributes
     ----------
+    result
+        The result so far.
     measured, expected
-        At the check's event, else, also while that is waited for, at the last recorded step; what
-        is expected of an event may be unknown before it. None if there are none yet.
+        The values at the check's event, or, before it and for a check at every step, at the last
+        recorded step. The value expected at an event to come may be unknown. None if there is no
+        value yet.
     """
 
     result: Result
@@ -39,7 +42,7 @@ class Reading:
 
 
 class Ration(Generic[T]):
-    """Looks at a growing run, no more often than the time for it allows.
+    """Evaluates a growing run, within the share of time that this may take.
 
     Attributes
     ----------
@@ -54,7 +57,7 @@ class Ration(Generic[T]):
         self._next = 0.0
 
     def __call__(self, length: int, *, hurried: bool) -> T:
-        """Return the results for a run of some length; in a hurry, perhaps slightly old ones."""
+        """Return the result for a run of some length; if `hurried`, perhaps a slightly old one."""
         now = perf_counter()
         if self._seen != length and (now >= self._next or not hurried):
             self._seen = length
@@ -64,15 +67,15 @@ class Ration(Generic[T]):
 
 
 class Grading:
-    """Grades what a recorder has noted, no more often than the time for it allows."""
+    """Grades a recorded run, within the share of time that this may take."""
 
     def __init__(self, recorder: Recorder) -> None:
         self._recorder = recorder
-        self._milestones: tuple[Milestone, ...] | None = ()  # None: to be found when asked for
+        self._milestones: tuple[Milestone, ...] | None = ()  # None: to be determined on request
         self._ration: Ration[tuple[Reading, ...]] = Ration(self._grade, ())
 
     def readings(self, hurried: bool) -> tuple[Reading, ...]:
-        """Return how the checks stand; if there is a hurry, perhaps how they stood just before."""
+        """Return the results of the checks; if `hurried`, perhaps slightly old ones."""
         return self._ration(len(self._recorder), hurried=hurried)
 
     def _grade(self) -> tuple[Reading, ...]:
@@ -83,7 +86,7 @@ class Grading:
 
     @property
     def milestones(self) -> tuple[Milestone, ...]:
-        """What had happened when the readings were last taken; where, must be recorded too."""
+        """The events up to the last readings; the positions of their bodies must be recorded."""
         if self._milestones is None:
             results = (reading.result for reading in self._ration.found)
             self._milestones = milestones(results, self._recorder.trace)
@@ -102,7 +105,7 @@ def _reading(result: Result, trace: Trace) -> Reading:
 
 
 def _ahead(check: Check, values: Values) -> float | None:
-    """Return what is expected of an instant to come, None if that depends on when it comes."""
+    """Return the value expected at an event to come; None if it depends on an unknown time."""
     if "t" not in check.formula.names:
         time = 0.0
     elif isinstance(check.at, Expression):

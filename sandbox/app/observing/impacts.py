@@ -1,8 +1,9 @@
 """The impacts of a run, with their strength relative to the scene, for flashes and tones.
 
-They are noted step by step, so a run that is taken again has the same ones at the same steps. How
-hard an impact was is its impulse beside the largest momentum that a body has had so far. Where all
-is nearly at rest, a body that crosses the view in the level's duration stands for that.
+They are recorded step by step, so a repeated run has the same impacts at the same steps. The
+strength of an impact is its impulse over the largest momentum of a body so far. That momentum is at
+least the one at which the lighter body would cross the view in the level's duration, for scenes
+nearly at rest.
 """
 
 from collections import deque
@@ -17,9 +18,9 @@ from sandbox.physics.measuring.impacts import Impacts, impacts
 from sandbox.physics.stepping.world import World
 
 FAINTEST = 0.04
-"""The least strength of an impact that is noted."""
+"""The least strength of an impact that is recorded."""
 MOST = 256
-"""How many impacts are kept, the latest."""
+"""The largest number of impacts that are kept, the latest."""
 
 
 class Blow(NamedTuple):
@@ -28,19 +29,19 @@ class Blow(NamedTuple):
     Attributes
     ----------
     steps
-        How many steps the run had taken with it.
+        The number of steps of the run, including that of the impact.
     t
-        When it was [s].
+        The time of the impact [s].
     at
-        Where the two bodies touched [m].
+        The contact point [m].
     share
-        How hard it was, from `FAINTEST` to 1.
+        The strength, from `FAINTEST` to 1.
     body
-        The index of the lighter body, of those that can be moved.
+        The index of the lighter of the dynamic bodies.
     names
-        The two bodies.
+        The names of the two bodies.
     impulse
-        Along the normal [N s].
+        The normal impulse [N s].
     """
 
     steps: int
@@ -53,14 +54,14 @@ class Blow(NamedTuple):
 
 
 class Flash(NamedTuple):
-    """What is left of an impact: from 1, all of it, to 0."""
+    """An impact that fades, with its remaining brightness from 1 to 0."""
 
     blow: Blow
     left: float
 
 
 class ImpactLog:
-    """Notes the impacts of a world from its present state on, at every step."""
+    """Records the impacts of a world from its current state on; `note` is called at every step."""
 
     def __init__(self, world: World) -> None:
         self._world = world
@@ -71,7 +72,7 @@ class ImpactLog:
         self._last: deque[Blow] = deque(maxlen=MOST)
 
     def note(self) -> None:
-        """Take in a step."""
+        """Record a step."""
         found = impacts(self._world)
         if found is not None:
             self._last.extend(self._judged(found))
@@ -94,9 +95,9 @@ class ImpactLog:
         return list(takewhile(lambda blow: blow.steps > steps, reversed(self._last)))
 
     def flashes(self, lasting: float) -> Sequence[Flash]:
-        """Return what is left now of those that fade in some time [s], the latest first.
+        """Return the recent impacts, which fade over some time [s], the latest first.
 
-        At the step of an impact all of it is left, however quickly it fades.
+        At its own step an impact has full brightness, however quickly it fades.
         """
         now, lasting = self._world.t, max(lasting, self._world.dt / 2)
         recent = takewhile(lambda blow: now - blow.t < lasting, reversed(self._last))

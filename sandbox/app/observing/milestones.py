@@ -1,4 +1,4 @@
-"""The events of a run so far at which its checks measure, and what was measured there."""
+"""The events of a run so far at which its checks measure, with the measured values."""
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
@@ -21,7 +21,7 @@ from sandbox.physics.measuring.grading import Result
 from sandbox.physics.measuring.recording import Trace
 
 MOST = 3
-"""How many quantities are written beside an event."""
+"""The largest number of quantities that are written beside an event."""
 
 
 @dataclass(slots=True)
@@ -31,13 +31,13 @@ class Milestone:
     Attributes
     ----------
     body
-        The body that it happened to.
+        The body.
     place
         The position of its centre [m].
     measured
-        The measurements then: the check, and the value.
+        The checks at the event, each with its measured value as text.
     passed
-        Whether all of it was as expected.
+        Whether all checks at the event passed.
     """
 
     body: str
@@ -46,19 +46,19 @@ class Milestone:
     passed: bool
 
     def texts(self, words: Say) -> list[str]:
-        """Return that, a line each, as the level's words are put now."""
+        """Return a line for each measured value; `words` translates the level's texts."""
         return [f"{title(check, words)} {value}" for check, value in self.measured]
 
 
 def needed(level: Level) -> Iterator[str]:
-    """Yield the quantities that locate the events of a level."""
+    """Yield the quantities that give the positions of a level's events."""
     for check in level.checks:
         if body := _body(level, check.at):
             yield from _position(body)
 
 
 def milestones(results: Iterable[Result], trace: Trace) -> tuple[Milestone, ...]:
-    """Return the events so far in order, from the state of a run's checks."""
+    """Return the events so far in chronological order, from the results of a run's checks."""
     found: dict[tuple[str, float], Milestone] = {}
     for result in results:
         body = _body(trace.level, result.check.at)
@@ -77,7 +77,7 @@ def milestones(results: Iterable[Result], trace: Trace) -> tuple[Milestone, ...]
 
 
 def _body(level: Level, at: Instant | None) -> str | None:
-    """Return the body that an event happens to; of two that touch, the first that moves."""
+    """Return the body that an event happens to; of two, the first dynamic one; None if none."""
     match at:
         case ApexEvent(body=body) | LandingEvent(body=body):
             return body

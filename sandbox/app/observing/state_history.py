@@ -1,4 +1,4 @@
-"""All that was observed of a run, in bounded memory: the source of the graphs."""
+"""The states of a run in bounded memory, for the graphs."""
 
 from dataclasses import fields
 
@@ -12,7 +12,7 @@ _FIELDS = [field.name for field in fields(Snapshot)]
 
 
 class History:
-    """The states of a run; when there are too many, every second one goes."""
+    """The states of a run; when memory is full, every second one is dropped."""
 
     def __init__(self, snapshot: Snapshot) -> None:
         self._shapes = [np.shape(getattr(snapshot, name)) for name in _FIELDS]
@@ -22,16 +22,16 @@ class History:
         return len(self._kept)
 
     def note(self, snapshot: Snapshot) -> None:
-        """Note the next state."""
+        """Record the next state."""
         self._kept.note(snapshot)
 
     def restart(self, snapshot: Snapshot) -> None:
-        """Forget everything, as after a body was put elsewhere."""
+        """Forget everything, as after a body was moved by hand."""
         self._kept.restart(snapshot)
 
     @property
     def snapshots(self) -> Snapshot:
-        """The states that are kept, time in front."""
+        """The states that are kept; the first axis of each array is time."""
         rows, start, parts = self._kept.rows, 0, {}
         for name, shape in zip(_FIELDS, self._shapes, strict=True):
             size = int(np.prod(shape))
@@ -40,13 +40,13 @@ class History:
         return Snapshot(**parts)
 
     def at(self, t: float) -> Snapshot:
-        """Return the state that is kept nearest to a time [s]."""
+        """Return the kept state nearest to a time [s]."""
         states = self.snapshots
         row = int(np.abs(states.t - t).argmin())
         return Snapshot(**{name: getattr(states, name)[row] for name in _FIELDS})
 
 
 def _flat(snapshots: Snapshot) -> Array:
-    """Return all fields of states beside each other, a row for each."""
+    """Return all fields of the states, concatenated into a row for each state."""
     parts = (np.asarray(getattr(snapshots, name)) for name in _FIELDS)
     return np.concatenate([part.reshape(len(snapshots.t), -1) for part in parts], axis=1)

@@ -1,4 +1,4 @@
-"""What is made of the states of a run, a row each, in bounded memory."""
+"""Rows of numbers computed from the states of a run, in bounded memory."""
 
 from collections.abc import Callable
 
@@ -7,19 +7,19 @@ from sandbox.model.expressions import Array
 from sandbox.physics.state.snapshot import Snapshot
 
 MANY = 64
-"""How many states are collected before they are turned into rows: together they cost hardly more
-than one."""
+"""The number of states that are collected before they are converted: together they cost hardly
+more than one."""
 
 
 class States:
-    """Rows of numbers, one for each state; when there are too many, every second one goes.
+    """Rows of numbers, one for each state; when memory is full, every second one is dropped.
 
-    A state that is noted waits until somebody asks for the rows, or many wait.
+    States are collected until the rows are needed, or until there are many.
 
     Parameters
     ----------
     rows
-        Makes rows of states with time in front: (k, ...) of k.
+        Converts k stacked states into rows: (k, ...).
     first
         The first state.
     """
@@ -35,13 +35,13 @@ class States:
         return len(self._kept)
 
     def note(self, snapshot: Snapshot) -> None:
-        """Note the next state."""
+        """Record the next state."""
         self._waiting.append(snapshot)
         if len(self._waiting) == self._most:
             self._take_in()
 
     def restart(self, snapshot: Snapshot) -> None:
-        """Forget everything, as after a body was put elsewhere."""
+        """Forget everything, as after a body was moved by hand."""
         self._waiting.clear()
         self._kept.restart(self._rows(Snapshot.stack([snapshot]))[0])
 

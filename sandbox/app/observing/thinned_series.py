@@ -9,14 +9,14 @@ FIELDS = 400_000  # instants times bodies
 
 
 class Trail:
-    """The path of every body, or of anything else that is an array at every instant.
+    """A series of arrays of one shape, such as the positions of bodies.
 
-    When it is full, every second point goes, and it goes on coarser.
+    When it is full, every second instant is dropped, and new ones are kept half as often.
 
     Attributes
     ----------
     version
-        Changes whenever points that were there before have gone.
+        Changes whenever earlier instants are dropped.
     """
 
     def __init__(self, position: Array) -> None:
@@ -32,7 +32,7 @@ class Trail:
         return self._count
 
     def add(self, position: Array) -> None:
-        """Note the next instant, such as where the bodies are: (n, 2) [m]."""
+        """Add the next instant, such as the positions of bodies, (n, 2) [m]."""
         if self._seen % self._stride == 0:
             if self._count == self._room:
                 self._thin()
@@ -41,7 +41,7 @@ class Trail:
         self._seen += 1
 
     def restart(self, position: Array) -> None:
-        """Forget everything, as after a body was put elsewhere."""
+        """Forget everything, as after a body was moved by hand."""
         self._seen = self._count = 0
         self._stride = 1
         self.version += 1

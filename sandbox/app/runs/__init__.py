@@ -1,1 +1,1 @@
-"""A level that is played: its runs, how time passes in them, and what is done to them."""
+"""A level that is played: its runs, the pace of time in them, and the user's actions on them."""

@@ -1,4 +1,4 @@
-"""Actions on a run, each with its step: enough to repeat the run to the last bit."""
+"""The user's actions on a run, each with its step: enough to repeat the run to the last bit."""
 
 import json
 from collections.abc import Mapping
@@ -15,30 +15,30 @@ Finite = Annotated[float, Field(allow_inf_nan=False)]
 
 
 class Action(Model):
-    """Something that a person did between two steps."""
+    """An action of the user between two steps."""
 
     step: Annotated[int, Field(ge=0)]
-    """how many steps had been taken"""
+    """the number of steps before it"""
     kind: Literal["grab", "drag", "release", "place", "branch", "alter"]
-    """took hold of a body, pulled what was held, let go of it, put a body elsewhere, let the run go
-    on with other parameters, or with other parts"""
+    """grab a body, pull the grabbed body, let go of it, move a body, continue the run with other
+    parameters, or with other parts"""
     body: str = ""
-    """which, where it took hold of one or put it elsewhere"""
+    """the body to grab or to place"""
     point: Annotated[tuple[Finite, Finite], Field(strict=False)] = (0.0, 0.0)
-    """[x, y] in m: where it took hold, where it pulled to, or where it put the body"""
+    """[x, y] in m: the point of the grab, the target of the pull, or the new position"""
     parameters: Mapping[str, Annotated[Finite, Field(strict=False)]] = {}
-    """with which the run goes on, where it branches: the values of those that change"""
+    """for a branch, the new values of the parameters that change"""
     level: Mapping[str, Any] = {}
-    """that the run goes on as, where it was altered, with its state at that step"""
+    """for an alteration, the level as which the run continues, with its state at that step"""
 
 
 def perform(action: Action, world: World) -> World:
-    """Perform the action, perhaps again; return the world in which the run goes on.
+    """Perform an action, and return the world in which the run continues.
 
     Raises
     ------
     SandboxError
-        If the world cannot stand it. One that was to be branched stays as it is.
+        If the action is not possible. A branch or alteration then leaves the world unchanged.
     """
     match action.kind:
         case "grab":

@@ -1,4 +1,4 @@
-"""The start of a run: a world with the setting that its level asks for, if that is known."""
+"""The start of a run: a world with the stepping that reaches its level's accuracy, if known."""
 
 from collections.abc import Sequence
 from typing import NamedTuple
@@ -14,17 +14,17 @@ from sandbox.physics.stepping.world import World
 
 
 class Beginning(NamedTuple):
-    """What a run begins with.
+    """The start of a run.
 
     Attributes
     ----------
     world
-        The world at its start.
+        The world at the start.
     companions
-        Other runs beside it.
+        The companion runs.
     setting
-        What is known to reach the accuracy that its level asks for; None if it asks for none, or
-        nobody knows yet.
+        The setting that reaches the accuracy that the level asks for; None if it asks for none, or
+        if the setting is not known yet.
     """
 
     world: World
@@ -33,21 +33,21 @@ class Beginning(NamedTuple):
 
 
 def begin(level: Level, values: Values, beside: Sequence[Variant], *, patient: bool) -> Beginning:
-    """Build a level, and what runs beside it.
+    """Build a level, and its companion runs.
 
     Parameters
     ----------
     level, values
-        The level to build.
+        The level, and its parameters.
     beside
-        The variants that run beside it.
+        The variants of the companion runs.
     patient
-        Whether an accuracy that the level asks for is waited for.
+        Whether to search for an unknown setting that reaches the accuracy the level asks for.
 
     Raises
     ------
     SandboxError
-        If one of them cannot be built with these values.
+        If the level or a variant cannot be built with these values.
     """
     setting = _known(level, values, patient)
     if setting is not None:
@@ -61,7 +61,7 @@ def begin(level: Level, values: Values, beside: Sequence[Variant], *, patient: b
 
 
 def at_rate(level: Level, rate: float | None) -> Level:
-    """Return a level, at another rate if one is given [Hz]."""
+    """Return the level, with another rate if one is given [Hz]."""
     if rate is None:
         return level
     return level.model_copy(update={"stepping": level.stepping.at(float(rate))})
@@ -74,7 +74,7 @@ def _known(level: Level, values: Values, patient: bool) -> Setting | None:
 
 
 def _for_now(level: Level, values: Values) -> World:
-    """Build a level that asks for an accuracy with a setting that has not been tried."""
+    """Build a level that asks for an accuracy at the default rate, or at a stable one."""
     try:
         return build(level, values, Stepping())
     except SimulationError as error:

@@ -1,7 +1,7 @@
 """Companion runs: the same scene with changes, each in its own world, in lockstep with the run.
 
-What differs is the level, by its effects, or how time advances. Nothing is shared between the
-worlds but the time to which they have come.
+They differ from the run by the effects of the level, or by the stepping. The worlds share nothing
+but the time that they have reached.
 """
 
 from collections.abc import Iterable, Mapping
@@ -25,23 +25,23 @@ from sandbox.physics.stepping.time_limit import Patience
 
 @dataclass(frozen=True, slots=True)
 class Changes:
-    """Which of a level's effects are switched off, which others on, and what that does to each."""
+    """The effects that are switched off and on in a level."""
 
     off: tuple[str, ...] = ()
     on: tuple[str, ...] = ()
     effects: tuple[Variation, ...] = ()
-    """what these two do to the level"""
+    """the changes of each effect"""
     strength: Mapping[str, float] = field(default_factory=dict)
-    """of those that are on, how many times the usual"""
+    """the strengths of effects that are switched on, relative to the default"""
     left: Scheme | None = None
-    """the level's scheme, if it is not for the changed level: then leapfrog takes its place"""
+    """the level's scheme, if it does not suit the changed level and leapfrog replaces it"""
 
     def __bool__(self) -> bool:
         return bool(self.effects)
 
     @property
     def label(self) -> str:
-        """What is changed, in words."""
+        """The changes in words."""
         label = formatting.variations(self.effects)
         return say("{changes}, both by leapfrog", changes=label) if self.left else label
 
@@ -51,28 +51,28 @@ NONE = Changes()
 
 @dataclass(frozen=True, slots=True)
 class Variant:
-    """What runs beside the level that is played."""
+    """A variant of the level, for a companion run."""
 
     label: str
-    """what it is, in a few words"""
+    """a short description"""
     level: Level
     """the same bodies, with other effects or another stepping"""
     lane: int
-    """which of the colours of what runs beside"""
+    """the index of its colour in `theme.LANES`"""
 
     @property
     def color(self) -> Color:
-        """Of its outlines and trails."""
+        """The colour of outlines and trails."""
         return theme.LANES[self.lane]
 
 
 class Companion:
-    """A variant on its way.
+    """A companion run.
 
     Attributes
     ----------
     variant
-        What runs.
+        The variant of the level.
     world
         The world of the run.
     trail
@@ -80,12 +80,12 @@ class Companion:
     clock
         The computing time of its steps.
     failure
-        Why it had to stop; None if it did not.
+        The error that stopped the run, or None.
 
     Raises
     ------
     SandboxError
-        If it cannot be run with these values.
+        If the variant cannot be run with these values.
     """
 
     def __init__(self, variant: Variant, values: Values) -> None:
@@ -114,12 +114,12 @@ class Companion:
             self._recorder.note()
 
     def readings(self, *, hurried: bool) -> tuple[Reading, ...]:
-        """Return how the checks stand."""
+        """Return the results of the checks; if `hurried`, perhaps slightly old ones."""
         return self._grading.readings(hurried)
 
     @property
     def worst(self) -> float | None:
-        """The largest error of its checks so far; None if there is none yet."""
+        """The largest error of the checks so far, or None."""
         return worst(self.readings(hurried=True))
 
     @property
@@ -129,6 +129,6 @@ class Companion:
 
 
 def worst(readings: Iterable[Reading]) -> float | None:
-    """Return the largest error of some checks; None if there is none yet."""
+    """Return the largest error of some checks, or None."""
     errors = (reading.result.error for reading in readings)
     return max((error for error in errors if error is not None), default=None)

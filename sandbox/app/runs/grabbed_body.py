@@ -1,4 +1,4 @@
-"""A grip on a body: it is pulled while time passes, and moved while time stands still."""
+"""A grip on a body, which pulls it while the run plays and moves it while the run is paused."""
 
 from sandbox.app.runs.live_run import LiveRun
 from sandbox.model.joints import Joint, Rod, bodies_of
@@ -6,20 +6,20 @@ from sandbox.model.shapes import XY
 
 
 class Grip:
-    """Holds a body of a run, or none."""
+    """Holds at most one body of a run."""
 
     def __init__(self, run: LiveRun) -> None:
         self._run = run
-        self._held: tuple[str, XY] | None = None  # where on it, from its position [m]
+        self._held: tuple[str, XY] | None = None  # name, grip relative to its position [m]
         self._pulling = False
 
     def grab(self, body: str, point: XY) -> None:
-        """Take hold of a body at a point [m]; nothing happens to it before `drag`."""
+        """Grab a body at a point [m]; it is not affected before `drag`."""
         x, y = self._position(body)
         self._held = body, (point[0] - x, point[1] - y)
 
     def drag(self, point: XY, *, playing: bool) -> None:
-        """Pull what is held to a point [m]: while time runs with a force, else put it there."""
+        """Pull the held body towards a point [m] by a force; move it there if not `playing`."""
         if self._held is None or self._run.failure is not None:
             return
         body, (dx, dy) = self._held
@@ -36,7 +36,7 @@ class Grip:
             self._run.act("drag", "", point)
 
     def release(self) -> None:
-        """Let go."""
+        """Release the body."""
         self._let_loose()
         self._held = None
 
@@ -46,10 +46,10 @@ class Grip:
             self._pulling = False
 
     def _on_its_rod(self, body: str, point: XY) -> XY:
-        """Return the place nearest to a point [m] at which a rod that holds the body can be.
+        """Return the position nearest to a point [m] that a rod on the body allows.
 
-        Without a rod that is the point itself. Of a body on several rods it is, too: they leave it
-        no other place, and the run says so.
+        Without a rod it is the point itself. It is also with several rods: they allow no other
+        position than the present one, and the run reports an error.
         """
         world = self._run.world
         rods = [name for name, joint in world.level.joints.items() if _is_on(joint, body)]
@@ -61,7 +61,7 @@ class Grip:
             for anchor in world.scene.joints.paths[rods[0]]
         )
         end, far = (first, second) if one == row else (second, first)
-        arm = end - complex(*self._position(body))  # from the centre to where the rod holds it
+        arm = end - complex(*self._position(body))  # from the centre to the rod's end
         way = complex(*point) + arm - far
         if one == other or not way:
             return point

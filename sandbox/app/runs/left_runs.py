@@ -1,4 +1,4 @@
-"""Recorded runs that were left; they are shown while the present run is computed again."""
+"""Records of runs that were left, shown while the current run is computed again."""
 
 from collections.abc import Sequence
 from typing import NamedTuple
@@ -7,7 +7,7 @@ from sandbox.app.observing.earlier_runs import Observed
 from sandbox.app.runs.actions import Action
 
 MOST = 3
-"""How many runs are kept. A new one begins where a hand moves a body, or the run branches."""
+"""The number of records that are kept. Moving a body by hand or branching starts a new one."""
 
 
 class Record(NamedTuple):
@@ -18,14 +18,14 @@ class Record(NamedTuple):
     run
         The observations of the run.
     actions
-        What a person did to it.
+        The user's actions on it.
     """
 
     run: Observed
     actions: Sequence[Action]
 
     def covers(self, step: int, actions: Sequence[Action]) -> bool:
-        """Whether a run with these actions comes to the same state after some step."""
+        """Whether the record has the state after some step of a run with these actions."""
         known, done = (
             [action for action in each if action.step <= step] for each in (self.actions, actions)
         )
@@ -34,18 +34,21 @@ class Record(NamedTuple):
 
 
 class Records(tuple[Record, ...]):
-    """The last runs that were left, the newest last."""
+    """The last few records, the newest last."""
 
     __slots__ = ()
 
     def having(self, run: Observed, actions: Sequence[Action]) -> "Records":
-        """Return them with a run to which this was done, unless one of them has come as far."""
+        """Return the records with one more run, unless one of them covers its last step."""
         if any(each.covers(run.steps(), actions) for each in self):
             return self
         return Records((*self, Record(run, actions))[-MOST:])
 
     def show(self, step: int, actions: Sequence[Action]) -> Observed | None:
-        """Let a world show what is kept nearest to a step of a run; None if it is in no record."""
+        """Set a recorded world to its state nearest to a step of a run with these actions.
+
+        Returns the observations of that world; None if no record covers the step.
+        """
         found = next((each.run for each in reversed(self) if each.covers(step, actions)), None)
         if found:
             found.world.recall(found.history.at(step * found.world.dt))

@@ -1,7 +1,6 @@
-"""The limits on a run's time and memory at which the window pauses and says so.
+"""The limits on a run's time and memory at which the window pauses with a message.
 
-Nothing is wrong with such a run, so that it goes on whenever somebody wants it to. The window
-answers between any two steps.
+Such a run is still valid, so the user may continue it. The window handles events between steps.
 """
 
 from sandbox.app.words import formatting
@@ -10,7 +9,7 @@ from sandbox.physics.measuring.recording import Recorder
 from sandbox.physics.stepping.time_limit import Patience
 
 SLOW = 1.0
-"""s, how long a step may take, since a frame waits for it."""
+"""The longest time of a step [s], since a frame waits for it."""
 
 
 class Limits:
@@ -19,7 +18,7 @@ class Limits:
     Attributes
     ----------
     message
-        Why the run is to pause; empty while nothing is the matter.
+        Why the run is to pause; empty if it is within the limits.
     recorder
         The recorder of the run.
     """
@@ -29,14 +28,14 @@ class Limits:
     def __init__(self) -> None:
         self.message = ""
         self._patience: Patience | None = Patience(SLOW)
-        self._room = True  # as far as anybody has been told
+        self._room = True  # until the user has been told
 
     def stepped(self, seconds: float) -> None:
-        """Take note of a step and how long it took [s]."""
+        """Record a step with the time that it took [s]."""
         if self._patience and self._patience.lost(seconds):
             message = later("A step takes {time}; the window waits for each")
             self.message = say(message, time=formatting.seconds(seconds))
-            self._patience = None  # somebody knows
+            self._patience = None  # the user has been told
         elif self._room and self.recorder.full:
             self.message = say(
                 "{count:,} instants are recorded, the most there can be: checks see no more",
@@ -47,5 +46,5 @@ class Limits:
             self.message = ""
 
     def bear(self) -> None:
-        """Go on all the same."""
+        """Continue the run, and clear the message."""
         self.message = ""

@@ -1,4 +1,4 @@
-"""A run that is played: its world, the user's actions on it, and all that was observed."""
+"""A run that is played: its world, the user's actions on it, and the observations of it."""
 
 import json
 from collections.abc import Mapping, Sequence
@@ -40,54 +40,54 @@ class LiveRun:
     world
         The world of the run; a new one after the run has branched.
     companions
-        Other runs beside it, in lockstep.
+        The companion runs, in lockstep.
     setting
-        What is known to reach the accuracy that its level asks for; None if it asks for none, or
-        nobody knows yet.
+        The setting that reaches the accuracy that the level asks for; None if it asks for none, or
+        if the setting is not known yet.
     begun_with
-        The parameters with which it began; it may have branched since.
+        The parameters at the start; the run may have branched since.
     clock
-        What the steps take.
+        The computing time of the steps.
     end
-        How many steps reach the level's duration.
+        The number of steps in the level's duration.
     failure
-        Why it had to stop, or the next one could not be built; None if all is well.
+        The error that stopped the run, or that prevented the next one from being built, or None.
     trying, advice
-        Whether somebody is finding out what helps, and what was found; None if nobody knows yet.
+        Whether remedies for the failure are being tried, and the ones found; None if not known yet.
     limits
-        Whether it takes more time or memory than it should.
+        The limits on the time and memory of the run.
     trail
-        Where the bodies have been.
+        The paths of the bodies.
     history
-        Everything that was observed of it.
+        The states of the run.
     books
-        What energies there were, and where they came from.
+        The energies of the run, and their balance.
     blows
-        Its impacts, for flashes and tones.
+        The impacts, for flashes and tones.
     marks
-        The impacts that are marked on the bar of the time, also those that are still to come again.
+        The impacts that are marked on the time bar, also those after the current step.
     contacts
-        Which bodies have touched, and when they first did.
+        The first contacts of the bodies.
     pace
-        Whether the machine keeps up.
+        The pace at which the machine simulates the run.
     earlier
         The last runs with other parameters, the newest last.
     actions
-        What a person has done to it so far.
+        The user's actions up to the current step.
     script
-        What is to be done to it at steps to come, because it was done when it was taken before; it
-        is dropped when something else is done first.
+        Actions at later steps, recorded before the run was rewound, to be repeated there; dropped
+        when the user acts first.
     ahead
-        How far it had been before a way back; None if it never came farther.
+        The observations of the run before it was rewound; None if it was not.
 
     Parameters
     ----------
     original
         The level as its file declares it.
     begun
-        The world at the start.
+        The start of the run.
     earlier
-        The runs that were there before.
+        The earlier runs.
     """
 
     def __init__(
@@ -110,7 +110,7 @@ class LiveRun:
         self.actions: list[Action] = []
         self.script: Sequence[Action] = ()
         self.ahead: Observed | None = None
-        self._fork: World | None = None  # from which it branched off last
+        self._fork: World | None = None  # the world before the last branch
         graded = *needed(original), *needed(world.level), *milestones.needed(world.level)
         self._quantities = tuple(dict.fromkeys(graded))
         self.limits, self._patience = Limits(), Patience()
@@ -124,33 +124,33 @@ class LiveRun:
 
     @property
     def farthest(self) -> Observed:
-        """What was observed of it when it had come farthest."""
+        """The observations of the run up to the latest step that it has reached."""
         here = Observed(self.trail, self.history, self.world)
         return max((run for run in (self.ahead, here) if run), key=Observed.steps)
 
     @property
     def all_actions(self) -> Sequence[Action]:
-        """What a person has done to it at any step, also at those that are still to come again."""
+        """All actions of the user, also those at later steps that are to be repeated."""
         return [*self.actions, *self.script]
 
     def _record(self) -> None:
-        """Record it from now on, and forget everything before."""
+        """Start a new recording at the current step."""
         self._recorder = Recorder(self.world, self._quantities)
         self._recorded, self._moved = self.world, False
         self._grading = Grading(self._recorder)
         self.limits.recorder = self._recorder
 
     def keep_as_earlier(self, values: Mapping[str, float]) -> None:
-        """Keep its present record among the earlier runs, before parameters change."""
+        """Add the run to the earlier ones, before parameters change to the given values."""
         here = Observed(self.trail, self.history, self.world)
         self.earlier = kept(self.earlier, here, values)
 
     def advance(self) -> None:
-        """Take a step, its companions too, and note what is observed."""
+        """Take a step with all companions, and record the observations."""
         self.catch_up()
-        if self._moved and self.world is self._recorded:  # one that branched is not recorded
+        if self._moved and self.world is self._recorded:  # branches are not recorded
             self._record()
-        if self.world.steps % 2:  # whoever comes second finds the caches warm: take turns
+        if self.world.steps % 2:  # alternate, since the second finds warm caches
             self._follow(self.t + self.world.dt)
         try:
             snapshot = self.clock.take_step(self.world, self._patience)
@@ -173,13 +173,13 @@ class LiveRun:
             companion.follow(t)
 
     def catch_up(self) -> None:
-        """Repeat the actions that were recorded at this step."""
+        """Repeat the recorded actions at this step."""
         while self.script and self.script[0].step == self.world.steps:
             action, *self.script = self.script
             self._do(action)
 
     def act(self, kind: Literal["grab", "drag", "release", "place"], body: str, point: XY) -> None:
-        """Do to a body what a hand does, at a point [m], and note it.
+        """Perform an action on a body at a point [m], and record it.
 
         The record of later steps becomes an earlier run, since the run takes another course now.
         """
@@ -189,7 +189,7 @@ class LiveRun:
     def _begin_new_future(self, values: Mapping[str, float], *, branches: bool = False) -> None:
         """Keep the recorded later steps as an earlier run, since this run takes another course.
 
-        A run that `branches` is kept also where nothing later was recorded of it.
+        A run that `branches` is kept even if nothing later was recorded.
         """
         left, overwritten = self.farthest, bool(self.script)
         overwritten |= left.steps() > self.world.steps
@@ -201,7 +201,7 @@ class LiveRun:
             self.release_what_is_held()
 
     def _do(self, action: Action) -> None:
-        """Do something to the run, and note it."""
+        """Perform an action on the run, and record it."""
         before = self.world
         try:
             world = perform(action, before)
@@ -223,12 +223,12 @@ class LiveRun:
             self.history.restart(self.world.snapshot)
 
     def branch(self, settings: Mapping[str, float]) -> None:
-        """Go on from here with changed parameters; the run so far is kept as an earlier run.
+        """Continue with changed parameters; the run so far is kept as an earlier run.
 
         Raises
         ------
         SandboxError
-            If that cannot be; then all stays as it was.
+            If that is not possible; then nothing is changed.
         """
         last = self.actions[-1] if self.actions else None
         again = last is not None and (last.kind, last.step) == ("branch", self.world.steps)
@@ -243,12 +243,17 @@ class LiveRun:
         self._go_on_in(world, before, action)
 
     def alter(self, text: str) -> None:
-        """Go on from here as a level says: that of the present state, with other parts.
+        """Continue as another level, that of the current state with other parts.
+
+        Parameters
+        ----------
+        text
+            The level as JSON.
 
         Raises
         ------
         SandboxError
-            If that cannot be; then all stays as it was.
+            If that is not possible; then nothing is changed.
         """
         action = Action(step=self.world.steps, kind="alter", level=json.loads(text))
         world = perform(action, self.world)
@@ -256,7 +261,7 @@ class LiveRun:
         self._go_on_in(world, self.world, action)
 
     def _go_on_in(self, world: World, before: World, action: Action) -> None:
-        """Go on in a world that has branched off, and keep some observations."""
+        """Continue in a world that has branched off, with new observations."""
         self._fork, self.world = before, world
         self.actions.append(action)
         self.end = max(self.end, count_steps(world))
@@ -268,13 +273,13 @@ class LiveRun:
         self.history = History(world.snapshot)
 
     def release_what_is_held(self) -> None:
-        """Let go of a body that a hand held when the run was taken before: no hand is there now."""
+        """Release a body that the recorded actions have left grabbed."""
         held = (a.kind == "grab" for a in reversed(self.actions) if a.kind in ("grab", "release"))
         if next(held, False):
             self.act("release", "", (0.0, 0.0))
 
     def go_on(self) -> None:
-        """Go on after it had to stop, though it is no longer to be trusted."""
+        """Continue after a failure; the results are no longer reliable."""
         self.world.go_on()
         self.failure, self.advice, self.trying = None, None, False
         self.books.restart()
@@ -285,18 +290,18 @@ class LiveRun:
         return self._recorder.trace
 
     def readings(self, *, hurried: bool) -> tuple[Reading, ...]:
-        """Return how the checks stand; if there is a hurry, perhaps how they stood just before."""
+        """Return the results of the checks; if `hurried`, perhaps slightly old ones."""
         return self._grading.readings(hurried=hurried)
 
     def milestones(self, *, hurried: bool) -> tuple[Milestone, ...]:
-        """Return the events so far; those after a hand touched the run do not count."""
+        """Return the events so far; none once a body was moved by hand."""
         if self.world.disturbed:
             return ()
         self.readings(hurried=hurried)
         return self._grading.milestones
 
     def attempt(self, *, hurried: bool) -> Attempt | None:
-        """Return how the challenge stands; None if there is none, or a hand has touched the run."""
+        """Return the state of the challenge; None without one, or once a body was moved by hand."""
         if self.world.level.challenge is None or self.world.disturbed:
             return None
         return self._attempts(len(self._recorder), hurried=hurried)

@@ -9,20 +9,20 @@ MEMORY = 0.5  # s
 
 
 class Pace:
-    """How fast the last half second was simulated, and whether steps were dropped in it."""
+    """Measures the pace of the simulation, and dropped steps, over the last `MEMORY` seconds."""
 
     def __init__(self) -> None:
         self._frames: deque[tuple[float, float, int]] = deque()
 
     def note(self, seconds: float, simulated: float, dropped: int) -> None:
-        """Note a frame: its length and the simulated time [s], and the number of dropped steps."""
+        """Add a frame: its duration and simulated time [s], and the number of dropped steps."""
         self._frames.append((seconds, simulated, dropped))
         while sum(frame[0] for frame in self._frames) > MEMORY and len(self._frames) > 1:
             self._frames.popleft()
 
     @property
     def reduced(self) -> float | None:
-        """The simulated seconds a second, if steps were dropped; else None."""
+        """The simulated seconds per second, if steps were dropped; else None."""
         if not any(dropped for _, _, dropped in self._frames):
             return None
         real = sum(seconds for seconds, _, _ in self._frames)
@@ -30,10 +30,10 @@ class Pace:
 
 
 def faster(speed: float) -> float:
-    """Return the next higher speed, if there is one."""
+    """Return the next higher speed, or the highest."""
     return next((other for other in SPEEDS if other > speed), SPEEDS[-1])
 
 
 def slower(speed: float) -> float:
-    """Return the next lower speed, if there is one."""
+    """Return the next lower speed, or the lowest."""
     return next((other for other in SPEEDS[::-1] if other < speed), SPEEDS[0])

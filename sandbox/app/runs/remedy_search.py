@@ -1,4 +1,4 @@
-"""The search for what helps a run that had to stop, in the background."""
+"""Searches in the background for remedies for a run that failed."""
 
 from sandbox.app.background import Background
 from sandbox.app.runs.session import Session
@@ -9,19 +9,19 @@ from sandbox.physics.state.errors import BreakdownError, SimulationError
 
 
 class Advising:
-    """Has remedies tried for the run that is shown, once it has stopped."""
+    """Has remedies tried for the current run, once it has failed."""
 
     def __init__(self) -> None:
         self._work = Background()
-        self._failure: object = None  # what was last looked into
+        self._failure: object = None  # the last one that was examined
 
     @property
     def running(self) -> bool:
-        """Whether something is being tried."""
+        """Whether remedies are being tried."""
         return self._work.running
 
     def follow(self, session: Session) -> None:
-        """Start a search when a run has stopped; pass its results to the session."""
+        """Start a search when the run has failed, and pass its results to the session."""
         failure = session.failure
         if failure is not self._failure:
             self._failure = failure
@@ -38,11 +38,11 @@ class Advising:
         found = Advice(NOTHING)
         for finding in self._work.found():
             found = finding
-        if not (found.text or self._work.running):  # it has ended without any
+        if not (found.text or self._work.running):  # the search has ended without a result
             session.take(Advice(Message("no remedy is known")))
         elif found.text:
             session.take(found)
 
     def cancel(self) -> None:
-        """End the work."""
+        """Stop the search."""
         self._work.cancel()

@@ -1,4 +1,4 @@
-"""The session: the level that is played, and how its runs begin. No window is needed."""
+"""The session: the level that is played, and the start of its runs. No window is needed."""
 
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
@@ -29,21 +29,21 @@ class Session(Playback):
     original
         The level as its file declares it.
     begun_as
-        What its runs begin as: the original, or with other effects, or with another stepping.
+        The level as which runs start: the original, perhaps with other effects or stepping.
     changes
-        Which effects were switched off and on.
+        The effects that were switched off and on.
     branches
-        Whether a parameter that is changed acts from now on, instead of from the start.
+        Whether a changed parameter acts from now on, instead of from the start.
     looking
-        The body that a person looks at, and the forces on it.
+        The body that the user has selected, and the forces on it.
 
     Parameters
     ----------
     level, values, rate
-        What is played, and how; as the level says what is left out.
+        The level, its parameters and its rate [Hz]; by default those of the level.
     patient
-        Whether an accuracy that the level asks for is waited for, and steps that take long; else
-        somebody has to `settle` it, and no time passes before.
+        Whether to search at once for a setting that reaches the accuracy the level asks for, and
+        to allow long steps; else the run waits until `settle` is called.
 
     Raises
     ------
@@ -73,7 +73,7 @@ class Session(Playback):
         return begin(level, values, beside, patient=self._patient)
 
     def _run_with(self, values: Values) -> LiveRun:
-        """Return a run with these parameters, and with the same runs beside it."""
+        """Return a run with these parameters, and with the same companions."""
         variants = [companion.variant for companion in self.companions]
         begun = self._built(self.begun_as, variants, values)
         return LiveRun(self.original, begun, self.run.earlier)
@@ -83,15 +83,15 @@ class Session(Playback):
 
     @property
     def touched(self) -> bool:
-        """Whether a person has changed anything since the level was opened."""
+        """Whether the user has changed anything since the level was opened."""
         changed = self.companions or self.earlier or self.all_actions
         return bool(changed) or (self.level, self.values) != self._opened
 
     def values_for(self, level: Level) -> Values:
-        """Return the parameters of a level: the present ones, as far as the run has them.
+        """Return parameters for a level: the current ones, as far as the run has them.
 
-        One that was changed on the way may have others than it began with, or such as the level
-        does not allow: then they are those that it began with, or the level's own.
+        If the level does not allow these, which may be changed since the start, they are those at
+        the start, or else the level's defaults.
         """
         for known in ({**self.begun_with, **self.values}, self.begun_with):
             with suppress(ValueRangeError):
@@ -100,7 +100,7 @@ class Session(Playback):
 
     @property
     def chosen(self) -> Values:
-        """The present parameters of the original; see `values_for`."""
+        """The current parameters of the original; see `values_for`."""
         return self.values_for(self.original)
 
     def restart(self, settings: Mapping[str, float] | None = None) -> None:
@@ -120,9 +120,9 @@ class Session(Playback):
             self._stop(error)
 
     def rewind(self) -> None:
-        """Go back to the start, with what a hand did there and later.
+        """Go back to the start; the user's actions are repeated.
 
-        A run that went on with other parameters or parts starts anew with the present ones.
+        A run that has branched or failed restarts instead, with the current parameters.
         """
         if any(action.kind in ("branch", "alter") for action in self.all_actions) or self.failure:
             self.restart()
@@ -130,7 +130,7 @@ class Session(Playback):
             self.go_to(0)
 
     def forget_earlier(self) -> None:
-        """Let nothing stay of the runs with other parameters."""
+        """Remove all earlier runs."""
         self.run.earlier = ()
 
     def change(self, settings: Mapping[str, float], *, otherwise: bool = False) -> None:
@@ -139,9 +139,9 @@ class Session(Playback):
         Parameters
         ----------
         settings
-            Their values.
+            The new values.
         otherwise
-            The other way round, this once.
+            Whether to do the opposite of `branches`, this once.
 
         Raises
         ------
@@ -154,12 +154,12 @@ class Session(Playback):
             self.restart(settings)
 
     def branch(self, settings: Mapping[str, float]) -> None:
-        """Go on from here with changed parameters; the run so far is kept as an earlier run.
+        """Continue with changed parameters; the run so far is kept as an earlier run.
 
         Raises
         ------
         SandboxError
-            If that cannot be; then all stays as it was.
+            If that is not possible; then nothing is changed.
         """
         if not self.world.steps and not self.recalled:
             self.restart(settings)
@@ -169,12 +169,17 @@ class Session(Playback):
         self.run.branch(settings)
 
     def alter(self, text: str) -> None:
-        """Go on from here as another level says: that of the present state, with other parts.
+        """Continue as another level, that of the current state with other parts.
+
+        Parameters
+        ----------
+        text
+            The level as JSON.
 
         Raises
         ------
         SandboxError
-            If that cannot be; then all stays as it was.
+            If that is not possible; then nothing is changed.
         """
         self._require_one_that_goes_on(Message("with other parts"))
         if self.changes:
@@ -193,28 +198,28 @@ class Session(Playback):
             raise SandboxError(Message("this run cannot continue {how}: {why}", how=how, why=why))
 
     def resume(self, actions: Sequence[Action], steps: int, values: Values | None = None) -> None:
-        """Take a run again from its start, and stand there; a long way takes some frames.
+        """Repeat a run from its start up to some step, and pause there; this may take some frames.
 
         Parameters
         ----------
         actions
-            The actions on it.
+            The user's actions.
         steps
-            How far.
+            The number of steps.
         values
-            With which it began; those with which the present one did if left out.
+            The parameters at the start; by default those of the current run.
 
         Raises
         ------
         SandboxError
-            If it cannot be built again.
+            If the run cannot be built.
         """
         self._take_up(self._run_with(self.begun_with if values is None else values))
         self.playing = False
         self._take_again(actions, steps)
 
     def take(self, advice: Advice) -> None:
-        """Take in the remedies that were found for a run that had to stop."""
+        """Add the remedies that were found to the failure of the run."""
         self.run.trying, self.run.advice = False, advice
         if isinstance(self.failure, SimulationError):
             self.run.failure = self.failure.advised(advice.text, advice.rate)
@@ -226,12 +231,12 @@ class Session(Playback):
         self.playing = self.failure is None
 
     def edit(self, level: Level) -> None:
-        """Play an edited level from its start, in place of the present one.
+        """Replace the level by an edited one, at its start.
 
         Raises
         ------
         SandboxError
-            If it cannot be run; then all stays as it was.
+            If it cannot be run; then nothing is changed.
         """
         begun = self._built(level, (), level.defaults)
         self.original = self.begun_as = level
@@ -245,40 +250,40 @@ class Session(Playback):
         changes: Changes = NONE,
         values: Values | None = None,
     ) -> None:
-        """Restart with another variant of the level, with other runs beside it.
+        """Restart with another variant of the level, with other companion runs.
 
         Parameters
         ----------
         level
-            The original, with other effects or another stepping.
+            The original with other effects or another stepping.
         beside
-            What runs beside it.
+            The variants of the companion runs.
         changes
-            The effects in which it differs from the original.
+            The effects in which the level differs from the original.
         values
-            The parameters; the present ones if left out.
+            The parameters; by default the current ones.
 
         Raises
         ------
         SandboxError
-            If one of them cannot be run; then all stays as it was.
+            If one of them cannot be run; then nothing is changed.
         """
         begun = self._built(level, beside, self.values_for(level) if values is None else values)
         self.begun_as, self.changes = level, changes
         self._take_up(LiveRun(self.original, begun))
 
     def settle(self, setting: Setting) -> None:
-        """Begin with the setting that its level asks for, now that it is known."""
+        """Restart with the setting that reaches the level's accuracy, now that it is known."""
         keep(self.begun_as, self.values, setting)
         self.restart()
 
     def give_up(self, why: Message) -> None:
-        """Note that the setting that the level asks for could not be found."""
+        """Stop because no setting that reaches the level's accuracy was found."""
         self._stop(SandboxError(why))
 
     def attempt(self) -> Attempt | None:
-        """Return how the level's challenge stands; None without one, or if the run earns nothing.
+        """Return the state of the level's challenge.
 
-        That is so once a hand has touched it, or effects are changed.
+        None without a challenge, once a body was moved by hand, or if effects are changed.
         """
         return None if self.changes else self.run.attempt(hurried=self.playing)

@@ -1,4 +1,4 @@
-"""The computing time of steps, apart from whatever else the machine does."""
+"""Measures the computing time of steps, without disturbances by other processes."""
 
 from collections import deque
 from time import perf_counter
@@ -13,18 +13,18 @@ MEMORY = 300  # steps
 
 
 class Clock:
-    """Times steps. Disturbances only add to a time, so the lower quartile of the last counts."""
+    """Times steps. Disturbances only add, so the lower quartile of the last times counts."""
 
     def __init__(self) -> None:
         self._last: deque[float] = deque(maxlen=MEMORY)
 
     def take_step(self, world: World, patience: Patience) -> Snapshot:
-        """Let a world take a step, note how long it has taken, and return the state there.
+        """Advance a world by a step, record the time that it took, and return the new state.
 
         Raises
         ------
         SandboxError
-            If the run had to stop, or the step took too long.
+            If the step failed, or took too long.
         """
         begun = perf_counter()
         with patience.within_steps():
@@ -34,5 +34,5 @@ class Clock:
 
     @property
     def step(self) -> float | None:
-        """How long a step takes [s], with reading its state; None before the first."""
+        """The time of a step, with reading its state [s]; None before the first."""
         return float(np.quantile(self._last, 0.25)) if self._last else None

@@ -13,14 +13,14 @@ from sandbox.model.errors import SandboxError
 from sandbox.model.level import Level
 from sandbox.model.message import Message
 
-TOGETHER = 0.7  # s, within which changes of the same thing are one: a slider on its way
+TOGETHER = 0.7  # s, within which changes of the same thing count as one, as by dragging a slider
 MOST = 200
-"""How many changes are remembered."""
+"""The largest number of changes that are kept."""
 FORM, SPEED = later("effects and stepping"), "speed"
 
 
 class Branch(NamedTuple):
-    """Where a run has gone on with other parameters."""
+    """A step at which a run continued with other parameters."""
 
     step: int
     parameters: Mapping[str, float]
@@ -41,9 +41,9 @@ class Setup(NamedTuple):
 
 
 class Undoing:
-    """The changes that can be taken back, and those that can be made again.
+    """The changes that can be undone and redone.
 
-    `follow` it from frame to frame; it notes by itself what has changed.
+    `follow` is called in every frame, and detects changes.
     """
 
     def __init__(self) -> None:
@@ -55,7 +55,7 @@ class Undoing:
         self._future: list[Setup] = []
 
     def follow(self, session: Session, seconds: float) -> None:
-        """Note changes over some time [s]; another level starts without any."""
+        """Detect changes after some time [s]; another level starts without any."""
         before, level = self._now, session.original
         if before is None or self._of is None or not all(map(_is, self._of, (session, level))):
             self._of = session, level
@@ -64,7 +64,7 @@ class Undoing:
             return
         self._since += seconds
         if session.sought is not None:
-            return  # on a way back that is not done yet
+            return  # the run is still going back
         now = setup(session)
         kind = differences(before, now)
         if kind:
@@ -85,7 +85,7 @@ class Undoing:
         Raises
         ------
         SandboxError
-            If that cannot be; then all stays as it was.
+            If that is not possible; then nothing is changed.
         """
         return self._go(
             session, self._future, self._past, later("done again: {what}"),
@@ -106,12 +106,12 @@ class Undoing:
         return say(told, what=_words(before, wanted))
 
     def _rest(self, now: Setup) -> None:
-        """Take what is the case now as what the next change is a change of."""
+        """Set the reference for the next change."""
         self._now, self._kind, self._since = now, frozenset(), inf
 
 
 def setup(session: Session) -> Setup:
-    """Return what is chosen now."""
+    """Return the current choices of a session."""
     branches = [Branch(a.step, a.parameters) for a in session.all_actions if a.kind == "branch"]
     beside = [companion.variant for companion in session.companions]
     values = dict(session.values_for(session.begun_as))
@@ -125,7 +125,7 @@ def setup(session: Session) -> Setup:
 
 
 def differences(before: Setup, after: Setup) -> frozenset[str]:
-    """Return what a person has changed between two; nothing for a way back in time."""
+    """Return what the user has changed between two setups; going back in time is no change."""
     found = {SPEED} if before.speed != after.speed else set()
     if not _same_form(before, after):
         found.add(FORM)
@@ -137,12 +137,12 @@ def differences(before: Setup, after: Setup) -> frozenset[str]:
 
 
 def apply(session: Session, wanted: Setup) -> None:
-    """Let a session be as it was.
+    """Restore the choices of a session.
 
     Raises
     ------
     SandboxError
-        If it cannot be; then all stays as it was.
+        If that is not possible; then nothing is changed.
     """
     now = setup(session)
     both = zip(now.branches, wanted.branches, strict=False)
@@ -161,7 +161,7 @@ def apply(session: Session, wanted: Setup) -> None:
 
 
 def _branch(session: Session, branch: Branch) -> None:
-    """Go on with other parameters from the step where the run has done so before."""
+    """Repeat a branch of the run at its step."""
     if session.sought is None:
         session.go_to(branch.step)
     if session.sought is not None:
@@ -181,7 +181,7 @@ def _is(a: object, b: object) -> bool:
 
 
 def _words(before: Setup, after: Setup) -> str:
-    """Say what is as it was."""
+    """Return a description of what was undone or redone."""
     names = [name for name in after.values if after.values[name] != before.values.get(name)]
     parts = [
         say("{name} is {value}", name=name, value=formatting.setting(after.values[name]))

@@ -1,1 +1,1 @@
-"""The picture of a world: grid and rulers, surfaces, bodies, strings, and what explains them."""
+"""The picture of a world: grid and rulers, surfaces, bodies, joints, and overlays."""

@@ -1,4 +1,4 @@
-"""The marks that run along a belt, and the flame of a rocket."""
+"""The moving marks on a belt, and the flame of a rocket."""
 
 from collections.abc import Mapping, Sequence
 from itertools import pairwise
@@ -13,16 +13,16 @@ from sandbox.app.words.formatting import nice
 from sandbox.model.shapes import XY, evaluate
 from sandbox.physics.stepping.world import World
 
-SPACING = 60.0  # px, about the distance of a belt's marks
-MARK = 7.0  # px, how far a mark reaches into the belt
-LENGTH = 0.4  # of a flame, of the body's length
+SPACING = 60.0  # px, the approximate distance between a belt's marks
+MARK = 7.0  # px, the length of a mark
+LENGTH = 0.4  # of a flame, relative to the body's length
 FLICKER = 45.0  # rad/s
 
 
 def draw_belts(
     surface: pygame.Surface, camera: Camera, world: World, outlines: Mapping[str, Outline]
 ) -> None:
-    """Draw marks that run with the surfaces of belts."""
+    """Draw marks that move with the surfaces of belts."""
     t = float(world.snapshot.t)
     for belt in world.level.effects.belt or ():
         outline = outlines[belt.body]
@@ -42,7 +42,7 @@ def draw_belts(
 def _draw_marks(
     surface: pygame.Surface, camera: Camera, side: tuple[XY, XY], run: float, middle: XY
 ) -> None:
-    """Draw the marks of a belt's side that has run some way [m], where it is visible."""
+    """Draw the marks on the visible part of a belt's side that has run some distance [m]."""
     a, b = camera.path(side)
     length, run = hypot(b[0] - a[0], b[1] - a[1]), run * camera.scale
     spacing = nice(SPACING / camera.scale) * camera.scale
@@ -65,7 +65,7 @@ def _mark(surface: pygame.Surface, at: XY, side: Sequence[XY], middle: XY) -> No
 def draw_flames(
     surface: pygame.Surface, camera: Camera, world: World, outlines: Mapping[str, Outline]
 ) -> None:
-    """Draw what rockets leave behind, as long as there is propellant."""
+    """Draw the flames of rockets, as long as there is propellant."""
     t = float(world.snapshot.t)
     for thrust in world.level.effects.thrust or ():
         if t >= thrust.propellant(world.values) / thrust.rate(world.values):
@@ -90,7 +90,7 @@ def draw_flames(
 
 
 def _extents(points: Sequence[XY], way: XY) -> tuple[XY, XY]:
-    """Return how far points reach along a way and across it [m], least and most."""
+    """Return the range of points along a direction, and across it at the far end [m]."""
     along = [x * way[0] + y * way[1] for x, y in points]
     last = max(along) - 0.05 * (max(along) - min(along))
     across = [y * way[0] - x * way[1] for (x, y), a in zip(points, along, strict=True) if a >= last]

@@ -1,4 +1,4 @@
-"""Bodies and surfaces."""
+"""Draws bodies and surfaces."""
 
 from collections.abc import Sequence
 from itertools import pairwise
@@ -13,21 +13,21 @@ from sandbox.app.stage.outline import RIM, Outline
 from sandbox.model.shapes import XY
 
 FEW = 200
-"""Up to how many bodies are drawn with smooth rims."""
+"""The largest number of bodies that are drawn with smooth rims."""
 
-LEAST = 3.0  # px, the radius at which even the smallest disc is drawn
-HATCH = 9  # px
-LET = 24.0  # px, about, from one arrowhead of a one-way surface to the next
-WEDGE = 10.0, 2.0, 6.0  # px, from the surface to its base and its tip, and half its width
+LEAST = 3.0  # px, the least radius of a disc
+HATCH = 9  # px, between strokes
+LET = 24.0  # px, the approximate distance between the arrowheads of a one-way surface
+WEDGE = 10.0, 2.0, 6.0  # px, of an arrowhead: from the surface to base and tip, half its width
 VEIL = 45
-"""The opacity of a sensor, of 255."""
+"""The opacity of a sensor, from 0 to 255."""
 
 
 def draw_body(
     surface: pygame.Surface, camera: Camera, outline: Outline, position: XY, angle: float,
     spoke: bool,
 ) -> None:  # fmt: skip
-    """Draw a body that moves; a disc that can turn shows a spoke."""
+    """Draw a moving body; a disc that can turn is drawn with a spoke."""
     if outline.sensor:
         draw_area(surface, camera, outline, position, angle)
         return
@@ -65,7 +65,7 @@ def _disc(
 def draw_area(
     surface: pygame.Surface, camera: Camera, outline: Outline, position: XY, angle: float
 ) -> None:
-    """Draw a sensor: a veil over what is in it, within dashes."""
+    """Draw a sensor: a translucent area with a dashed outline."""
     corners = camera.path(outline.placed(position, angle))
     if not lines.near(corners):
         return
@@ -83,7 +83,7 @@ def draw_area(
 def draw_crowd(
     surface: pygame.Surface, camera: Camera, outline: Outline, position: XY, angle: float
 ) -> None:
-    """Draw one of very many bodies, as cheaply as can be."""
+    """Draw one of very many bodies, as cheaply as possible."""
     if outline.radius is not None:
         center = camera.to_screen(position)
         if lines.near((center,)):
@@ -101,14 +101,14 @@ def draw_surface(
     surface: pygame.Surface, camera: Camera, outline: Outline, position: XY, angle: float,
     inside: XY,
 ) -> None:  # fmt: skip
-    """Draw a body that never moves; a thin line is hatched on the side away from the action.
+    """Draw a static body; a thin line is hatched on the side away from the moving bodies.
 
-    One that is one-way has arrows instead, on the side from which it lets through.
+    A one-way line has arrows instead, on the side from which it lets bodies through.
 
     Parameters
     ----------
     inside
-        A point of the plane where things happen [m].
+        A point on the side of the moving bodies [m].
     """
     if outline.sensor:
         draw_area(surface, camera, outline, position, angle)
@@ -136,7 +136,7 @@ def draw_surface(
 
 
 def _let(surface: pygame.Surface, outline: Outline, corners: Sequence[XY], width: float) -> None:
-    """Draw arrowheads towards a one-way line, on the side from which it lets through."""
+    """Draw arrowheads towards a one-way line, on the side from which it lets bodies through."""
     length = sum(dist(a, b) for a, b in pairwise(corners)) if outline.lets else 0.0
     apart = length / max(round(length / LET), 1)
     begun = apart / 2
@@ -154,7 +154,7 @@ def _let(surface: pygame.Surface, outline: Outline, corners: Sequence[XY], width
 
 
 def _wedge(surface: pygame.Surface, place: XY, way: XY) -> None:
-    """Draw an arrowhead that points along a unit vector, a little before a place."""
+    """Draw an arrowhead along a unit vector, with its tip just before a point."""
     (x, y), (wx, wy) = place, way
     base = x - wx * WEDGE[0], y - wy * WEDGE[0]
     side = -wy * WEDGE[2], wx * WEDGE[2]
@@ -167,18 +167,18 @@ def _wedge(surface: pygame.Surface, place: XY, way: XY) -> None:
 
 
 def _side(a: XY, b: XY, inside: XY) -> int:
-    """Return on which side of a line a point is: 1 to the one, −1 to the other."""
+    """Return the side of a line on which a point is, 1 or −1."""
     across = (b[0] - a[0]) * (inside[1] - a[1]) - (b[1] - a[1]) * (inside[0] - a[0])
     return 1 if across > 0 else -1
 
 
 def _hatch(surface: pygame.Surface, a: XY, b: XY, side: int, begun: float) -> float:
-    """Hatch a line on the other side, and return how far behind its end the next stroke is [px].
+    """Hatch the opposite side of a line; return the distance from its end to the next stroke [px].
 
     Parameters
     ----------
     begun
-        How far behind its beginning the first one is [px].
+        The distance from the start of the line to the first stroke [px].
     """
     length = dist(a, b)
     if not length:

@@ -1,4 +1,4 @@
-"""Given forces as arrows, added tip to tail; their tips can be dragged."""
+"""Draws given forces as arrows, added tip to tail; their tips can be dragged."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
@@ -24,35 +24,35 @@ from sandbox.model.shapes import XY, evaluate
 from sandbox.physics.stepping.world import World
 
 LONGEST = 0.18
-"""The longest arrow at the parameters' defaults, as a share of the stage's width."""
+"""The longest arrow at the parameters' defaults, as a fraction of the stage's width."""
 
 LONGER = 3.0
-"""How many times as long as that an arrow may become within the parameters' ranges."""
+"""The largest factor by which arrows may become longer within the parameters' ranges."""
 
-WIDTH = 4.0  # px, thicker than a velocity, which may lie on it
+WIDTH = 4.0  # px, thicker than the arrow of a velocity, which may overlap
 HANDLE = 5.0  # px, the radius of the ring at a tip that can be dragged
-REACH = 11.0  # px, how close to it a hand must come
-STEEP = 0.2  # the least share of its length that an arrow goes sidewards, for words at its side
+REACH = 11.0  # px, the distance within which the mouse grabs a tip
+STEEP = 0.2  # the least horizontal part of an arrow, relative to its length, for text at its side
 INSTANTS = 240
-"""At how many times a force is evaluated to find its largest value."""
+"""The number of times at which a force is evaluated to find its largest value."""
 
 
 @dataclass(frozen=True, slots=True)
 class Arrow:
-    """A force, and where it acts.
+    """A force with its point of application.
 
     Attributes
     ----------
     row
-        Of the body that it acts on.
+        The index of the body.
     tail
-        The point that it acts on [m].
+        The point of application [m].
     newtons
         The components [N].
     handles
-        The parameters that its components are, by axis; none for those that a hand cannot change.
+        The parameters that are components of the force, by axis; only these can be dragged.
     name
-        Its name, empty if it has none.
+        The name of the force, or empty.
     """
 
     row: int
@@ -62,13 +62,13 @@ class Arrow:
     name: str
 
     def tip(self, camera: Camera, scale: float) -> XY:
-        """Return the pixel of its tip, at a scale [px/N]."""
+        """Return the position of the tip [px] at a scale [px/N]."""
         x, y = camera.to_screen(self.tail)
         return x + self.newtons[0] * scale, y - self.newtons[1] * scale
 
     @property
     def text(self) -> str:
-        """What is written beside it."""
+        """The text beside the arrow."""
         if self.name:
             return f"{self.name} {_pair(*self.newtons)}"
         return f"{number(hypot(*self.newtons), 3)} N"
@@ -85,11 +85,11 @@ class Forces:
         self._strongest = _strongest(level, self._forces)
 
     def scale(self, camera: Camera) -> float:
-        """Return how long a force is drawn [px/N]."""
+        """Return the scale of forces [px/N]."""
         return LONGEST * camera.size[0] / self._strongest if self._strongest else 0.0
 
     def arrows(self, world: World) -> Iterator[Arrow]:
-        """Yield the present forces, except those that are switched off."""
+        """Yield the current forces, except those that are switched off."""
         snapshot = world.snapshot
         for force, row, handles in zip(self._forces, self._rows, self._handles, strict=True):
             if not _acts(force, world):
@@ -105,7 +105,7 @@ class Forces:
             yield Arrow(row, tail, (newtons.real, newtons.imag), handles, name)
 
     def tip_at(self, world: World, camera: Camera, pixel: XY) -> Arrow | None:
-        """Return the force whose tip a hand would take hold of at a pixel."""
+        """Return the force whose tip can be dragged at a pixel, or None."""
         scale = self.scale(camera)
         free = [arrow for arrow in self.arrows(world) if arrow.handles and scale]
         tips = ((arrow.tip(camera, scale), arrow) for arrow in reversed(free))
@@ -114,7 +114,7 @@ class Forces:
     def draw(
         self, surface: pygame.Surface, camera: Camera, pen: Pen, world: World, labels: Labels
     ) -> None:
-        """Draw the forces; those that act on the same point are put together."""
+        """Draw the forces, with the resultant of those that act at the same point."""
         scale = self.scale(camera)
         ordered = sorted(self.arrows(world), key=lambda arrow: arrow.row)
         for arrow in ordered:
@@ -136,7 +136,7 @@ def _draw_sum(
     surface: pygame.Surface, camera: Camera, pen: Pen, arrows: list[Arrow], scale: float,
     labels: Labels,
 ) -> None:  # fmt: skip
-    """Draw the others on the tip of the first, dashed, and the resultant from tail to tip."""
+    """Draw the forces tip to tail, all but the first dashed, and the resultant."""
     start, at = camera.to_screen(arrows[0].tail), arrows[0].tip(camera, scale)
     for i, arrow in enumerate(arrows[1:], start=1):
         end = at[0] + arrow.newtons[0] * scale, at[1] - arrow.newtons[1] * scale
@@ -157,10 +157,10 @@ def _pair(x: float, y: float) -> str:
 def write_beside(
     surface: pygame.Surface, pen: Pen, text: str, start: XY, end: XY, labels: Labels
 ) -> None:
-    """Write beside the tip of an arrow that is long enough to be seen, or beyond a steep one.
+    """Write text beside the tip of an arrow, or beyond the tip of a steep one.
 
-    Where other words or an arrow are in the way, it is written around the tip, or along the arrow;
-    where there is no room at all, it is left out.
+    If labels or arrows are in the way, the text is placed around the tip or along the arrow; if
+    there is no room, or the arrow is too short to be seen, it is left out.
     """
     length, seen = hypot(end[0] - start[0], end[1] - start[1]), surface.get_rect()
     if length < HANDLE or not seen.collidepoint(end):
@@ -194,19 +194,19 @@ def write_beside(
 
 
 def _acts(force: Force, world: World) -> bool:
-    """Whether no event has switched a force off, alone or with all others."""
+    """Whether a force acts, that is, no event has switched off it or all given forces."""
     found = (world.scene.switches.get(name) for name in (force.name or "", force.effect.name))
     return all(switch.at(world.snapshot.t) for switch in found if switch)
 
 
 def _shared(x: str, y: str) -> str:
-    """Return what two names have in common: of "F1x" and "F1y" it is "F1"."""
+    """Return the common prefix of two names: "F1" for "F1x" and "F1y"."""
     same = (i for i, (a, b) in enumerate(zip(x, y, strict=False)) if a != b)
     return x[: next(same, min(len(x), len(y)))]
 
 
 def _handles(force: Force, level: Level) -> Mapping[int, str]:
-    """Return the components that are parameters, nothing more, of a force that keeps its axes."""
+    """Return the components, by axis, that are just a parameter; none in the frame of a body."""
     if force.frame == "body":
         return {}
     sources = ((axis, str(part.source).strip()) for axis, part in enumerate(force.force))
@@ -214,14 +214,14 @@ def _handles(force: Force, level: Level) -> Mapping[int, str]:
 
 
 def _strongest(level: Level, forces: tuple[Force, ...]) -> float:
-    """Return the size that the longest arrow stands for [N]."""
+    """Return the force that corresponds to the longest arrow [N]."""
     names = names_in(forces) - {"t"}
     sizes = [_largest(level, forces, values) for values in corners(level, names)] if forces else [0]
     return max(sizes[0], max(sizes) / LONGER)
 
 
 def _largest(level: Level, forces: tuple[Force, ...], values: Values) -> float:
-    """Return the size of the largest force with some parameters, or of the largest sum [N]."""
+    """Return the largest magnitude of a force, or of a body's resultant, with some values [N]."""
     t = np.linspace(0.0, level.duration(values), INSTANTS)
     sums: dict[str, Array] = {}
     largest = 0.0

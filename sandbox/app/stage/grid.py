@@ -1,4 +1,4 @@
-"""The grid, the rulers along two edges, and the scale bar."""
+"""Draws the grid, the rulers along two edges, and the scale bar."""
 
 from math import ceil, floor
 
@@ -9,15 +9,15 @@ from sandbox.app.drawing.camera import Camera
 from sandbox.app.drawing.text import Pen
 from sandbox.app.words.formatting import MINUS, nice
 
-MINOR = 22  # px, the least distance of two lines
-LABELLED = 75  # px, the least distance of two numbers
+MINOR = 22  # px, the least distance between two lines
+LABELLED = 75  # px, the least distance between two numbers
 RULER = 20  # px, the width of a ruler
-LONG, SHORT = 8, 4  # px, a ruler's ticks
-BAR = 130  # px, the most that the scale bar may be long
+LONG, SHORT = 8, 4  # px, the lengths of a ruler's ticks
+BAR = 130  # px, the greatest length of the scale bar
 
 
 def draw_grid(surface: pygame.Surface, camera: Camera) -> None:
-    """Draw the lines of the grid, the axes through the origin brighter."""
+    """Draw the lines of the grid, with brighter axes through the origin."""
     surface.fill(theme.STAGE)
     minor, major = spacing(camera)
     for apart, color in ((minor, theme.GRID), (major, theme.GRID_STRONG)):
@@ -54,7 +54,7 @@ def draw_rulers(surface: pygame.Surface, camera: Camera, pen: Pen) -> None:
 def _write_marks(
     surface: pygame.Surface, camera: Camera, pen: Pen, major: float, side: int
 ) -> None:
-    """Write the numbers that fit as a whole; the corner belongs to the unit."""
+    """Write the numbers that fit completely; the corner is kept free for the unit."""
     (width, height), ruler = camera.size, pen.px(RULER)
     for x in _marks(camera, major, 0):
         text = pen.write(_mark(x), 11, theme.DIM)
@@ -69,7 +69,7 @@ def _write_marks(
 
 
 def draw_scale_bar(surface: pygame.Surface, camera: Camera, pen: Pen) -> None:
-    """Draw a rule of a round length in the lower right corner."""
+    """Draw a scale bar of a round length in the lower right corner."""
     metres = nice(pen.px(BAR) / camera.scale)
     length = round(metres * camera.scale)
     left, y = camera.size[0] - length - 16, camera.size[1] - pen.px(RULER) - 16
@@ -82,7 +82,7 @@ def draw_scale_bar(surface: pygame.Surface, camera: Camera, pen: Pen) -> None:
 
 
 def spacing(camera: Camera) -> tuple[float, float]:
-    """Return the distances of the thin and of the numbered lines [m]."""
+    """Return the distances between thin lines and between numbered lines [m]."""
     major = nice(LABELLED * 2.5 / camera.scale)
     minor = next(m for m in (major / 10, major / 5, major / 2, major) if m * camera.scale >= MINOR)
     return minor, major
@@ -99,7 +99,7 @@ def _mark(value: float) -> str:
 
 
 def _side(camera: Camera, major: float, pen: Pen) -> int:
-    """Return how wide the left ruler must be for its numbers."""
+    """Return the width of the left ruler that its numbers need [px]."""
     texts = [pen.write(_mark(y), 11, theme.DIM).width for y in _marks(camera, major, 1)]
     return max([*texts, 12]) + LONG + 8
 

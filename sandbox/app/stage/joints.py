@@ -1,4 +1,4 @@
-"""Joints, each kind with a look of its own."""
+"""Draws joints; each kind has its own look."""
 
 from cmath import phase
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -31,17 +31,17 @@ from sandbox.model.joints import (
 from sandbox.model.shapes import XY, evaluate
 
 COILS = 9
-COIL = 7.0  # px, how far a coil stands out
-STRAIGHT = 10.0  # px, the wire at both ends of a coil
+COIL = 7.0  # px, the amplitude of a coil
+STRAIGHT = 10.0  # px, the straight wire at each end of a coil
 TEETH = 10
-COG = 9.0  # px, how large a wheel with teeth is
-WALL = 14.0  # px, how far a stop reaches to either side
-RAY = 30.0  # px, how far from its pin a stop of an angle is seen
-BUFFER = 4.5  # px, from one turn of an elastic stop's coil to the next, and how far it stands out
-HOOK = 7.0  # px, the radius of a hook that is open
-GAPE = 0.9  # rad, how far it is open to either side
+COG = 9.0  # px, the radius of a toothed wheel
+WALL = 14.0  # px, the length of a stop to either side
+RAY = 30.0  # px, the length of an angle stop from its pin
+BUFFER = 4.5  # px, the amplitude of an elastic stop's coil, and the distance between its turns
+HOOK = 7.0  # px, the radius of an open hook
+GAPE = 0.9  # rad, half the opening of a hook
 SAG = 0.12
-"""How far a slack rope hangs down, relative to its length on the screen."""
+"""The sag of a slack rope, relative to the distance between its ends on the screen."""
 
 
 def draw_joint(
@@ -57,7 +57,7 @@ def draw_joint(
 
 
 def draw_open(surface: pygame.Surface, camera: Camera, path: Sequence[XY]) -> None:
-    """Draw a joint that has not caught yet: a hook at each end, open towards the other."""
+    """Draw a joint that has not latched yet: a hook at each end, open towards the other."""
     begin, *_, end = camera.path(path)
     if not lines.near((begin, end)):
         return
@@ -69,7 +69,7 @@ def draw_open(surface: pygame.Surface, camera: Camera, path: Sequence[XY]) -> No
 
 
 def _plain(surface: pygame.Surface, corners: Sequence[XY], _: bool) -> None:
-    """Draw a joint of any other kind: dots at its ends, connected by dashes."""
+    """Draw a joint without a look of its own: dots at its ends, and dashes between them."""
     lines.dashed(surface, theme.SURFACE_EDGE, corners, 5, 4)
     _pins(surface, corners)
 
@@ -98,7 +98,7 @@ def _rope(surface: pygame.Surface, corners: Sequence[XY], slack: bool) -> None:
 
 
 def _sagging(a: XY, b: XY) -> list[XY]:
-    """Return a parabola that hangs between two points [px]."""
+    """Return the points of a parabola that sags between two points [px]."""
     depth = SAG * max(hypot(b[0] - a[0], b[1] - a[1]), 60.0)
     shares = [i / 16 for i in range(17)]
     return [
@@ -108,7 +108,7 @@ def _sagging(a: XY, b: XY) -> list[XY]:
 
 
 def _coil(a: XY, b: XY) -> list[XY]:
-    """Return a zigzag from one point to another, between two straight ends [px]."""
+    """Return the points of a zigzag between two points, with straight ends [px]."""
     length = hypot(b[0] - a[0], b[1] - a[1])
     if length <= 2 * STRAIGHT:
         return [a, b]
@@ -140,13 +140,13 @@ def _pivot(surface: pygame.Surface, corners: Sequence[XY], _: bool) -> None:
 
 
 def _motor(surface: pygame.Surface, corners: Sequence[XY], slack: bool) -> None:
-    """Draw a driven pin: one in a bold ring."""
+    """Draw a motor: a pin in a bold ring."""
     pygame.draw.aacircle(surface, theme.SURFACE_EDGE, corners[0], 12, 3)
     _pivot(surface, corners, slack)
 
 
 def _cog(surface: pygame.Surface, center: XY) -> None:
-    """Draw a small wheel with teeth."""
+    """Draw a small toothed wheel."""
     for i in range(TEETH):
         angle = tau * i / TEETH
         begin, end = (
@@ -157,20 +157,20 @@ def _cog(surface: pygame.Surface, center: XY) -> None:
 
 
 def _gear(surface: pygame.Surface, corners: Sequence[XY], _: bool) -> None:
-    """Draw a wheel with teeth in each of two, joined by dashes."""
+    """Draw a toothed wheel in each of two bodies, and dashes between them."""
     lines.dashed(surface, theme.SURFACE_EDGE, corners[:2], 5, 4)
     for corner in corners[:2]:
         _cog(surface, corner)
 
 
 def _rack(surface: pygame.Surface, corners: Sequence[XY], _: bool) -> None:
-    """Draw a wheel with teeth, and dashes to the bar that it moves."""
+    """Draw a toothed wheel, and dashes to the bar that it moves."""
     lines.dashed(surface, theme.SURFACE_EDGE, corners[:2], 5, 4)
     _cog(surface, corners[1])
 
 
 def _stop(surface: pygame.Surface, corners: Sequence[XY], _: bool) -> None:
-    """Draw two walls across the way between them."""
+    """Draw two walls across the line between them."""
     (ax, ay), (bx, by) = corners[:2]
     length = hypot(bx - ax, by - ay)
     if not length:
@@ -183,7 +183,7 @@ def _stop(surface: pygame.Surface, corners: Sequence[XY], _: bool) -> None:
 
 
 def _angle_stop(surface: pygame.Surface, corners: Sequence[XY], _: bool) -> None:
-    """Draw two rays from a pin, as far as one may turn."""
+    """Draw two rays from a pin, at the limits of the angle."""
     center, *limits = corners
     for x, y in limits:
         length = hypot(x - center[0], y - center[1])
@@ -194,7 +194,7 @@ def _angle_stop(surface: pygame.Surface, corners: Sequence[XY], _: bool) -> None
 
 
 def _faces(joint: Stop | AngleStop, corners: Sequence[XY]) -> Iterator[tuple[XY, XY]]:
-    """Yield where each stop is, and the unit vector in which what it stops runs into it [px]."""
+    """Yield the position of each stop [px], and the unit vector of motion into it."""
     if isinstance(joint, Stop):
         for (x, y), (ox, oy) in (corners[:2], corners[1::-1]):
             if length := hypot(ox - x, oy - y):
@@ -208,7 +208,7 @@ def _faces(joint: Stop | AngleStop, corners: Sequence[XY]) -> Iterator[tuple[XY,
 
 
 def _buffer(place: XY, way: XY) -> list[XY]:
-    """Return the short coil behind a stop that throws back what runs into it [px]."""
+    """Return the points of the short coil behind an elastic stop [px]."""
     (x, y), (ux, uy) = place, way
     aside = (0.0, BUFFER, -BUFFER, BUFFER, -BUFFER, 0.0)
     return [
@@ -217,7 +217,7 @@ def _buffer(place: XY, way: XY) -> list[XY]:
 
 
 def limits(joint: Stop, path: Sequence[XY], values: Values) -> list[XY]:
-    """Return the ends of a stop's range [m], given the stopped body and its reference."""
+    """Return the ends of a stop's range [m], given the points of the joint."""
     way = complex(*evaluate(joint.direction, values))
     start = complex(*path[1])
     places = [start + way / abs(way) * limit(values) for limit in joint.range]
@@ -225,10 +225,18 @@ def limits(joint: Stop, path: Sequence[XY], values: Values) -> list[XY]:
 
 
 def rays(joint: AngleStop, center: XY, angle: float, values: Values) -> list[XY]:
-    """Return a pin and points in the directions of the stops around it [m].
+    """Return a pin, and points in the directions of the stops around it [m].
 
-    The angle is that of what the stops are counted from [rad]. A body that is held off its centre
-    is seen on the side of that.
+    Parameters
+    ----------
+    joint
+        The stop of an angle.
+    center
+        The pin [m].
+    angle
+        The angle of the reference of the stops [rad].
+    values
+        The level's parameters.
     """
     held = joint.ends[1]
     at = complex(*evaluate(held.at, values)) if isinstance(held, Held) else 0j
@@ -242,7 +250,7 @@ def _weld(surface: pygame.Surface, corners: Sequence[XY], _: bool) -> None:
 
 
 def _winding(surface: pygame.Surface, corners: Sequence[XY], slack: bool) -> None:
-    """Draw a string from its end to where it meets a wheel, and around that."""
+    """Draw a string from its end to a wheel, and around the wheel."""
     lines.path(surface, theme.STRING, corners[1:], 2)
     if slack:
         lines.dashed(surface, theme.STRING, corners[:2], 4, 4)
@@ -252,7 +260,7 @@ def _winding(surface: pygame.Surface, corners: Sequence[XY], slack: bool) -> Non
 
 
 def around(end: XY, center: XY, radius: float, winding: Winding) -> list[XY]:
-    """Return the points of a string from its end to a wheel, and of the circle from there [m]."""
+    """Return the points of a string from its end to a wheel, and around the wheel [m]."""
     x, y = end[0] - center[0], end[1] - center[1]
     side = acos(min(radius / (hypot(x, y) or radius), 1.0))
     leaves = atan2(y, x) + (side if winding.unwinds == "clockwise" else -side)
@@ -261,7 +269,7 @@ def around(end: XY, center: XY, radius: float, winding: Winding) -> list[XY]:
 
 
 Look = Callable[[pygame.Surface, Sequence[XY], bool], None]
-"""Draws a joint through pixels; the last argument says whether it is slack."""
+"""A function that draws a joint through points [px]; the last argument is whether it is slack."""
 
 LOOKS: Mapping[type, Look] = {
     Pulley: strings.draw_string,
@@ -279,7 +287,7 @@ LOOKS: Mapping[type, Look] = {
     Stop: _stop,
     AngleStop: _angle_stop,
 }
-"""How each kind is drawn; any other kind is drawn as a plain line."""
+"""The look of each kind; any other kind is drawn by `_plain`."""
 
 IN_FRONT = (Pivot, Motor, Winding, Gear, Rack, AngleStop)
-"""The kinds that go through or around bodies are drawn over them; the others end behind them."""
+"""The kinds that are drawn over bodies, since they go through or around these."""

@@ -1,4 +1,4 @@
-"""A potential as a landscape: the curve, the body's point on it, and the line at its energy."""
+"""Draws a potential as a landscape: the curve, the body on it, and the line of its energy."""
 
 from collections.abc import Sequence
 from math import ceil, floor
@@ -17,13 +17,13 @@ from sandbox.physics.quantities.meter import Meter
 from sandbox.physics.stepping.world import World
 
 TICKS = 3
-"""About how many energies are labelled on the axis."""
+"""The approximate number of labels on the axis of energies."""
 
 
 class Relief:
-    """A landscape of a world, ready to be drawn.
+    """Draws the landscape of a world.
 
-    The curve is the formula's; the point and the line are what is measured of the body.
+    The curve is that of the formula; the point and the line are measured.
     """
 
     def __init__(self, landscape: Landscape, world: World) -> None:
@@ -39,18 +39,18 @@ class Relief:
             self._high = self._low + 1.0
 
     def _energies(self) -> tuple[float, float]:
-        """Return the body's potential and whole energy [J]."""
+        """Return the body's potential and total energy [J]."""
         measured = self._meter(self._world.snapshot)
         potential, whole = (float(measured[name]) for name in self._names)
         return potential, whole
 
     def _height(self, energy: float) -> float:
-        """Return at what height of the plane an energy is drawn [m]."""
+        """Return the height in the plane at which an energy is drawn [m]."""
         bottom, top = self._heights
         return bottom + (top - bottom) * (energy - self._low) / (self._high - self._low)
 
     def draw_curve(self, surface: pygame.Surface, camera: Camera, pen: Pen) -> None:
-        """Draw what stays: the hill, and the axis of energies at its left."""
+        """Draw the static part: the curve, and the axis of energies on its left."""
         points = [
             camera.to_screen((x, self._height(energy)))
             for x, energy in zip(self._x.tolist(), self._potential.tolist(), strict=True)
@@ -79,7 +79,7 @@ class Relief:
             _write(surface, pen, number(i * step, 3), midright=(x - 6, y))
 
     def draw_point(self, surface: pygame.Surface, camera: Camera, pen: Pen) -> None:
-        """Draw what moves: the point, its kinetic energy up to the line, the turning points."""
+        """Draw the moving part: the body, its kinetic and total energy, and the turning points."""
         potential, whole = self._energies()
         place = float(self._world.snapshot.position[self._row, 0])
         point, above = camera.path(((place, self._height(potential)), (place, self._height(whole))))
@@ -101,7 +101,7 @@ class Relief:
 
 
 def turning_points(x: Array, potential: Array, energy: float) -> Sequence[float]:
-    """Return the places at which a potential crosses an energy, between the given ones [m]."""
+    """Return the positions at which a potential crosses an energy, interpolated linearly [m]."""
     above = potential - energy
     i = np.nonzero(np.signbit(above[:-1]) != np.signbit(above[1:]))[0]
     share = above[i] / (above[i] - above[i + 1])

@@ -1,4 +1,4 @@
-"""The liquid that carries bodies: everything below its surface."""
+"""Draws the liquid of buoyancy, which fills everything below its surface."""
 
 from math import ceil
 
@@ -8,8 +8,8 @@ from sandbox.app.drawing import theme
 from sandbox.app.drawing.camera import Camera
 from sandbox.physics.stepping.world import World
 
-SHARE = 0.14  # of its colour, in what lies behind it
-VEIL = 60  # of 255, how much of what is within it is hidden
+SHARE = 0.14  # of the liquid's colour, mixed with that of the stage
+VEIL = 60  # opacity over bodies, from 0 to 255
 
 
 def draw_liquid(surface: pygame.Surface, camera: Camera, world: World) -> None:
@@ -20,7 +20,7 @@ def draw_liquid(surface: pygame.Surface, camera: Camera, world: World) -> None:
 
 
 def draw_veil(surface: pygame.Surface, camera: Camera, world: World) -> None:
-    """Draw the liquid over the bodies that are within it."""
+    """Draw a translucent layer over the bodies in the liquid."""
     if (area := _area(surface, camera, world)) is not None:
         veil = pygame.Surface(area.size, pygame.SRCALPHA)
         veil.fill((*theme.mix(theme.STAGE, theme.ACCENT, SHARE), VEIL))
@@ -28,7 +28,7 @@ def draw_veil(surface: pygame.Surface, camera: Camera, world: World) -> None:
 
 
 def _area(surface: pygame.Surface, camera: Camera, world: World) -> pygame.Rect | None:
-    """Return where the liquid is seen; None where there is none."""
+    """Return the visible area of the liquid, or None."""
     liquid = world.level.effects.buoyancy
     if liquid is None:
         return None

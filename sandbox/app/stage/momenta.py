@@ -1,4 +1,4 @@
-"""The momenta of moving bodies, and the scale on which a whole run is drawn."""
+"""The momenta of moving bodies, and their scale for a whole run."""
 
 from typing import NamedTuple
 from weakref import WeakKeyDictionary
@@ -14,14 +14,14 @@ from sandbox.physics.state.snapshot import Snapshot
 from sandbox.physics.stepping.world import World
 
 JUMP = 3.0
-"""A ghost's speed above this multiple of its 95th percentile is a jump of the formula."""
+"""The multiple of the 95th percentile above which a ghost's speed counts as a jump."""
 UNIT = "kg·m/s"
 
 _scales: WeakKeyDictionary[object, "_Kept"] = WeakKeyDictionary()
 
 
 class _Kept(NamedTuple):
-    """The scale of a run, with the run that it belongs to."""
+    """The scale of a run, with what identifies the run."""
 
     level: Level
     values: object
@@ -35,14 +35,14 @@ def heavy(world: World) -> list[tuple[int, str]]:
 
 
 def momenta(world: World, snapshot: Snapshot) -> Array:
-    """Return every body's momentum, time in front for a stack of snapshots: (n, 2) [kg m/s]."""
+    """Return the momenta of bodies, (n, 2) or, for stacked snapshots, (k, n, 2) [kg m/s]."""
     scene = world.scene
     product: Array = (scene.mass * scene.share(snapshot.t))[..., None] * snapshot.velocity
     return product
 
 
 def expected(world: World) -> float:
-    """Return the largest momentum to be expected [kg m/s]: that at the start or of a ghost."""
+    """Return the largest momentum at the start or of a ghost [kg m/s]."""
     t = np.linspace(0.0, count_steps(world) * world.dt, PATH_POINTS)
     peak, mass = _peak(momenta(world, world.snapshot)), dict(heavy(world))
     together = np.zeros((len(t) - 1, 2))
@@ -66,13 +66,13 @@ def expected(world: World) -> float:
 def scale(owner: object, world: World, observed: Snapshot) -> float:
     """Return the momentum of a full bar [kg m/s]; 0 if nothing has moved yet.
 
-    It is a round number that stays the same over a run, a way back in time, and the same run taken
-    again; where no ghost tells beforehand how large momenta become, it may have to grow.
+    The scale is a round number that stays the same during a run, also when the run is rewound or
+    repeated. It may grow if no ghost gives the largest momentum in advance.
 
     Parameters
     ----------
     owner
-        The owner of the scale, such as a session: the scale is kept as long as it is.
+        The owner of the scale, such as a session, which determines its lifetime.
     world
         The world whose momenta are drawn.
     observed
@@ -95,6 +95,6 @@ def scale(owner: object, world: World, observed: Snapshot) -> float:
 
 
 def _peak(momentum: Array) -> float:
-    """Return the largest size of a momentum, of a body or of all together [kg m/s]."""
+    """Return the largest magnitude of a body's momentum, or of the total momentum [kg m/s]."""
     every = np.concatenate((momentum, momentum.sum(axis=-2, keepdims=True)), axis=-2)
     return float(np.hypot(every[..., 0], every[..., 1]).max(initial=0.0))

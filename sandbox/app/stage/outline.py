@@ -28,35 +28,39 @@ RIM = 6
 
 @dataclass(frozen=True, slots=True)
 class Outline:
-    """A body's shape, relative to it.
+    """A body's shape, relative to its position and angle.
 
     Attributes
     ----------
+    name
+        The name of the body.
     row
-        Of the body in a snapshot's arrays.
+        The index of the body in a snapshot's arrays.
     moves
-        Whether it is dynamic or kinematic.
+        Whether the body is dynamic or kinematic.
     heavy
-        Whether it is dynamic, so that a hand can move it.
+        Whether the body is dynamic, so that the user can move it.
+    color
+        The colour of the body.
     radius
-        Of a disc or hoop [m]; None for shapes with corners.
+        The radius of a disc or hoop [m]; None for shapes with corners.
     points
-        The corners [m]; those of a polygon around a circle.
+        The corners [m]; for a circle, those of an inscribed polygon.
     closed
-        Whether the last corner is joined to the first.
+        Whether the last corner is connected to the first.
     curved
-        Whether it is a curve: then what it is hatched away from is the same all along it.
+        Whether the body is a curve, which is hatched on the same side all along.
     hollow
         Whether only the rim is drawn.
     thickness
-        Of a line [m].
+        The thickness of a line [m].
     sensor
-        Whether it is an area that others pass through.
+        Whether the body is an area that others pass through.
     lets
-        To which side of its line alone it lets others: 1 to the left, −1 to the right; 0 to both,
-        or to neither.
+        The direction in which a one-way line lets bodies through: 1 to the left, −1 to the right;
+        0 for other bodies.
     hidden
-        Whether it is left out of the picture.
+        Whether the body is left out of the picture.
     layer
         Bodies with a higher value are drawn over those with a lower one.
     """
@@ -84,7 +88,17 @@ class Outline:
         return [(px + c * x - s * y, py + s * x + c * y) for x, y in self.points]
 
     def covers(self, offset: XY, angle: float, margin: float) -> bool:
-        """Whether a point, relative to the body's position, is on the body or that close [m]."""
+        """Whether a point is on the body, or within a margin of it.
+
+        Parameters
+        ----------
+        offset
+            The point relative to the body's position [m].
+        angle
+            The angle of the body [rad].
+        margin
+            The margin [m].
+        """
         c, s = cos(angle), sin(angle)
         x, y = c * offset[0] + s * offset[1], c * offset[1] - s * offset[0]
         if self.radius is not None:
@@ -111,7 +125,7 @@ def outlines(level: Level, values: Values) -> Mapping[str, Outline]:
 
 
 def outlined(name: str, row: int, spec: Body, values: Values, moving: int) -> Outline:
-    """Return the outline of a body, given how many moving bodies come before it."""
+    """Return the outline of a body; `moving` is the number of moving bodies before it."""
     shape = spec.shape
     radius = shape.radius(values) if isinstance(shape, Disc | Hoop) else None
     line = shape if isinstance(shape, Segment | Polyline | Arc | Curve) else None

@@ -1,4 +1,4 @@
-"""Strings over pegs, drawn as if each peg were a small wheel inside the bend."""
+"""Draws strings over pegs, with each peg as a small wheel inside the bend."""
 
 from collections.abc import Sequence
 from math import acos, atan2, cos, hypot, pi, sin, tan
@@ -11,11 +11,12 @@ from sandbox.model.shapes import XY
 
 WHEEL = 13.0  # px, the largest radius
 SHARE = 0.24
-"""The largest wheel radius, as a share of the shorter side of a bend: two neighbours fit."""
+"""The largest distance from a peg to the tangent points, as a fraction of the shorter side: two
+neighbours fit."""
 
 
 class Bend(NamedTuple):
-    """A string's way around a peg: the wheel, and the points of the arc [px]."""
+    """The bend of a string around a peg: the wheel, and the points of the arc [px]."""
 
     center: XY
     radius: float
@@ -40,7 +41,7 @@ def draw_string(surface: pygame.Surface, corners: Sequence[XY], slack: bool) -> 
 
 
 def eyes(surface: pygame.Surface, corners: Sequence[XY]) -> None:
-    """Mark where the string is tied."""
+    """Mark the ends of a string."""
     for x, y in (corners[0], corners[-1]):
         pygame.draw.aacircle(surface, theme.STAGE, (x, y), 4)
         pygame.draw.aacircle(surface, theme.STRING, (x, y), 2.5)
@@ -53,7 +54,7 @@ def _wheel(surface: pygame.Surface, bend: Bend) -> None:
 
 
 def _bend(before: XY, peg: XY, after: XY) -> Bend | None:
-    """Return the wheel that the string runs around, None where it runs straight on."""
+    """Return the bend of a string at a peg; None if the string is straight or folded there."""
     to_before, to_after = _unit(peg, before), _unit(peg, after)
     if to_before is None or to_after is None:
         return None
@@ -70,7 +71,7 @@ def _bend(before: XY, peg: XY, after: XY) -> Bend | None:
 
 
 def _arc(center: XY, radius: float, peg: XY, one: XY, other: XY, reach: float) -> list[XY]:
-    """Return the points of the arc between the two tangents, on the side of the peg."""
+    """Return the points of the arc between the two tangent points, on the side of the peg [px]."""
     first = atan2(peg[1] + one[1] * reach - center[1], peg[0] + one[0] * reach - center[0])
     last = atan2(peg[1] + other[1] * reach - center[1], peg[0] + other[0] * reach - center[0])
     turn = (last - first + pi) % (2 * pi) - pi

@@ -1,4 +1,4 @@
-"""The words that a level writes on its stage: at points of the plane, or on bodies."""
+"""Draws the labels of a level, at points of the plane or on bodies."""
 
 from collections.abc import Mapping
 
@@ -14,7 +14,7 @@ from sandbox.physics.state.anchor import Anchor
 
 
 def draw_texts(surface: pygame.Surface, view: View) -> None:
-    """Write the labels of a level where they belong, and keep other words from there."""
+    """Draw the labels of a level, and reserve their places among other labels."""
     world, words = view.world, level_words.of(view.world.level)
     rows = {name: row for row, name in enumerate(world.level.bodies)}
     for label in view.world.level.view.labels:

@@ -1,1 +1,1 @@
-"""What several panels and pages are made of."""
+"""Widgets that are shared by several panels and pages."""

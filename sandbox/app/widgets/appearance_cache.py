@@ -1,17 +1,17 @@
-"""The looks of widgets, kept to be drawn again: a shape of one size in one set of colours each."""
+"""Caches the pictures of widgets: one for each shape, size and set of colours."""
 
 import pygame
 from pygame_gui.core.surface_cache import SurfaceCache
 
 MOST = 16_000_000
-"""The bytes of pictures that are kept."""
+"""The largest total size of the pictures [bytes]."""
 
 
 class Looks(SurfaceCache):
-    """The looks that were last wanted.
+    """The pictures that were used last.
 
-    pygame_gui fits them into a few large pictures, rectangle by rectangle. What is given back
-    leaves ever smaller ones: after some minutes each look takes 8 ms to put away.
+    pygame_gui packs them as rectangles into a few large pictures. Releasing them fragments the free
+    space: after some minutes, storing a picture takes 8 ms.
     """
 
     def __init__(self) -> None:
@@ -19,7 +19,7 @@ class Looks(SurfaceCache):
         self._bytes = 0
 
     def add_surface_to_cache(self, surface: pygame.Surface, string_id: str) -> None:
-        """Keep a picture under a name, and drop those that were unused for longest."""
+        """Store a picture under a name, and drop the least recently used ones."""
         self._drop(string_id)
         self._kept[string_id] = surface
         self._bytes += _size(surface)
@@ -27,17 +27,17 @@ class Looks(SurfaceCache):
             self._drop(next(iter(self._kept)))
 
     def find_surface_in_cache(self, lookup_id: str) -> pygame.Surface | None:
-        """Return the look of a name; None if it is not kept."""
+        """Return the picture with a name, or None."""
         found = self._kept.pop(lookup_id, None)
         if found is not None:
             self._kept[lookup_id] = found
         return found
 
     def update(self) -> None:
-        """Put nothing away: all is where it stays."""
+        """Do nothing: pictures are stored at once."""
 
     def remove_user_from_cache_item(self, string_id: str) -> None:
-        """Keep a look that one widget has no longer: another may want it."""
+        """Do nothing: another widget may use the picture."""
 
     def _drop(self, name: str) -> None:
         if name in self._kept:

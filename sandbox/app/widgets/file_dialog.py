@@ -1,4 +1,4 @@
-"""The dialog that chooses a file."""
+"""The dialog for choosing a file."""
 
 import locale
 import os
@@ -20,11 +20,11 @@ from sandbox.app.widgets.text_field import Field
 from sandbox.app.words.language import say
 
 SIZE = 560, 460  # px, if there is room
-SMALLEST = 260, 300  # px, as pygame_gui asks for
+SMALLEST = 260, 300  # px, the minimum of pygame_gui
 
 
 class OpenDialog(UIFileDialog):
-    """The levels in a folder, one of which can be opened; nothing is written or removed."""
+    """A dialog that opens a level in a folder; it neither writes nor removes files."""
 
     def __init__(self, manager: UIManager, stage: pygame.Rect, folder: Path) -> None:
         room = stage.inflate(-20, -20).size
@@ -41,7 +41,7 @@ class OpenDialog(UIFileDialog):
         self.set_blocking(True)
 
     def _take_letters_that_can_be_drawn(self, manager: UIManager) -> None:
-        """Put a field of the app's own in the place of pygame_gui's."""
+        """Replace pygame_gui's field by the app's own."""
         line = self.file_path_text_line
         self.file_path_text_line = Field(
             line.relative_rect, manager, container=self, initial_text=line.get_text(),
@@ -50,7 +50,7 @@ class OpenDialog(UIFileDialog):
         line.kill()  # type: ignore[no-untyped-call]
 
     def picked(self, event: pygame.event.Event) -> Path | None:
-        """Return the file that was chosen: by the button, by Enter, or by a second click."""
+        """Return the file that was chosen by the button, Enter or a double click, or None."""
         element = getattr(event, "ui_element", None)
         if event.type == UI_FILE_DIALOG_PATH_PICKED and element is self:
             return Path(event.text)
@@ -65,7 +65,7 @@ class OpenDialog(UIFileDialog):
         return path if path is not None and os.path.isfile(path) else None
 
     def _create_list_of_directories_and_files_on_current_path(self) -> None:
-        """Leave out what is hidden, and names that cannot be drawn."""
+        """Leave out hidden files, and names that cannot be drawn."""
         super()._create_list_of_directories_and_files_on_current_path()  # type: ignore[no-untyped-call]
         self.current_file_list = [
             each
@@ -75,14 +75,14 @@ class OpenDialog(UIFileDialog):
 
 
 def _nameable(folder: Path) -> Path:
-    """Return a folder, or the one above it whose name can be drawn."""
+    """Return a folder, or the nearest one above it whose path can be drawn."""
     shown = (each for each in (folder, *folder.parents) if str(each) == legible(str(each)))
     return next(shown, Path("/"))
 
 
 @contextmanager
 def _as_before() -> Iterator[None]:
-    """Leave the process's locale as it is: pygame_gui's dialog sets it, if there is such a one."""
+    """Restore the process's locale afterwards, since pygame_gui's dialog sets it."""
     before, wanted = locale.setlocale(locale.LC_ALL), os.environ.get("LC_ALL")
     try:
         locale.setlocale(locale.LC_ALL, "")

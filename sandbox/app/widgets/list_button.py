@@ -1,22 +1,22 @@
-"""Buttons of a long list, which cost time only while they are visible."""
+"""Buttons of a long list, which take time only while they are visible."""
 
 from pygame_gui.elements import UIButton
 
 
 class Row(UIButton):
-    """A button that rests while it is scrolled out of sight.
+    """A button that is not updated while it is scrolled out of view.
 
-    pygame_gui asks each button in each frame whether its look has changed. Of some hundred in a
-    list two dozen are seen.
+    pygame_gui checks each button for changes in every frame. Of some hundred in a list, two dozen
+    are visible.
     """
 
     @property
     def in_sight(self) -> bool:
-        """Whether any of it is in what its list shows."""
+        """Whether any part of the button is in the visible part of its list."""
         clip = self._image_clip
         return clip is None or clip.height > 0
 
     def update(self, time_delta: float) -> None:
-        """Take up another look, if it has one."""
+        """Update the button if it is in view, after some time [s]."""
         if self.in_sight:
             super().update(time_delta)

@@ -18,24 +18,25 @@ Ids = list[str | None] | None
 
 
 class Manager(UIManager):
-    """Keeps the widgets of a window."""
+    """Manages the widgets of a window."""
 
     _touched: Sequence[UIElement] = ()
-    """the plain ones that the mouse was over in the last frame, or holds"""
+    """the plain widgets that the mouse was over in the last frame, or holds"""
 
     def update(self, time_delta: float) -> None:
-        """Let some time pass [s].
+        """Update the widgets after some time [s].
 
-        pygame_gui takes a note of where each widget was that has gone, and never looks at it.
+        pygame_gui stores the rectangles of removed widgets without ever using them; they are
+        cleared here.
         """
         super().update(time_delta)
         self.get_sprite_group().lostsprites.clear()
 
     def _handle_hovering(self, time_delta: float) -> None:
-        """Find the uppermost widget under the mouse, the only one that is hovered.
+        """Find the topmost widget under the mouse, the only one that is hovered.
 
-        pygame_gui goes through all of them by layers, and asks each. A plain one that the mouse is
-        far from, and was, has nothing to say; there are some hundred.
+        pygame_gui checks all widgets layer by layer. Here plain widgets are left out unless the
+        mouse is or was over them; there are some hundred.
         """
         every = cast("list[UIElement]", self.get_sprite_group().sprites())
         mouse = pygame.Rect(self.mouse_position, (1, 1))
@@ -54,7 +55,7 @@ class Manager(UIManager):
         theme_path: str | os.PathLike[str] | io.StringIO | PackageResource | dict[str, Any]
         | None = None,
     ) -> UIAppearanceTheme:  # fmt: skip
-        """Return the look of the widgets."""
+        """Return the theme of the widgets."""
         theme = _Theme(self.resource_loader, self._locale)
         theme.shape_cache = Looks()
         if theme_path is not None:
@@ -68,10 +69,10 @@ held."""
 
 
 class _Theme(UIAppearanceTheme):
-    """Knows the names under which a look is declared, by where a widget is.
+    """A theme that caches the names of a widget's style, by the ids of it and its containers.
 
-    pygame_gui keeps them by a text that joins what the widget, and all that hold it, are called: it
-    grows with the product of four lengths, and takes longer to write than the names to find.
+    pygame_gui caches them by a text that joins all these ids. Its length grows with the product of
+    four lengths, and making it takes longer than finding the names.
     """
 
     _names: ClassVar[dict[tuple[tuple[str | None, ...] | None, ...], list[str]]] = {}
@@ -83,7 +84,7 @@ class _Theme(UIAppearanceTheme):
         class_ids: Ids,
         object_ids: Ids,
     ) -> list[str]:
-        """Return the names of a widget's look, the most specific first."""
+        """Return the names of a widget's style, the most specific first."""
         ids = (element_base_ids, element_ids, class_ids, object_ids)
         key = tuple(None if each is None else tuple(each) for each in ids)
         if key not in self._names:

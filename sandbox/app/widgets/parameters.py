@@ -25,28 +25,28 @@ LINE = 13  # px, between two lines of a label
 
 @dataclass(slots=True)
 class Row:
-    """A parameter with its widgets; they belong together."""
+    """A parameter with its widgets."""
 
     parameter: Parameter
     slider: UIHorizontalSlider
     field: Field
     shown: str
-    """What the field says when nobody types."""
+    """the text of the field while nothing is typed"""
 
 
 @dataclass(frozen=True, slots=True)
 class Change:
-    """What a person wants a parameter to be; no value if it was not a number."""
+    """A change of a parameter that the user asks for; `value` is None if it was not a number."""
 
     name: str
     typed: str
     value: float | None
     shifted: bool = False
-    """whether Shift was held while it was dragged: then it acts the other way, see `Session`"""
+    """whether Shift was held while dragging; see `otherwise` of `Session.change`"""
 
 
 class Parameters:
-    """A row a parameter, in a container, from a height on."""
+    """Rows of widgets, one for each parameter, at the top of an area of a container."""
 
     def __init__(
         self, manager: UIManager, pen: Pen, container: UIScrollingContainer,
@@ -103,7 +103,7 @@ class Parameters:
                 row.slider.set_current_value(values[name])
 
     def process(self, event: pygame.event.Event) -> Change | None:
-        """Return the change that a person has asked for, if one was."""
+        """Return the change that an event asks for, or None."""
         for name, row in self._rows.items():
             if event.type == UI_HORIZONTAL_SLIDER_MOVED and event.ui_element is row.slider:
                 return self._slid(name, row)
@@ -114,7 +114,7 @@ class Parameters:
         return None
 
     def left(self) -> Change | None:
-        """Return the text of a field that has lost the focus."""
+        """Return the change typed into a field that has lost the focus, or None."""
         for name, row in self._rows.items():
             if not row.field.is_focused and row.field.get_text() != row.shown:
                 return self._typed(name, row)
@@ -126,7 +126,7 @@ class Parameters:
         return any(row.field.is_focused for row in self._rows.values())
 
     def revert(self) -> None:
-        """Let the fields say again what is the case, ready to be typed over."""
+        """Reset the fields to the current values, selected for typing over."""
         for row in self._rows.values():
             row.field.set_text(row.shown)
             if row.field.is_focused:
@@ -137,7 +137,7 @@ class Parameters:
         return self._rows[name]
 
     def _slid(self, name: str, row: Row) -> Change:
-        """Round what the slider says to a number that a person would choose."""
+        """Return the change to the slider's value, rounded to a step."""
         value = rounded(row.parameter, row.slider.get_current_value())
         shifted = bool(pygame.key.get_mods() & pygame.KMOD_SHIFT)
         return Change(name, formatting.setting(value), value, shifted)
@@ -151,7 +151,7 @@ class Parameters:
         return Change(name, text, value if isfinite(value) else None)
 
     def _nudged(self, name: str, row: Row, event: pygame.event.Event) -> Change | None:
-        """Change a value by a small step; by ten with Shift."""
+        """Return the change by one step, or by ten steps with Shift; None for other keys."""
         directions = {pygame.K_UP: 1, pygame.K_DOWN: -1}
         if event.key not in directions:
             return None
@@ -165,7 +165,7 @@ class Parameters:
 
 
 def _title(pen: Pen, text: str, width: int) -> pygame.Surface:
-    """Draw a label on one line, or smaller on two; cut it if there is no room for that either."""
+    """Draw a label on one line, or in smaller letters on two, shortened if it does not fit."""
     if pen.shorten(text, width) == text:
         return pen.write(text, 14)
     first, *others = pen.wrap(text, width, 12)

@@ -1,4 +1,4 @@
-"""The scrolling part of the side panel, on which a page puts its contents."""
+"""The scrolling part of the side panel, which holds the contents of a page."""
 
 from typing import Protocol
 
@@ -11,37 +11,37 @@ from sandbox.app.drawing.text import Pen
 from sandbox.app.widgets.parameters import Parameters
 
 MARGIN = 16  # px
-BAR = 26  # px, kept free for the scroll bar
-PADDING = 26  # px, beside a caption, left and right together
+BAR = 26  # px, reserved for the scroll bar
+PADDING = 26  # px, beside a caption, total of left and right
 
 
 class Typed(Protocol):
     """Fields that can be typed into."""
 
     def revert(self) -> None:
-        """Let the fields say again what is the case."""
+        """Reset the fields to the current values."""
         ...
 
 
 class Sheet:
-    """An area of some width that scrolls if it must.
+    """An area that scrolls if its contents do not fit.
 
     Attributes
     ----------
     width
-        The width of its contents [px].
+        The width of the contents [px].
     margin
-        Left of that, and twice what is above it [px].
+        The left margin, which is twice the upper one [px].
     container
-        pygame_gui's.
+        The container of pygame_gui.
     strip
-        What stays above it while it is scrolled; of no height unless a page pins some.
+        The strip above the area, which does not scroll; without height unless a page pins it.
     parameters
-        The parameters' fields and sliders; none unless a page puts some.
+        The fields and sliders of parameters; empty unless a page adds some.
     checks
-        The picture of the checks; None unless a page puts it.
+        The picture of the checks; None unless a page adds it.
     typed
-        Other fields that can be typed into, in place of those; None unless a page puts some.
+        Other fields that can be typed into, instead of parameters; None unless a page adds some.
     """
 
     def __init__(self, manager: UIManager, pen: Pen, rect: pygame.Rect) -> None:
@@ -57,20 +57,20 @@ class Sheet:
         self.typed: Typed | None = None
 
     def px(self, length: float) -> int:
-        """Return a length, given at the usual scale, at the present one [px]."""
+        """Return a length, given at the standard scale, at the current one [px]."""
         return self.pen.px(length)
 
     def scaled(self, size: tuple[int, int]) -> tuple[int, int]:
-        """Return a size, given at the usual scale, at the present one [px]."""
+        """Return a size, given at the standard scale, at the current one [px]."""
         return self.px(size[0]), self.px(size[1])
 
     def image(self, surface: pygame.Surface, y: int) -> UIImage:
-        """Put a picture at a height."""
+        """Add a picture at a height [px]."""
         rect = pygame.Rect((self.margin, y), surface.size)
         return UIImage(rect, surface, self.manager, container=self.container)
 
     def button(self, rect: pygame.Rect, text: str, tip: str, kind: str | None = None) -> UIButton:
-        """Put a button, with its place relative to the left margin."""
+        """Add a button; its rectangle is relative to the left margin [px]."""
         return UIButton(
             rect.move(self.margin, 0), text, self.manager,
             container=self.container, tool_tip_text=tip,
@@ -78,18 +78,18 @@ class Sheet:
         )  # fmt: skip
 
     def room(self, *captions: str) -> int:
-        """Return how wide a button must be for any of some captions [px]."""
+        """Return the width that a button needs for the widest of some captions [px]."""
         return max(self.pen.write(each, 14).width for each in captions) + self.px(PADDING)
 
     @staticmethod
     def replace(image: UIImage, surface: pygame.Surface) -> None:
-        """Let a picture show another one."""
+        """Replace a picture by another one."""
         if image.relative_rect.size != surface.size:
             image.set_dimensions(surface.size)
         image.set_image(surface)
 
     def pin(self, height: int) -> None:
-        """Let the strip above be so high [px]."""
+        """Set the height of the strip above [px]."""
         if self.strip.rect.height == height:
             return
         rect = self._rect
@@ -98,23 +98,23 @@ class Sheet:
         self.container.set_dimensions((rect.width, max(rect.height - height, 1)))
 
     def end(self, height: int) -> None:
-        """Let all be scrolled to, down to a height."""
+        """Set the height of the contents [px]."""
         if self.container.scrollable_container.rect.height != height:
             self.container.set_scrollable_area_dimensions((self.width + self.margin, height))
 
 
 class Panel(Protocol):
-    """What a page of the side panel has put on its sheet."""
+    """The contents of a page on its sheet."""
 
     def process(self, event: pygame.event.Event) -> str | None:
-        """Handle a click; return the message for it, None if nothing was clicked."""
+        """Handle a click; return the message for it, or None if nothing was clicked."""
         ...
 
     def update(self) -> None:
-        """Bring what is shown up to date."""
+        """Update the contents."""
         ...
 
 
 def below(image: UIImage) -> int:
-    """Return the height at which a picture ends."""
+    """Return the height of a picture's lower edge [px]."""
     return int(image.relative_rect.bottom)

@@ -1,4 +1,4 @@
-"""A line for typing."""
+"""A text field of one line."""
 
 import pygame
 from pygame_gui.core.utility import clipboard_paste
@@ -7,21 +7,21 @@ from pygame_gui.elements import UITextEntryLine
 from sandbox.app.drawing.text import typed
 
 LONGEST = 100
-"""Characters that can be typed."""
+"""The largest number of characters that are pasted."""
 
 
 class Field(UITextEntryLine):
     """A line of text that accepts every character that can be drawn.
 
-    pygame_gui keeps a letter without width, and ends when it comes to draw it. It also refuses all
-    that is pasted for one letter that it does not take; here that one is left out. The click that
-    enters a field selects all of it, so that what is typed then takes its place.
+    pygame_gui accepts characters without width, and fails to draw them. It also refuses all pasted
+    text because of one invalid character; here only that one is left out. The click that enters a
+    field selects its text, so that typing replaces it.
     """
 
     _entering = False
 
     def focus(self) -> None:
-        """Take what is typed from now on."""
+        """Give the field the keyboard focus."""
         super().focus()  # type: ignore[no-untyped-call]
         self._entering = True
 

@@ -7,7 +7,7 @@ from pygame_gui.elements import UIButton, UIScrollingContainer
 
 
 def press(button: UIButton, on: bool) -> None:
-    """Let a button look switched on or off."""
+    """Draw a button as switched on or off."""
     if on and not button.is_selected:
         button.select()  # type: ignore[no-untyped-call]
     elif not on and button.is_selected:
@@ -15,7 +15,7 @@ def press(button: UIButton, on: bool) -> None:
 
 
 def allow(button: UIButton, possible: bool) -> None:
-    """Let a button be pressed, or not."""
+    """Enable or disable a button."""
     if possible and not button.is_enabled:
         button.enable()  # type: ignore[no-untyped-call]
     elif not possible and button.is_enabled:
@@ -23,14 +23,14 @@ def allow(button: UIButton, possible: bool) -> None:
 
 
 def stretched(widths: Sequence[int], room: int) -> list[int]:
-    """Widen each by the same, so that together they fill what room there is [px]."""
+    """Return widths, increased equally, that together fill the available width [px]."""
     spare = max(room - sum(widths), 0)
     ends = [spare * i // len(widths) for i in range(len(widths) + 1)]
     return [own + b - a for own, (a, b) in zip(widths, pairwise(ends), strict=True)]
 
 
 def scroll(container: UIScrollingContainer, top: float) -> None:
-    """Show what stands at a height of a container's content at its upper edge [px], or nearly."""
+    """Scroll a container to a height of its contents [px], as far as possible."""
     bar = container.vert_scroll_bar
     seen, height = container.rect.height, container.scrollable_container.rect.height
     if bar is not None:
@@ -38,5 +38,5 @@ def scroll(container: UIScrollingContainer, top: float) -> None:
 
 
 def scrolled(container: UIScrollingContainer) -> float:
-    """Return the height of the content that is at the upper edge of a container [px]."""
+    """Return the height of the contents at the upper edge of a container [px]."""
     return float(container.rect.y - container.scrollable_container.rect.y)

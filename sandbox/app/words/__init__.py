@@ -1,1 +1,1 @@
-"""What the window says, in the language that is chosen, and how numbers are put."""
+"""The texts of the window in the chosen language, and the formatting of numbers."""

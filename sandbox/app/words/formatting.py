@@ -1,4 +1,4 @@
-"""Numbers, times and settings, formatted for a person to read."""
+"""Formats numbers, times and settings as text."""
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from math import ceil, degrees, floor, inf, isclose, isfinite, log10
@@ -23,7 +23,7 @@ from sandbox.physics.measuring.goals import Outcome
 
 MINUS = "−"
 ROUNDING = 1e-12
-"""The share of a scale below which a value counts as rounding."""
+"""The fraction of a scale below which a value counts as a rounding error."""
 NO_DIFFERENCE = later("no difference")
 SCHEMES: Mapping[str, str] = {
     "leapfrog": later("leapfrog"),
@@ -34,7 +34,7 @@ SCHEMES: Mapping[str, str] = {
 
 
 def number(value: float, digits: int = 5) -> str:
-    """Write a number with that many significant digits, with a power of ten where it needs one."""
+    """Format a number with some significant digits, and a power of ten if it needs one."""
     if not isfinite(value):
         return "–" if value != value else ("∞" if value > 0 else f"{MINUS}∞")
     if value == 0:
@@ -47,31 +47,31 @@ def number(value: float, digits: int = 5) -> str:
 
 
 def without_rounding(value: float, scale: float) -> float:
-    """Return a value, or 0 if it is only rounding relative to a scale."""
+    """Return a value, or 0 if it is only a rounding error relative to a scale."""
     return 0.0 if abs(value) < ROUNDING * scale else value
 
 
 def error(value: float) -> str:
-    """Write an error with one significant digit: it is its size that counts."""
+    """Format an error with one significant digit, since only its magnitude matters."""
     if value == 0 or not isfinite(value):
         return number(value)
     return _power(f"{value:.0e}").replace("-", MINUS)
 
 
 def share(value: float) -> str:
-    """Write a part of a whole: in per cent where it is large enough to be read so."""
+    """Format a fraction, in per cent unless it is very small or large."""
     return f"{100 * value:.1f} %".replace("-", MINUS) if 1e-3 <= abs(value) < 1e4 else error(value)
 
 
 def quantity(value: float, unit: str, digits: int = 5) -> str:
-    """Write a number with its unit; what is kept in radians is read in degrees."""
+    """Format a number with its unit; radians are shown in degrees."""
     if unit.startswith("rad"):
         return f"{number(degrees(value), digits)}{unit.replace('rad', '°')}"
     return f"{number(value, digits)} {unit}".rstrip()
 
 
 def bounds(outcome: Outcome) -> str:
-    """Write what a goal asks for: the least, the most, or both."""
+    """Format the bounds of a goal: the lower, the upper, or both."""
     least, most = (quantity(bound, outcome.unit, 4) for bound in (outcome.least, outcome.most))
     if outcome.least == -inf:
         return say("at most {most}", most=most)
@@ -81,32 +81,32 @@ def bounds(outcome: Outcome) -> str:
 
 
 def measured(value: float, expected: float, unit: str) -> str:
-    """Format a measurement, so that two that differ by rounding look the same."""
+    """Format a measured value; one that differs from the expected by rounding looks the same."""
     return quantity(expected if isclose(value, expected, rel_tol=1e-9) else value, unit)
 
 
 def with_unit(text: str, unit: str) -> str:
-    """Put a unit behind a number; a degree is written ° and close to it."""
+    """Append a unit to a number; degrees are written as ° without a space."""
     return f"{text}°" if unit == "deg" else f"{text} {unit}".rstrip()
 
 
 def with_unit_in_brackets(name: str, unit: str) -> str:
-    """Head a column: what is kept in radians is read in degrees."""
+    """Format the heading of a column; radians are shown in degrees."""
     return f"{name} [{unit.replace('rad', '°')}]" if unit else name
 
 
 def setting(value: float) -> str:
-    """Write a parameter as a person would type it."""
+    """Format a parameter as one would type it."""
     return f"{value:.7g}"
 
 
 def seconds(value: float) -> str:
-    """Write a time with two decimals."""
+    """Format a time with two decimals."""
     return f"{value:.2f} s"
 
 
 def span(value: float) -> str:
-    """Write about how long something takes: in seconds, minutes or hours, rounded up.
+    """Format an approximate duration in seconds, minutes or hours, rounded up.
 
     >>> span(3.2), span(200), span(8000)
     ('4 s', '4 min', '3 h')
@@ -118,15 +118,15 @@ def span(value: float) -> str:
 
 
 def nice(value: float) -> float:
-    """Return the largest of …, 0.1, 0.2, 0.5, 1, 2, 5, … that is not above a positive value."""
+    """Return the largest of …, 0.1, 0.2, 0.5, 1, 2, 5, … that is at most a positive value."""
     power = 10.0 ** floor(log10(value))
     return next(m * power for m in (5.0, 2.0, 1.0, 0.5) if m * power <= value * (1 + 1e-12))
 
 
 def rounded_up(value: float) -> float:
-    """Return the smallest of …, 0.1, 0.2, 0.5, 1, 2, 5, … that is not below a value; 0 if none is.
+    """Return the smallest of …, 0.1, 0.2, 0.5, 1, 2, 5, … that is at least a value.
 
-    What is not positive, or has no end, has none.
+    0 if the value is not positive, or not finite.
     """
     if value <= 0 or not isfinite(value):
         return 0.0
@@ -135,12 +135,12 @@ def rounded_up(value: float) -> float:
 
 
 def scheme(name: str) -> str:
-    """Write the name of a scheme."""
+    """Return the translated name of a scheme."""
     return say(SCHEMES.get(name, name))
 
 
 def moment(check: Check) -> str:
-    """Name the moment at which a check can be made for the first time."""
+    """Describe the moment at which a check can first be made."""
     match check.at:
         case None:
             return say("the first step")
@@ -163,7 +163,7 @@ def _times(nth: int) -> str:
 
 
 def occasion(check: Check) -> str:
-    """Name in a word or two what a check waits for."""
+    """Describe in a word or two the event that a check waits for."""
     match check.at:
         case ApexEvent():
             return say("at apex")
@@ -180,7 +180,7 @@ def occasion(check: Check) -> str:
 
 
 def difference(found: Difference) -> str:
-    """Write how two runs differ: as a share if there is something to compare it with."""
+    """Format the difference between two runs, relative to the first if that makes sense."""
     if found.share == 0:
         return say(NO_DIFFERENCE)
     if found.before is None or found.after is None:
@@ -191,7 +191,7 @@ def difference(found: Difference) -> str:
 
 
 def step_cost(seconds: float) -> str:
-    """Write what a step costs more or less."""
+    """Format the difference in the cost of a step."""
     return say("{cost:+.2g} ms a step", cost=round(1e3 * seconds, 4))
 
 
@@ -214,14 +214,14 @@ def _variation(found: Variation) -> str:
 
 
 def summary(found: Sequence[Difference], words: Say) -> Iterator[str]:
-    """Yield what a change of effects does to each quantity of a level, in a few words."""
+    """Yield a short text for each quantity that a change of effects alters."""
     for label, one in {words(each.label) or each.quantity: each for each in found}.items():
         if one.share:
             yield f"{label} {difference(one)}"
 
 
 def offer(setting: Setting) -> str:
-    """Write which setting reaches an accuracy, or what can be had instead."""
+    """Describe the setting that reaches an accuracy, or the best one possible in real time."""
     if setting.in_real_time is None:
         return f"{error(setting.target)}: {_offer(setting.chosen)}"
     return say(
@@ -234,7 +234,7 @@ def offer(setting: Setting) -> str:
 
 
 def stepping(chosen: Stepping) -> str:
-    """Write how time advances: scheme and rate, and what solves contacts if that was chosen."""
+    """Describe a stepping: scheme and rate, and the solver of contacts if one is chosen."""
     name, rate = scheme(chosen.scheme), chosen.rate
     if chosen.solver:
         return say("{scheme} at {rate:g} Hz, contacts solved directly", scheme=name, rate=rate)
@@ -251,7 +251,7 @@ def _offer(found: Offer) -> str:
 
 
 def trusted(found: Trust) -> str:
-    """Write how many digits of a quantity hold throughout a run, and how far it is foretold."""
+    """Describe how many digits of a quantity hold in a run, and until when it is predictable."""
     message = plural("{count} digit holds", "{count} digits hold", found.digits)
     if not found.digits:
         message = say("no digit holds")
@@ -261,13 +261,13 @@ def trusted(found: Trust) -> str:
 
 
 def certain(value: float, off: float, unit: str) -> str:
-    """Format a number with an error, with the digits that can be trusted."""
+    """Format a value that has an error, with only the digits that can be trusted."""
     scale = degrees(1) if unit.startswith("rad") else 1.0
     digits = surviving(scale * value, scale * off)
     return quantity(value if digits else 0.0, unit, digits or 1)
 
 
 def _power(text: str) -> str:
-    """Write a power of ten without what says nothing: 2e3, not 2.e+03."""
+    """Shorten a number with a power of ten: 2e3, not 2.e+03."""
     mantissa, _, exponent = text.partition("e")
     return f"{mantissa.rstrip('.')}e{int(exponent)}"

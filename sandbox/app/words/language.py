@@ -1,8 +1,8 @@
-"""The language of the window: the code says its texts in English, and they are looked up here.
+"""Translates the texts of the window, which the code contains in English.
 
-A translation is a catalogue in `languages`, as gettext has them: `de.po` for people to edit, and
-`de.mo`, which is made of it. What the levels say that come with the project has catalogues of its
-own, in `languages/levels`. See `docs/how-to/translate-the-window.md`.
+A translation is a gettext catalogue in `languages`: `de.po` for editing, and `de.mo`, which is
+compiled from it. The texts of the project's levels have their own catalogues, in
+`languages/levels`. See `docs/how-to/translate-the-window.md`.
 """
 
 import os
@@ -20,7 +20,7 @@ from sandbox.model.message import Message
 Name = Literal["en", "de"]
 """The code of a language, and the name of its catalogue."""
 NAMES: tuple[Name, ...] = get_args(Name)
-"""All languages, in the order in which they are offered."""
+"""All languages, in the order of the menu."""
 TITLES: Mapping[Name, str] = {"en": "English", "de": "Deutsch"}
 """The name of each language in that language."""
 ENGLISH: Name = "en"
@@ -37,33 +37,33 @@ _used = ENGLISH
 
 
 def use(name: Name) -> None:
-    """Use another language from now on; texts that were made before stay as they are."""
+    """Switch to a language; texts that are already made do not change."""
     global _used
     _used = name
 
 
 def used() -> Name:
-    """Return the name of the language that is in use."""
+    """Return the code of the current language."""
     return _used
 
 
 def of_system(environment: Mapping[str, str] = os.environ) -> Name:
-    """Return the language that the system asks for, as far as it is known here; else English."""
+    """Return the first of the system's languages that is available, else English."""
     said = next(filter(None, (environment.get(name) for name in _VARIABLES)), "")
     asked = (part.replace("-", "_").partition("_")[0].lower() for part in said.split(":"))
     return next((name for part in asked for name in NAMES if name == part), ENGLISH)
 
 
 def say(message: str, **values: object) -> str:
-    """Return a message in the language that is in use.
+    """Return a message in the current language.
 
     Parameters
     ----------
     message
-        In English, with a `{name}` in braces for each value; or one that brings its values along,
-        as errors do.
+        The message in English, with a `{name}` in braces for each value; or a `Message` that
+        contains its values, like that of an error.
     values
-        What stands in the place of the names; messages and errors among them are said, too.
+        The values, by name; messages and errors among them are translated, too.
     """
     template = message
     if isinstance(message, Message):
@@ -78,7 +78,7 @@ def say(message: str, **values: object) -> str:
 
 
 class _Grouped(Formatter):
-    """Sets the thousands of a number apart by a space: a comma may be a decimal one."""
+    """Separates the thousands of a number by a space, since a comma may be a decimal one."""
 
     def format_field(self, value: object, format_spec: str) -> str:
         text: str = super().format_field(value, format_spec)
@@ -95,7 +95,7 @@ def _said(value: object) -> object:
 
 
 def say_in(context: str, message: str) -> str:
-    """Return a message that means something else elsewhere; translators read the context."""
+    """Translate a message whose meaning depends on a context, which translators see."""
     return catalogue(_used).pgettext(context, message)
 
 
@@ -105,18 +105,18 @@ def plural(one: str, more: str, count: int, **values: object) -> str:
 
 
 def later(message: str) -> str:
-    """Mark a message that is said later, by `say`: a constant, or an entry of a table."""
+    """Mark a message that `say` translates later: a constant, or an entry of a table."""
     return message
 
 
 def folder(domain: Domain) -> Traversable:
-    """Return where the catalogues of a domain are."""
+    """Return the folder with the catalogues of a domain."""
     languages = files("sandbox.app") / "languages"
     return languages if domain == "window" else languages / domain
 
 
 class _Unknown(NullTranslations):
-    """What is asked when a catalogue does not have a message."""
+    """The fallback of a catalogue, which raises for missing messages."""
 
     def gettext(self, message: str) -> str:
         raise LookupError(message)
@@ -126,8 +126,8 @@ class _Unknown(NullTranslations):
 def catalogue(name: Name, domain: Domain = "window") -> NullTranslations:
     """Return the catalogue of a language; that of English returns its input.
 
-    Asked for what it does not have, one of the levels raises a `LookupError`: nobody but a level
-    that comes with the project says what is in it.
+    A catalogue of the levels raises a `LookupError` for a missing message, by which edited levels
+    are recognised.
     """
     if name == ENGLISH:
         return NullTranslations()

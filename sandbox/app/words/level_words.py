@@ -1,7 +1,7 @@
-"""The texts of the levels that come with the project, in the language of the window.
+"""Translates the texts of the project's levels into the language of the window.
 
-A level that a person has written stays in the language of its author. So does one that comes with
-the project, as soon as any of its words is changed: otherwise it would be translated by half.
+Other levels stay in the language of their authors. So does a level of the project once any of its
+texts is changed: otherwise only a part of it would be translated.
 """
 
 from collections.abc import Callable, Iterable
@@ -18,17 +18,17 @@ Say = Callable[[str], str]
 
 
 def of(level: Level) -> Say:
-    """Return what puts the words of a level as they are shown now."""
+    """Return the function that translates the texts of a level into the current language."""
     return shown((text for _, text in prose(level)), level.source)
 
 
 def shown(words: Iterable[str], source: str) -> Say:
-    """Return what puts words of a level as they are shown now.
+    """Return the function that translates some texts of a level into the current language.
 
     Parameters
     ----------
     words
-        All that are known of it.
+        The texts.
     source
         The level's file.
     """
@@ -44,10 +44,10 @@ def shown(words: Iterable[str], source: str) -> Say:
 
 @lru_cache(maxsize=512)
 def _comes_along(source: str) -> bool:
-    """Whether a file is one of those that come with the project."""
+    """Whether a file is one of the project's levels."""
     return Path(source).is_relative_to(catalog.root())
 
 
 def title(check: Check, say: Say) -> str:
-    """Name what is checked, as it is shown."""
+    """Return the title of a check, translated by `say`."""
     return say(check.label) or check.quantity

@@ -1,11 +1,11 @@
-"""The steps of sliders: round numbers that a person would choose."""
+"""The steps of sliders, which are round numbers."""
 
 from sandbox.app.words.formatting import nice
 from sandbox.model.level import Parameter
 
 
 def step(parameter: Parameter) -> float:
-    """Return a round step, of which there are a hundred or more in the parameter's range."""
+    """Return a round step, at most a hundredth of the parameter's range."""
     span = parameter.max - parameter.min
     return nice(span / 100) if span > 0 else 1.0
 

@@ -1,1 +1,1 @@
-"""What explains a motion, drawn over the scene: a module an overlay."""
+"""Overlays, which explain the motion and are drawn over the scene: one module for each."""

@@ -1,4 +1,4 @@
-"""Arrows of the accelerations."""
+"""The overlay with the accelerations of bodies as arrows."""
 
 from weakref import WeakKeyDictionary
 
@@ -12,7 +12,7 @@ from sandbox.app.stage.overlays.overlay import Overlay
 from sandbox.app.stage.view import View
 from sandbox.app.words.formatting import number, rounded_up
 
-_full: WeakKeyDictionary[View, float] = WeakKeyDictionary()  # m/s², of the longest arrow
+_full: WeakKeyDictionary[View, float] = WeakKeyDictionary()  # m/s², of a full-length arrow
 
 
 def _draw(surface: pygame.Surface, view: View) -> None:
@@ -21,7 +21,7 @@ def _draw(surface: pygame.Surface, view: View) -> None:
     sizes = np.hypot(*every[list(rows)].T) if rows and view.few else np.zeros(0)
     if not sizes.any() or not np.isfinite(sizes).all():
         return
-    typical = float(np.median(sizes[sizes > 0]))  # an impact is not what the others are held to
+    typical = float(np.median(sizes[sizes > 0]))  # an impact does not set the scale
     full = max(_full.get(view, 0.0), rounded_up(typical))
     _full[view] = full
     longest = LONGEST * view.camera.size[0]

@@ -1,4 +1,4 @@
-"""Arrows of the velocities of moving bodies, and of the given forces."""
+"""The overlay with the velocities of moving bodies, and the given forces, as arrows."""
 
 import pygame
 
@@ -8,11 +8,11 @@ from sandbox.app.stage.view import View
 from sandbox.model.shapes import XY
 
 AT_REST = 1e-6
-"""A body that moves less than this share of the visible width counts as at rest."""
+"""The distance, as a fraction of the visible width, below which bodies count as at rest."""
 
 
 def seconds(view: View) -> float | None:
-    """Return how far ahead the arrows of velocities show [s]; None if all is at rest."""
+    """Return the time that velocity arrows look ahead [s]; None if all bodies are at rest."""
     if not view.few or not view.moving or view.fastest * view.duration < AT_REST * view.width:
         return None
     return marks.LONGEST * view.width / view.fastest

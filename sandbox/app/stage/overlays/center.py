@@ -1,4 +1,4 @@
-"""The centre of mass of the moving bodies."""
+"""The overlay with the centre of mass of the moving bodies."""
 
 import pygame
 

@@ -1,4 +1,4 @@
-"""The components of the velocities, beside the velocity arrows."""
+"""The overlay with the components of the velocities, beside the velocity arrows."""
 
 import pygame
 

@@ -1,4 +1,4 @@
-"""Flashes: where bodies have just struck each other, the larger the harder they did."""
+"""The overlay with flashes at impacts, larger for harder ones."""
 
 from functools import lru_cache
 from math import hypot, sqrt
@@ -10,13 +10,13 @@ from sandbox.app.drawing.theme import Color
 from sandbox.app.stage.overlays.overlay import Overlay
 from sandbox.app.stage.view import View
 
-LARGEST, SMALLEST = 30, 6  # px, the radius of the hardest: about that of the body that was struck
+LARGEST, SMALLEST = 30, 6  # px, bounds of the radius for the hardest, about that of the body
 LEAST = 0.35
 """The radius of the faintest flash, relative to the hardest."""
 RINGS = 12
-"""How many discs on top of each other make the glow."""
+"""The number of concentric discs of a glow."""
 MOST = 24
-"""How many flashes are drawn at once, the latest."""
+"""The largest number of flashes that are drawn at once, the latest."""
 
 
 def _draw(surface: pygame.Surface, view: View) -> None:
@@ -35,7 +35,7 @@ def _draw(surface: pygame.Surface, view: View) -> None:
 
 @lru_cache(maxsize=64)
 def _glow(core: Color, rim: Color, radius: int) -> pygame.Surface:
-    """Draw a disc that fades towards its rim, and takes on its colour."""
+    """Draw a disc that fades from one colour to a transparent rim of another."""
     drawn = pygame.Surface((2 * radius + 1, 2 * radius + 1), pygame.SRCALPHA)
     drawn.fill((*rim, 0))
     for ring in range(RINGS, 0, -1):

@@ -1,4 +1,4 @@
-"""Ghosts: where the closed form says that bodies are. None once a hand was there."""
+"""The overlay with ghosts: bodies at the positions of the closed form, unless moved by hand."""
 
 import pygame
 

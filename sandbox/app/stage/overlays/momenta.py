@@ -1,4 +1,4 @@
-"""Arrows of the momenta."""
+"""The overlay with the momenta of bodies as arrows."""
 
 import pygame
 
@@ -9,8 +9,8 @@ from sandbox.app.stage.overlays.overlay import Overlay
 from sandbox.app.stage.view import View
 from sandbox.app.words.formatting import nice
 
-WIDTH = 6.0  # px: broad, so that it is seen below the arrow of the velocity
-KEY = 16, 112, 130, 40  # px: from the right, from below, width, height of what explains the length
+WIDTH = 6.0  # px, wide enough to be seen below the arrow of the velocity
+KEY = 16, 112, 130, 40  # px, of the key: from the right, from below, width, height
 
 
 def _draw(surface: pygame.Surface, view: View) -> None:
@@ -30,7 +30,7 @@ def _draw(surface: pygame.Surface, view: View) -> None:
 
 
 def _draw_key(surface: pygame.Surface, view: View, length: float) -> None:
-    """Explain the arrows' length, above what explains that of the velocities."""
+    """Draw the key to the arrows' length, above that of the velocities."""
     value = nice(70 / length)
     right, below, width, height = map(view.pen.px, KEY)
     x, y = view.camera.size[0] - right, view.camera.size[1] - below

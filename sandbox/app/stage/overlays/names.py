@@ -1,4 +1,4 @@
-"""The names of the bodies that move."""
+"""The overlay with the names of moving bodies."""
 
 import pygame
 

@@ -14,7 +14,7 @@ Draw = Callable[[pygame.Surface, View], None]
 
 @dataclass(frozen=True, slots=True)
 class Overlay:
-    """The declaration of an explanation that is drawn over the scene, and that a key switches.
+    """The declaration of an overlay, which is drawn over the scene and switched by a key.
 
     Raises
     ------
@@ -25,19 +25,19 @@ class Overlay:
     name: str
     """the name of its module, and of the command that switches it"""
     key: str
-    """the letter, or the sign, that switches it off and on"""
+    """the character that switches it on and off"""
     text: str
-    """what the help says"""
+    """the text in the help"""
     draw: Draw | None = None
-    """draws it over the bodies, every frame"""
+    """draws the overlay over the bodies in every frame"""
     draw_below: Draw | None = None
-    """draws what stands below the bodies and stays as it is, until the camera moves"""
+    """draws the part below the bodies, which is static until the camera moves"""
     draw_trail: bool = False
-    """whether it is the trail, which the stage keeps on a canvas of its own"""
+    """whether it is the trail, for which the stage has its own canvas"""
     caption: str = ""
-    """of its button in the bar below; without one it has no button"""
+    """the caption of its button in the bar below; empty for no button"""
     on: Callable[[Level], bool] | None = None
-    """whether a level asks for it when it is opened; else it stays as it was, at first on"""
+    """whether a level switches it on when it is opened; None for on at first, then unchanged"""
 
     def __post_init__(self) -> None:
         for part in ("name", "key", "text"):
@@ -52,6 +52,6 @@ class Overlay:
 
     @property
     def binding(self) -> Binding:
-        """Its key."""
+        """The key binding of the overlay."""
         letters = "".join(dict.fromkeys((self.key, self.key.upper())))
         return Binding(self.name, self.key.upper(), self.text, (), letters)

@@ -30,5 +30,5 @@ OVERLAYS: tuple[Overlay, ...] = (
 
 
 def at_first() -> dict[str, bool]:
-    """Return which overlays are drawn before anybody has switched one."""
+    """Return, for each overlay, whether it is initially shown."""
     return {overlay.name: overlay.on is None for overlay in OVERLAYS}

@@ -1,4 +1,4 @@
-"""The trail: where the bodies have been."""
+"""The overlay with the paths of bodies."""
 
 from sandbox.app.stage.overlays.overlay import Overlay
 
