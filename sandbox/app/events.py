@@ -1,4 +1,4 @@
-"""Dispatch of events: keys, clicks and dropped files go to their handlers."""
+"""Dispatches events: keys, clicks and dropped files go to their handlers."""
 
 import pygame
 
@@ -19,13 +19,13 @@ _MOUSE = (pygame.MOUSEBUTTONDOWN, pygame.MOUSEBUTTONUP, pygame.MOUSEMOTION)
 
 
 class Events:
-    """Gives each event to the widgets, to the cards, to the commands, or to the stage."""
+    """Passes each event to the widgets, the home page, the commands, or the stage."""
 
     def __init__(self, workspace: Workspace, commands: CommandActions) -> None:
         self._space, self._commands = workspace, commands
 
     def handle(self, event: pygame.event.Event) -> None:
-        """Do what an event asks for."""
+        """Handle an event."""
         space = self._space
         if event.type == pygame.QUIT:
             space.open = False
@@ -44,7 +44,7 @@ class Events:
             self._click(event)
 
     def _zooms(self, event: pygame.event.Event) -> bool:
-        """Let the page zoom what it shows, and return whether an event was for that."""
+        """Pass an event to the page for zooming, and return whether it was handled."""
         panels = self._space.panels
         typed = panels.typing and event.type == pygame.KEYDOWN
         busy = typed or panels.dialog is not None
@@ -57,7 +57,7 @@ class Events:
             self._set(change)
 
     def _at_home(self, event: pygame.event.Event) -> bool:
-        """Give an event to the cards, if they are shown, and return whether it was for them."""
+        """Pass an event to the home page, if it is shown, and return whether it was handled."""
         home = self._space.panels.home
         if not home.open or self._space.panels.dialog is not None or not home.process(event):
             return False
@@ -70,7 +70,7 @@ class Events:
         return True
 
     def _recover(self, left: Recoverable) -> None:
-        """Go on building what a window has left."""
+        """Continue editing a draft that was not saved."""
         self._commands.do(BUILD_PAGE.command)
         if self._space.session is not None:
             recover(left, self._space.workers.of(Editor), self._space.session)
@@ -91,7 +91,7 @@ class Events:
             space.panels.manager.process_events(event)
 
     def _click(self, event: pygame.event.Event) -> None:
-        """Give an event to the list, to the controls, or to the stage."""
+        """Pass an event to the list, the controls, the side panel, or the stage."""
         space = self._space
         if path := space.panels.wanted(event):
             space.open_file(path.resolve())
@@ -105,9 +105,9 @@ class Events:
             self._touch(event, space.session)
 
     def _touch(self, event: pygame.event.Event, session: Session) -> None:
-        """Give an event of the mouse to what makes something on the stage, or to the hand."""
+        """Pass a mouse event to the page's tool on the stage, or to the hand."""
         space, maker = self._space, self._space.maker
-        space.follow(session)  # an event before this one may have begun it anew
+        space.follow(session)  # an earlier event may have restarted it
         mouse, area = pygame.mouse.get_pos(), space.panels.layout.stage
         if event.type == pygame.MOUSEWHEEL and area.collidepoint(mouse):
             space.hand.wheel(event.precise_y, mouse, area)
@@ -120,7 +120,7 @@ class Events:
                 space.banner.tell(say(error.message))
 
     def _seek(self, event: pygame.event.Event) -> bool:
-        """Go to the time that was clicked on or dragged to, and return whether one was."""
+        """Go to the time that was clicked or dragged to on the time bar; return whether one was."""
         share, session = self._space.panels.controls.sought(event), self._space.session
         if share is None or session is None:
             return share is not None
@@ -131,7 +131,7 @@ class Events:
         return True
 
     def _click_side(self, event: pygame.event.Event) -> bool:
-        """Give an event to the side panel, and return whether it was for that."""
+        """Pass an event to the side panel, and return whether it was handled."""
         side = self._space.panels.side
         if side is None:
             return False
@@ -144,7 +144,7 @@ class Events:
         return answer is not None
 
     def _change(self, event: pygame.event.Event) -> bool:
-        """Change the parameter whose slider or field an event is for; return whether one is."""
+        """Change a parameter if an event is for its slider or field; return whether it is."""
         side = self._space.panels.side
         change = side.parameters.process(event) if side is not None else None
         if change is not None:
@@ -152,7 +152,7 @@ class Events:
         return change is not None
 
     def _set(self, change: Change) -> None:
-        """Change a parameter, from the start or from now on; say so if that cannot be."""
+        """Change a parameter, from the start or from now on; show a message if that fails."""
         session, side, banner = self._space.session, self._space.panels.side, self._space.banner
         assert session is not None
         assert side is not None

@@ -1,4 +1,4 @@
-"""The time of a frame: how it is spent, and how much of it is left for steps."""
+"""The time of a frame: how it is spent, and how much is left for steps."""
 
 from collections import defaultdict, deque
 from dataclasses import dataclass
@@ -8,16 +8,16 @@ SMOOTHING = 0.1
 """The weight of the last frame in the averages."""
 
 LEAST, MOST = 0.005, 0.013
-"""Bounds on the part of a frame in time that steps may take [s]; with less left, it is late."""
+"""Bounds of the time for steps in a punctual frame [s]; with less time left, the frame is late."""
 
 SPARE = 0.0007
 """The reserve at the end of a frame [s]."""
 
 MEMORY = 20
-"""How many frames of each kind are remembered."""
+"""The number of frames of each kind that are kept."""
 
 ALMOST = 0.85
-"""The share of those frames that must be in time; the others were held up by something else."""
+"""The fraction of these frames that must be punctual; others are taken as disturbed."""
 
 
 @dataclass(slots=True)
@@ -27,11 +27,11 @@ class Load:
     Attributes
     ----------
     physics
-        Steps without their Python callbacks, and reading their results.
+        The time of steps without their Python callbacks, and of reading the results.
     hooks
-        The Python callbacks of steps: force laws and joints.
+        The time of the Python callbacks of steps: force laws and joints.
     drawing
-        Panels and stage.
+        The time of drawing panels and stage.
     """
 
     physics: float = 0.0
@@ -39,36 +39,36 @@ class Load:
     drawing: float = 0.0
 
     def stepped(self, seconds: float, hooks: float) -> None:
-        """Note how long the steps of a frame took, and the hooks within them [s]."""
+        """Record the time of a frame's steps, and of the hooks in them [s]."""
         self.physics += SMOOTHING * (seconds - hooks - self.physics)
         self.hooks += SMOOTHING * (hooks - self.hooks)
 
     def drew(self, seconds: float) -> None:
-        """Note how long drawing a frame took [s]."""
+        """Record the time of drawing a frame [s]."""
         self.drawing += SMOOTHING * (seconds - self.drawing)
 
     @property
     def shares(self) -> dict[str, float]:
-        """Each part as a share of a frame."""
+        """Each part as a fraction of a frame."""
         parts = {"physics": self.physics, "hooks": self.hooks, "drawing": self.drawing}
         return {name: seconds / FRAME for name, seconds in parts.items()}
 
 
 class Allowance:
-    """Learns how long frames take besides their steps, separately for each kind of frame.
+    """Measures the time of frames besides their steps, separately for each kind of frame.
 
-    While time runs, one frame in six brings a page up to date, and the next what stands below it.
+    While the run plays, one frame in six updates the page, and the next one the part below it.
     """
 
     def __init__(self) -> None:
         self._last: defaultdict[str, deque[float]] = defaultdict(lambda: deque(maxlen=MEMORY))
 
     def note(self, kind: str, seconds: float) -> None:
-        """Note how long a frame of some kind took besides its steps [s]."""
+        """Record the time of a frame of some kind besides its steps [s]."""
         self._last[kind].append(seconds)
 
     def of(self, kind: str) -> float:
-        """Return how long the steps of a frame of some kind may take [s]."""
+        """Return the time for steps in a frame of some kind [s]."""
         known = sorted(self._last[kind])
         rest = known[int(ALMOST * (len(known) - 1))] if known else FRAME / 2
         left = FRAME - SPARE - rest
@@ -76,9 +76,9 @@ class Allowance:
 
 
 def _late(rest: float) -> float:
-    """Return how long steps may take in a frame that cannot be in time, beside the rest of it [s].
+    """Return the time for steps in a late frame, given the time of the rest [s].
 
-    It is as much as the rest, within 30 frames a second; a third, where that cannot be; and never
-    more than two frames in time would take.
+    It equals that of the rest as long as that allows 30 frames per second; below that rate it is at
+    least a third of the frame. It is never longer than two punctual frames.
     """
     return min(rest, max(2 * FRAME - SPARE - rest, rest / 2), 2 * FRAME)

@@ -1,4 +1,4 @@
-"""The legend of the stage: which runs are drawn over each other, in which colours."""
+"""The legend of the stage: the colours of runs that are drawn together."""
 
 from collections.abc import Sequence
 
@@ -12,15 +12,15 @@ from sandbox.app.words.language import say
 from sandbox.model.shapes import XY
 
 CORNER = 44, 62  # px, clear of the ruler and of a banner of one line
-GAP = 8  # px, below a banner of more lines
+GAP = 8  # px, below a banner of several lines
 SWATCH = 26  # px
 PADDING = 8  # px
 COLORS = 4
-"""How many of its bodies' colours are shown for the run that is played."""
+"""The largest number of bodies' colours that are shown for the current run."""
 
 
 def earlier(texts: Sequence[str]) -> Sequence[Row]:
-    """Return a row for the run that is played and one for each earlier one, if there are any."""
+    """Return rows for the current run and each earlier one; none without earlier runs."""
     rows = [(theme.LANES[i % len(theme.LANES)], text) for i, text in enumerate(texts)]
     return [(None, say("this run")), *rows] if rows else []
 
@@ -29,12 +29,21 @@ def draw(
     surface: pygame.Surface, pen: Pen, rows: Sequence[Row], banner: int = 0,
     own: Sequence[Color] = (),
 ) -> None:  # fmt: skip
-    """Draw a row for each run in the upper left corner, below where a banner ends [px].
+    """Draw a row for each run in the upper left corner, below the banner.
 
-    The run that is played has its `own` colours, those of its bodies.
+    Long texts are shortened; the side panel shows them in full. Nothing is drawn if there is no
+    room below the banner.
 
-    What is too long for the surface is shortened; the side panel tells it in full. Where there is
-    no room below the banner, it waits until that has gone.
+    Parameters
+    ----------
+    surface, pen
+        The surface, and the pen.
+    rows
+        The colour and the text of each run; the current run has no colour.
+    banner
+        The lower edge of the banner [px].
+    own
+        The colours of the current run's bodies.
     """
     if not rows:
         return
@@ -61,7 +70,7 @@ def draw(
 
 
 def _stroke(surface: pygame.Surface, colors: Sequence[Color], start: XY, end: XY) -> None:
-    """Draw a level line, a piece in each colour."""
+    """Draw a horizontal line with a piece in each colour."""
     piece = (end[0] - start[0]) / len(colors)
     for i, color in enumerate(colors):
         x = start[0] + i * piece

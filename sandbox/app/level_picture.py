@@ -29,21 +29,21 @@ from sandbox.model.level import Level
 
 SIZE = (1280, 720)  # px
 TELLING = 0.4
-"""The default time of a picture, as a share of the level's duration."""
+"""The default time of a picture, as a fraction of the level's duration."""
 
-SIDE = 340  # px, the column of words
+SIDE = 340  # px, the width of the text column
 MARGIN = 16  # px
-GRAPH = 90  # px, its height
+GRAPH = 90  # px, the height of the graph
 
 
 @dataclass(frozen=True, slots=True)
 class Beside:
-    """Another run that is drawn dashed over a picture's own, and held against it."""
+    """Another run, drawn dashed over the picture's own for comparison."""
 
     level: Level
-    """the same bodies, with effects more or less"""
+    """the same bodies, with more or fewer effects"""
     variations: tuple[Variation, ...]
-    """what makes the picture's own level differ from it"""
+    """the changes from it to the picture's own level"""
 
 
 def render(
@@ -60,22 +60,22 @@ def render(
     Parameters
     ----------
     level
-        What to draw.
+        The level to draw.
     values
         The parameters of the level.
     at
-        When [s]; a telling moment if left out. The last step is the first not before it.
+        The time [s], rounded up to a step; by default `TELLING` of the duration.
     size
-        Of the picture [px].
+        The size of the picture [px].
     beside
-        What the run is compared with; then the differences stand in place of the checks.
+        The run for comparison; then the differences are drawn in place of the checks.
     racing
-        Whether the level's other schemes run over it.
+        Whether to draw runs with the level's other schemes, too.
 
     Raises
     ------
     SandboxError
-        If the run has to stop before that time.
+        If the run fails before that time.
     """
     pygame.font.init()
     pen = Pen()
@@ -112,18 +112,18 @@ def save_picture(
     *,
     racing: bool = False,
 ) -> None:
-    """Draw a level into a PNG file, whole or not at all; see `render`.
+    """Draw a level into a PNG file, completely or not at all; see `render`.
 
     Raises
     ------
     SandboxError
-        If the run has to stop before that time, or the file cannot be written.
+        If the run fails before that time, or the file cannot be written.
     """
     write_atomically(path, png(render(level, values, at, size, beside, racing=racing)))
 
 
 def png(picture: pygame.Surface) -> bytes:
-    """Return a picture as a PNG file has it."""
+    """Return a picture encoded as PNG."""
     encoded = BytesIO()
     pygame.image.save(picture, encoded, "x.png")
     return encoded.getvalue()
@@ -138,7 +138,7 @@ def _run(session: Session, at: float, each: Callable[[], None]) -> None:
 
 
 def _write(picture: pygame.Surface, session: Session, pen: Pen) -> None:
-    """Fill the column of words; the energy stands at its foot."""
+    """Fill the text column, with the energy at its foot."""
     width, left = SIDE - 2 * MARGIN, picture.width - SIDE + MARGIN
     level, y = session.level, MARGIN
     when = say(

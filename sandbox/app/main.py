@@ -1,4 +1,4 @@
-"""Starting the app."""
+"""Starts the app."""
 
 import os
 import sys
@@ -13,15 +13,15 @@ from sandbox.app.malloc_tuning import give_back_large_blocks
 from sandbox.app.window import Window
 
 FIRST = "kinematics/projectile"
-"""The level that is open behind the home page at the start."""
+"""The level that is opened behind the home page at the start."""
 
 _HEADLESS = {"dummy", "offscreen"}
 
 
 def has_display() -> bool:
-    """Whether a window can be opened on this machine; the display stays open then.
+    """Whether a window can be opened on this machine; if so, the display stays open.
 
-    An X server may begin anew once its last client has gone, and turns away who comes meanwhile.
+    Closing it could make an X server without other clients reset, and refuse connections meanwhile.
     """
     somewhere = os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY")
     chosen = os.environ.get("SDL_VIDEODRIVER", "")
@@ -44,10 +44,18 @@ def run(
     *,
     racing: bool = False,
 ) -> None:
-    """Open the window, with a level given by its name or path, and stay until it is closed.
+    """Open the window, and return when it is closed.
 
-    Without a level it begins with the cards of all of them. An accuracy, if one is given, is asked
-    for in place of the level's own setting.
+    Parameters
+    ----------
+    level
+        The name or path of the level; by default the home page is shown.
+    settings
+        Values of the level's parameters.
+    accuracy
+        An accuracy that replaces the level's stepping.
+    racing
+        Whether to start the race of schemes.
     """
     with _opened(level, settings, accuracy, racing) as window:
         window.run()
@@ -60,7 +68,7 @@ def first_picture(
     *,
     racing: bool = False,
 ) -> float:
-    """Open the window as `run` does, and return when its first picture is there, by the clock [s].
+    """Open the window as `run` does, and return the time of its first picture [s].
 
     The clock is `perf_counter`, which all processes share.
     """
@@ -73,8 +81,8 @@ def first_picture(
 def _opened(
     level: str | None, settings: Mapping[str, float] | None, accuracy: float | None, racing: bool
 ) -> Iterator[Window]:
-    """Yield the window with what it begins with, and close it."""
-    # a tool tip that does not fit is cut off; that is nothing to tell a terminal
+    """Open the window in its initial state, and close it at the end of the context."""
+    # a tooltip that does not fit is cut off, which needs no warning
     warnings.filterwarnings("ignore", "Unable to fit tool tip", UserWarning)
     give_back_large_blocks()
     window = Window()

@@ -1,4 +1,4 @@
-"""Painting a frame of the window: the stage or the cards, the columns, and the help."""
+"""Paints a frame of the window: the stage or the home page, the columns, and the help."""
 
 import pygame
 
@@ -14,7 +14,7 @@ from sandbox.app.workspace import Workspace
 
 
 def paint(space: Workspace) -> None:
-    """Draw all of a window on its surface."""
+    """Draw a window on its surface."""
     layout, surface = space.panels.layout, space.surface
     area = layout.stage.clip(surface.get_rect())
     if space.panels.home.open:
@@ -40,7 +40,7 @@ def paint(space: Workspace) -> None:
 
 
 def _paint_stage(space: Workspace, view: pygame.Surface, session: Session) -> None:
-    """Draw the run, or what a page makes in its place, and what is told over it."""
+    """Draw the run, or a page's own picture in its place, with measurements and messages."""
     maker = space.maker
     if maker is None or not maker.draw(view, space.stage, space.pen, session):
         _paint_run(space, view, session)

@@ -17,10 +17,10 @@ from sandbox.app.runs.session import Session
 from sandbox.app.sounds import Sounds
 from sandbox.app.workspace import SIZE, Workspace
 
-RATE = 60  # frames a second
-QUIET_RATE = 20  # frames a second while nothing happens
-QUIET = 1.0  # s without an event, after which nothing happens
-LONGEST_FRAME = 0.1  # s; what is missed beyond is not made up for
+RATE = 60  # frames per second
+QUIET_RATE = 20  # frames per second while the window is idle
+QUIET = 1.0  # s without an event, after which the window is idle
+LONGEST_FRAME = 0.1  # s; a longer frame counts as this long
 
 
 class Window(Workspace):
@@ -29,9 +29,9 @@ class Window(Workspace):
     Attributes
     ----------
     commands
-        What can be asked for by name.
+        The commands, by name.
     hold_up
-        Looks after it while a frame takes long.
+        Keeps the window responsive during long frames.
     """
 
     def __init__(self, size: tuple[int, int] = SIZE) -> None:
@@ -44,7 +44,7 @@ class Window(Workspace):
         self._allowance, self._stepped = Allowance(), 0.0  # s, in this frame
 
     def do(self, command: str) -> None:
-        """Do what a command asks for, as its key does."""
+        """Execute a command, as its key does."""
         self.commands.do(command)
 
     def run(self) -> None:
@@ -53,7 +53,7 @@ class Window(Workspace):
             pass
 
     def pictures(self) -> Iterator[None]:
-        """Show frames until the window is closed, and pause after each of them."""
+        """Show frames until the window is closed, and yield after each."""
         self._show(0.0)
         yield
         self.look_through()
@@ -71,7 +71,7 @@ class Window(Workspace):
 
     @staticmethod
     def look_through() -> None:
-        """Look for lost objects among all that are there, once: later it would take two frames."""
+        """Collect garbage and freeze what remains, once: later this would take two frames."""
         gc.collect()
         gc.freeze()
         gc.enable()
@@ -83,7 +83,7 @@ class Window(Workspace):
         return playing or self._quiet < QUIET or self.workers.running or self.advising.running
 
     def frame(self, seconds: float) -> None:
-        """Handle events, let time pass [s], and draw."""
+        """Handle events, advance by some time [s], and draw."""
         begun, side, self._stepped = perf_counter(), self.panels.side, 0.0
         kind = side.coming(seconds) if side is not None else ""
         with self.hold_up.watched():
@@ -93,7 +93,7 @@ class Window(Workspace):
             self._allowance.note(kind, perf_counter() - begun - self._stepped)
 
     def _pass(self, seconds: float, allowed: float) -> None:
-        """Handle events, and let time pass [s]; its steps may take some time [s]."""
+        """Handle events, and advance by some time [s]; steps may take the allowed time [s]."""
         for event in self._happened(seconds):
             self._events.handle(event)
         self.dress()
@@ -111,7 +111,7 @@ class Window(Workspace):
             self._play(self.session, seconds, allowed)
             for text in self.workers.follow(self.session, seconds, self.panels.page):
                 self.banner.tell(text)
-                self.panels.mark_stars()  # it may be that some were earned
+                self.panels.mark_stars()  # some may have been earned
             self.follow(self.session)
         if self.panels.home.open:
             self.panels.follow_home()
@@ -119,7 +119,7 @@ class Window(Workspace):
                 self.panels.home.play(seconds)
 
     def _happened(self, seconds: float) -> Sequence[pygame.Event]:
-        """Return what has happened; when nothing has for a while, give back memory, once."""
+        """Return the events since the last frame; release memory once when the window gets idle."""
         events, before = self.hold_up.events(), self._quiet
         self._quiet = 0.0 if events else before + seconds
         if before < QUIET <= self._quiet:
@@ -127,7 +127,7 @@ class Window(Workspace):
         return events
 
     def _play(self, session: Session, seconds: float, allowed: float) -> None:
-        """Let time pass, and note what that takes [s]."""
+        """Advance the run by some time [s], and measure the computing time."""
         world, hooks, begun = session.world, session.world.kicks.seconds, perf_counter()
         steps, seeking = world.steps, session.sought is not None
         session.update(seconds, allowed)
@@ -138,7 +138,7 @@ class Window(Workspace):
             self._sounds.play(session.run.blows.since(steps), session.world, seconds)
 
     def _draw(self, seconds: float) -> None:
-        """Draw, and note what that takes."""
+        """Draw, and measure the time that it takes."""
         begun = perf_counter()
         if self.panels.side is not None:
             self.panels.side.update(seconds)
@@ -147,5 +147,5 @@ class Window(Workspace):
         self.load.drew(perf_counter() - begun)
 
     def close(self) -> None:
-        """End what works for the window."""
+        """Stop all background work."""
         self.cancel()

@@ -1,4 +1,4 @@
-"""The contents of a window: the open level, or why none is open, and the panels around it."""
+"""The contents of a window: the open level, or the error of opening it, and the panels."""
 
 from collections.abc import Mapping
 from pathlib import Path
@@ -36,9 +36,9 @@ TITLE = "Mechanics sandbox"
 SIZE = (1280, 800)  # px
 
 LONG = 60_000
-"""Bytes of a level file beyond which a message announces that it is being read."""
+"""The size of a level file above which a message announces that it is being read [bytes]."""
 MANY = 100
-"""Bodies and joints of a level beyond which a message announces that it is being built."""
+"""The number of bodies and joints above which a message announces that a level is being built."""
 
 
 class Workspace:
@@ -49,33 +49,33 @@ class Workspace:
     surface
         The surface on which everything is drawn.
     session
-        The level that is played; None if it cannot be opened.
+        The session of the level; None if the level cannot be opened.
     path
-        The file that it was read from; None if it has none yet.
+        The file of the level; None if it has none yet.
     stage
-        The picture of it, and its camera.
+        The picture of the level, with its camera.
     hand
-        What the mouse does on it.
+        The mouse on the stage.
     panels
-        What stands around it.
+        The panels around the stage.
     banner
         The message at the top of the stage.
     help, sheets
-        Which sheet of the help is shown, 0 for none, and how many there are.
+        The sheet of the help that is shown, 0 for none, and the number of sheets.
     open
-        Whether the window is still wanted.
+        Whether the window is to stay open.
     undoing
-        What can be taken back of what was changed of the run.
+        The changes of the run that can be undone.
     files
-        The levels that can be chosen.
+        The list of levels.
     workers, advising
-        The background work of the pages.
+        The background work of the pages, and the search for remedies.
     load
-        What a frame takes.
+        The time that frames take.
     comfort
-        How a person wants it to look.
+        The user's preferences.
     pen
-        Writes on the surface.
+        The pen that renders text.
     """
 
     def __init__(self, size: tuple[int, int] = SIZE) -> None:
@@ -100,19 +100,19 @@ class Workspace:
         self.files = LevelFiles()
         self.undoing = Undoing()
         self._settings: Mapping[str, float] = {}
-        self._accuracy: float | None = None  # that was asked for when it was opened
+        self._accuracy: float | None = None  # requested when the level was opened
         self._refused: SandboxError | None = None
-        self._refused_rate: float | None = None  # at which it could be opened [Hz]
+        self._refused_rate: float | None = None  # Hz, at which it could be opened
         self.lay_out()
 
     @property
     def maker(self) -> OnStage | None:
-        """What is in the place of the hand for the page that is open; None if nothing is."""
+        """The tool of the open page that replaces the hand on the stage, or None."""
         return self.workers.on_stage(self.panels.page) if self.panels.side is not None else None
 
     @property
     def advised(self) -> float | None:
-        """The rate at which a level that had to stop holds; None if none is known [Hz]."""
+        """The rate at which a level that has failed would succeed [Hz]; None if none is known."""
         return self.session.advised if self.session else self._refused_rate
 
     @property
@@ -121,7 +121,7 @@ class Workspace:
         return self.session is None and self._refused is None
 
     def dress(self) -> None:
-        """Look as a person has chosen since the last time."""
+        """Apply preferences that have changed since the last call."""
         chosen = self.comfort.chosen
         if chosen is self._followed:
             return
@@ -137,7 +137,7 @@ class Workspace:
         self.lay_out()
 
     def lay_out(self) -> None:
-        """Build everything around the stage for the present size of the window."""
+        """Build everything around the stage for the current size of the window."""
         size = self.surface.size
         self.panels.build(size, self.files.entries, self.path, self.session, self._refused)
         self.stage.resize(self.panels.layout.stage.size)
@@ -148,9 +148,16 @@ class Workspace:
         settings: Mapping[str, float] | None = None,
         accuracy: float | None = None,
     ) -> None:
-        """Open a level by its name or path, with an accuracy that is asked for, if one is.
+        """Open a level by its name or path; if that fails, show the error.
 
-        If it cannot be opened, say why.
+        Parameters
+        ----------
+        level
+            The name or the path.
+        settings
+            Values of the level's parameters.
+        accuracy
+            An accuracy that replaces the level's stepping.
         """
         try:
             path = catalog.find(level).resolve()
@@ -166,9 +173,18 @@ class Workspace:
         accuracy: float | None = None,
         rate: float | None = None,
     ) -> None:
-        """Open the level of a file, at a rate if one is given [Hz]; if it cannot be, say why.
+        """Open a level's file, or a run's file with its actions; if that fails, show the error.
 
-        Of a run's file its level is opened, with all that was done to it.
+        Parameters
+        ----------
+        path
+            The file.
+        settings
+            Values of the level's parameters.
+        accuracy
+            An accuracy that replaces the level's stepping.
+        rate
+            A rate that replaces the level's [Hz].
         """
         self.files.read_again(path)
         self.panels.home.leave()
@@ -192,10 +208,10 @@ class Workspace:
             self.panels.show(opening(session.original, self.panels.page))
         self._entitle(session.original)
         self.lay_out()
-        give_back_gaps()  # the level before has left some
+        give_back_gaps()  # left by the previous level
 
     def _begun(self, path: Path, rate: float | None) -> Session:
-        """Return a session of the level of a file; what takes long is said before."""
+        """Return a session of a level's file; announce what will take long."""
         if path.is_file() and path.stat().st_size > LONG:
             self._say_first(say("Reading {file} …", file=path.name))
         level = self._read(path)
@@ -207,13 +223,13 @@ class Workspace:
 
     @staticmethod
     def _taken_again(path: Path) -> Session:
-        """Return a session of the run of a file; what it has to wait for, the window does not."""
+        """Return a session of a run's file, which does not block the window."""
         return runfile.session_of(runfile.read(path), patient=False)
 
     def _tell_of(self, session: Session, path: Path, *, ran: bool) -> None:
         """Announce what was opened, and remember the user's own files."""
         self.banner.tell("")
-        if ran:  # it is no level's file, to be watched or written to
+        if ran:  # not a level's file, which is watched and written to
             self.path = None
             self.banner.tell(say("{file} plays as it did, with all that was done", file=path.name))
         else:
@@ -223,18 +239,18 @@ class Workspace:
             self.banner.tell(say(message))
 
     def _say_first(self, text: str) -> None:
-        """Show a sentence at once, over what is shown: what comes now holds up the next frame."""
+        """Show a message at once, before a computation that delays the next frame."""
         area = self.panels.layout.stage
         messages.draw_banner(self.surface, self.pen, area, text, theme.NOTICE)
         pygame.display.flip()
 
     def reload(self, rate: float | None = None) -> None:
-        """Read the level's file again, and play it as it was opened, or at another rate [Hz]."""
+        """Read the level's file again, with the same options, or at another rate [Hz]."""
         if self.path is not None:
             self.open_file(self.path, self._settings, self._accuracy, rate)
 
     def reload_changed(self, path: Path) -> None:
-        """Show a file that has changed, or say so where that would undo what a person did."""
+        """Reload a file that has changed; only show a message if that would undo user changes."""
         if self.session is None:
             self.reload()
             return
@@ -254,7 +270,7 @@ class Workspace:
             self.banner.tell(say("{file} has changed and was read again", file=path.name))
 
     def run_as_advised(self) -> None:
-        """Run again at the rate that was offered."""
+        """Restart at the advised rate."""
         rate = self.advised
         if self.session is None:
             self.reload(rate)
@@ -280,9 +296,9 @@ class Workspace:
             self.lay_out()
 
     def go_home(self, at: Path | None = None) -> None:
-        """Show all levels as cards, that of some level or of the present one in view; or go back.
+        """Show the home page, scrolled to a level, by default the current one; or leave it.
 
-        Those that were sought, and are shown as cards already, make room for all of them first.
+        If it shows the results of a search, it then shows all levels instead.
         """
         home = self.panels.home
         if home.open and not self.panels.sought:
@@ -295,13 +311,13 @@ class Workspace:
         self.lay_out()
 
     def cancel(self) -> None:
-        """End what works for the window."""
+        """Stop all background work."""
         self.workers.cancel()
         self.advising.cancel()
         self.panels.home.leave()
 
     def _read(self, path: Path) -> Level:
-        """Return the level of a file, with the accuracy that was asked for."""
+        """Return the level of a file, with the requested accuracy."""
         level = load(path)
         if self._accuracy is None:
             return level
@@ -317,7 +333,7 @@ class Workspace:
         self.lay_out()
 
     def _remember(self, path: Path) -> None:
-        """Keep a file of a person's own among those that were opened."""
+        """Add the user's own file to the recent ones."""
         if not path.is_relative_to(catalog.root()):
             self.banner.tell(self.files.recent.add(path))
 
@@ -327,11 +343,11 @@ class Workspace:
 
 
 def _title(level: Level) -> str:
-    """Return what a level is called, as it is shown."""
+    """Return the title of a level, in the current language."""
     return legible(level_words.of(level)(level.title))
 
 
 def _file(level: Level) -> Path | None:
-    """Return the file that a level was read from; None if it has none yet."""
+    """Return the file of a level; None if it has none yet."""
     path = Path(level.source)
     return path if level.source and path.is_file() else None

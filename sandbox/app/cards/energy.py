@@ -1,4 +1,4 @@
-"""The card with the energy of a run: where it is, and where it went."""
+"""The card with the energy of a run, and its balance."""
 
 from collections.abc import Sequence
 
@@ -14,15 +14,15 @@ from sandbox.app.words import formatting
 from sandbox.app.words.language import later, say, say_in
 from sandbox.physics.energy.balance import Balance
 
-LABEL = 108  # px, left of a bar; more where a name needs it
-LEAST = 24  # px, a bar
-NUMBER = 92  # px, right of it
+LABEL = 108  # px, left of a bar; more if a name needs it
+LEAST = 24  # px, the least width of a bar
+NUMBER = 92  # px, right of a bar
 
 
 def energy(
     pen: Pen, width: int, start: Energies, now: Energies, drawn: pygame.Surface
 ) -> pygame.Surface:
-    """Draw the energies, a graph of them, and how their sum has changed."""
+    """Draw the energies, a graph of them, and the change of the total energy."""
     card = Card(pen, width)
     card.heading(say("Energy"))
     rows = (
@@ -41,7 +41,7 @@ def energy(
 
 
 def total(pen: Pen, width: int, start: Energies, now: Energies) -> pygame.Surface:
-    """Draw only the sum of the energies, and how it has changed."""
+    """Draw only the total energy, and its change."""
     card = Card(pen, width)
     card.heading(say("Energy"))
     scale = max(abs(now.kinetic), abs(now.potential))
@@ -51,9 +51,9 @@ def total(pen: Pen, width: int, start: Energies, now: Energies) -> pygame.Surfac
 
 
 def ledger(pen: Pen, width: int, books: Balance, covered: str) -> pygame.Surface:
-    """Draw bars for where the energy is, where it came from and went, and what is unexplained.
+    """Draw the balance as bars: energies, work, losses, and the unexplained rest.
 
-    Above them stands what is `covered` by the books.
+    The text `covered` above them tells the period of the balance.
     """
     card = Card(pen, width)
     card.heading(say("Energy"))
@@ -87,19 +87,19 @@ def ledger(pen: Pen, width: int, books: Balance, covered: str) -> pygame.Surface
 
 
 def _named(kind: str, account: str) -> str:
-    """Say what an account of the books is of."""
+    """Return the name of an account of work or losses."""
     return say(kind, account=say(account))
 
 
 def _change(start: Energies, now: Energies) -> str:
-    """Tell by how much the sum has changed, and by which share of it."""
+    """Return the change of the total energy as text, absolute and relative."""
     change = now.total - start.total
     share = f"  ({formatting.share(change / abs(start.total))})" if start.total else ""
     return f"{formatting.quantity(change, 'J', 3)}{share}"
 
 
 def _legend(card: Card, rows: Sequence[tuple[str, float, Color]]) -> None:
-    """Add the energies beside each other, in the colours of their lines."""
+    """Add the energies side by side, in the colours of their lines."""
     pen, column = card.pen, card.width // len(rows)
     scale = max(abs(value) for _, value, _ in rows)
     for i, (name, value, color) in enumerate(rows):

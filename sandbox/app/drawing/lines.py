@@ -1,4 +1,4 @@
-"""Lines that pygame does not have: thick and smooth, dashed, with an arrowhead."""
+"""Draws lines that pygame lacks: thick and smooth ones, dashed ones, and arrows."""
 
 from collections.abc import Sequence
 from itertools import pairwise
@@ -9,26 +9,26 @@ import pygame
 from sandbox.app.drawing.theme import Color
 from sandbox.model.shapes import XY
 
-FAR = 5_000.0  # px; what reaches further out is cut before it is drawn
-EDGE = FAR - 1  # px, where it is cut
-FARTHEST = 1e30  # px; what is further out is taken to be there, so that no difference overflows
-INNER = 0.45  # of the radius of a star, where its inner corners are
+FAR = 5_000.0  # px, the bound of coordinates beyond which lines are clipped before drawing
+EDGE = FAR - 1  # px, to which they are clipped
+FARTHEST = 1e30  # px, the bound of coordinates, so that no difference overflows
+INNER = 0.45  # the radius of a star's inner corners, relative to the outer one
 
 
 def near(points: Sequence[XY]) -> bool:
-    """Whether all pixels are close enough to be drawn without being cut."""
+    """Whether all points are close enough to be drawn without clipping."""
     return all(-FAR < x < FAR and -FAR < y < FAR for x, y in points)
 
 
 def distance(a: XY, b: XY, point: XY) -> float:
-    """Return how far a point is from the piece of a line between two others."""
+    """Return the distance of a point from the line segment between two others."""
     along, way = complex(*b) - complex(*a), complex(*point) - complex(*a)
     share = (way * along.conjugate()).real / abs(along) ** 2 if along else 0.0
     return abs(way - min(max(share, 0.0), 1.0) * along)
 
 
 def star(center: XY, radius: float) -> list[XY]:
-    """Return the corners of a star with five points, one of them up."""
+    """Return the corners of a five-pointed star, one point up."""
     radii = [radius if i % 2 == 0 else INNER * radius for i in range(10)]
     return [
         (center[0] + r * sin(pi * i / 5), center[1] - r * cos(pi * i / 5))
@@ -37,9 +37,9 @@ def star(center: XY, radius: float) -> list[XY]:
 
 
 def cut(corners: Sequence[XY]) -> list[XY]:
-    """Return the part of a polygon that is close enough to be drawn (Sutherland and Hodgman).
+    """Clip a polygon to the part that is close enough to be drawn (Sutherland and Hodgman).
 
-    Of a line, which has two corners, the first two are the ends of that part.
+    For a line, given as two corners, the first two corners are the ends of the clipped line.
     """
     kept = [(_bounded(x), _bounded(y)) for x, y in corners]
     for axis in (0, 1):
@@ -49,11 +49,11 @@ def cut(corners: Sequence[XY]) -> list[XY]:
 
 
 def _bounded(length: float) -> float:
-    return min(max(-FARTHEST, length), FARTHEST)  # in this order what is no number is bounded, too
+    return min(max(-FARTHEST, length), FARTHEST)  # in this order NaN is bounded, too
 
 
 def _cut(corners: list[XY], axis: int, side: float) -> list[XY]:
-    """Return the part on one side of an edge; where it was cut it lies on that, to the last bit."""
+    """Return the part on one side of an edge; its new corners lie exactly on the edge."""
     kept: list[XY] = []
     for p, q in zip(corners, [*corners[1:], *corners[:1]], strict=True):
         inside, following = side * p[axis] <= EDGE, side * q[axis] <= EDGE
@@ -67,7 +67,7 @@ def _cut(corners: list[XY], axis: int, side: float) -> list[XY]:
 
 
 def seen(surface: pygame.Surface, a: XY, b: XY) -> tuple[float, float]:
-    """Return where a line comes to a surface, or near it, and where it leaves it [px from a]."""
+    """Return the start and end of the part of a line near a surface, as distances from a [px]."""
     length = hypot(b[0] - a[0], b[1] - a[1])
     ux, uy = (b[0] - a[0]) / length, (b[1] - a[1]) / length
     middle = (surface.width / 2 - a[0]) * ux + (surface.height / 2 - a[1]) * uy
@@ -97,7 +97,7 @@ def fill(
 
 
 def path(surface: pygame.Surface, color: Color, points: Sequence[XY], width: float) -> None:
-    """Draw a broken line."""
+    """Draw a polyline."""
     for a, b in pairwise(points):
         stroke(surface, color, a, b, width)
 
@@ -105,12 +105,12 @@ def path(surface: pygame.Surface, color: Color, points: Sequence[XY], width: flo
 def dashed(
     surface: pygame.Surface, color: Color, points: Sequence[XY], dash: float = 6, gap: float = 5
 ) -> None:
-    """Draw a dashed line through points, but not far outside of the surface."""
+    """Draw a dashed polyline, clipped far outside of the surface."""
     if not near(points):
         for a, b in pairwise(points):
             dashed(surface, color, cut((a, b))[:2], dash, gap)
         return
-    behind = 0.0  # how far into dash and gap the last corner was
+    behind = 0.0  # the phase in dash and gap at the last corner
     period = dash + gap
     for a, b in pairwise(points):
         length = hypot(b[0] - a[0], b[1] - a[1])
@@ -137,7 +137,7 @@ def arrow(surface: pygame.Surface, color: Color, start: XY, end: XY, width: floa
 
 
 def head(surface: pygame.Surface, color: Color, start: XY, end: XY) -> XY | None:
-    """Draw the head of an arrow, and return where it begins; None if there is no room for one."""
+    """Draw the head of an arrow, and return the middle of its base; None if there is no room."""
     length = hypot(end[0] - start[0], end[1] - start[1])
     if length < 4 or not near((start, end)):
         return None

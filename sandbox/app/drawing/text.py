@@ -1,4 +1,4 @@
-"""Text on surfaces, in the Noto Sans that pygame_gui brings; rendered text is kept for reuse."""
+"""Renders text in pygame_gui's Noto Sans, and caches it."""
 
 from bisect import bisect_right
 from functools import cache, lru_cache
@@ -12,15 +12,15 @@ from sandbox.app.drawing import theme
 from sandbox.app.drawing.theme import Color
 
 SIGNS = "/\\._-"
-"""Behind which a word is cut that does not fit on a line, such as a path or a quantity."""
+"""The characters after which a word that does not fit on a line is broken, such as a path."""
 
 NO_LETTER = "\U0010ffff"
 
 
 def legible(text: str) -> str:
-    """Return a text on one line, without characters of no width, which SDL refuses to draw.
+    """Return a text on one line, without characters of zero width, which SDL refuses to draw.
 
-    Such are marks that change the direction of writing, halves of characters, and nothing at all.
+    Examples are marks for the direction of writing, surrogates, and the null character.
     """
     if text.isascii() and text.isprintable():
         return text
@@ -29,24 +29,24 @@ def legible(text: str) -> str:
 
 
 def typed(text: str) -> str:
-    """Return of a text what a field takes, in which each letter has a width of its own."""
+    """Return the part of a text that a field accepts, in which each character has a width."""
     return "".join(letter for letter in legible(text) if category(letter) not in ("Mn", "Me"))
 
 
 class Pen:
-    """Writes text. Make one a window, after `pygame.font.init()`.
+    """Renders text. A window has one pen, made after `pygame.font.init()`.
 
     Attributes
     ----------
     scale
-        How many times larger than usual all is written, and what words stand in.
+        The factor by which text, and everything around it, is larger than the standard size.
     """
 
     def __init__(self, scale: float = 1.0) -> None:
         self.renew(scale)
 
     def renew(self, scale: float) -> None:
-        """Write at another scale, and in the colours of the theme that is in use now."""
+        """Set the scale, and use the colours of the current theme."""
         self.scale = scale
         self._fonts = lru_cache(maxsize=32)(_font)
         self._spare_fonts = lru_cache(maxsize=8)(_spare)
@@ -54,15 +54,15 @@ class Pen:
         self.outlined = lru_cache(maxsize=200)(self._outlined)
 
     def px(self, length: float) -> int:
-        """Return a length, given at the usual scale, at the present one [px]."""
+        """Return a length, given at the standard scale, at the current one [px]."""
         return round(length * self.scale)
 
     def font(self, size: int, bold: bool) -> pygame.font.Font:
-        """Return the font of a size that is meant at the usual scale."""
+        """Return the font of a size, given at the standard scale."""
         return self._fonts(self.px(size), bold)
 
     def spare(self, size: int) -> pygame.font.Font:
-        """Return the font for what the other has not."""
+        """Return the font for characters that the main font lacks."""
         return self._spare_fonts(self.px(size))
 
     def _write(
@@ -86,7 +86,7 @@ class Pen:
         return line
 
     def _outlined(self, text: str, size: int = 12) -> pygame.Surface:
-        """Return a line of text with a rim, legible on anything."""
+        """Return a line of text with an outline, legible on any background."""
         inner, rim = self.write(text, size), self.write(text, size, theme.STAGE)
         line = pygame.Surface((inner.width + 2, inner.height + 2), pygame.SRCALPHA)
         for place in ((0, 0), (2, 0), (0, 2), (2, 2), (1, 0), (0, 1), (2, 1), (1, 2)):
@@ -99,7 +99,7 @@ class Pen:
         return self.font(size, bold).get_linesize()
 
     def wrap(self, text: str, width: int, size: int = 14, bold: bool = False) -> list[str]:
-        """Break text into lines that are not wider than a width [px]."""
+        """Break text into lines of at most a width [px]."""
         font = self.font(size, bold)
         lines: list[str] = []
         for paragraph in text.splitlines():
@@ -127,7 +127,7 @@ class Pen:
         return [self.write(line, size, color, bold) for line in self.wrap(text, width, size, bold)]
 
     def shorten(self, text: str, width: int, size: int = 14) -> str:
-        """Return as much of a text as fits on a line [px], with … where something was left out."""
+        """Return a text, cut with … at the end if it is wider than a width [px]."""
         font, text = self.font(size, False), legible(text)
         if font.size(text)[0] <= width:
             return text
@@ -136,7 +136,7 @@ class Pen:
 
     @staticmethod
     def _pieces(word: str, width: int, font: pygame.font.Font) -> list[str]:
-        """Cut a word that is wider than a line: behind a sign such as / if there is one in it."""
+        """Break a word that is wider than a line, if possible after one of `SIGNS`."""
         pieces, piece = [], ""
         for letter in word:
             if piece and font.size(piece + letter)[0] > width:
@@ -150,7 +150,7 @@ class Pen:
 
 
 def _drawn(font: pygame.font.Font, text: str, color: Color) -> pygame.Surface:
-    """Return a text as a font draws it; of accents alone there is nothing to be seen."""
+    """Return a text as drawn by a font; empty for a text without width, such as lone accents."""
     if font.size(text)[0] > 0:
         return font.render(text, True, color)
     return pygame.Surface((0, font.get_height()), pygame.SRCALPHA)
@@ -158,7 +158,7 @@ def _drawn(font: pygame.font.Font, text: str, color: Color) -> pygame.Surface:
 
 @lru_cache(maxsize=500)
 def _lacks(letter: str) -> bool:
-    """Whether Noto Sans draws a letter as the box that stands for all that it has not."""
+    """Whether Noto Sans lacks a character, and draws its box for missing ones."""
     return _shape(letter) == _box()
 
 
@@ -168,7 +168,7 @@ def _box() -> tuple[tuple[int, int], bytes]:
 
 
 def _shape(letter: str) -> tuple[tuple[int, int], bytes]:
-    """Return what Noto Sans draws for a letter: size and pixels."""
+    """Return the size and the pixels of a character in Noto Sans."""
     shown = _drawn(_font(16, False), letter, theme.TEXT)
     return shown.size, shown.get_buffer().raw
 
@@ -179,5 +179,5 @@ def _font(size: int, bold: bool) -> pygame.font.Font:
 
 
 def _spare(size: int) -> pygame.font.Font:
-    """Return the font for what Noto Sans has not: roots, arrows and other signs."""
+    """Return the font for characters that Noto Sans lacks: roots, arrows and other symbols."""
     return pygame.font.Font(str(files("pygame_gui") / "data" / "FiraCode-Regular.ttf"), size)

@@ -16,7 +16,7 @@ Value = TypeVar("Value")
 
 
 def read(file: Path, kind: TypeAdapter[Value], otherwise: Value) -> Value:
-    """Return what a file holds; something else if it is missing, or not as it was written here."""
+    """Return the contents of a file; `otherwise` if it is missing or not valid."""
     try:
         return kind.validate_json(read_ordinary(file, LARGEST) or b"")
     except (OSError, ValidationError):
@@ -24,7 +24,7 @@ def read(file: Path, kind: TypeAdapter[Value], otherwise: Value) -> Value:
 
 
 def keep(file: Path, kind: TypeAdapter[Value], value: Value) -> str:
-    """Write a file, whole or not at all; return why that cannot be, if so."""
+    """Write a file, completely or not at all; return why that fails, else an empty string."""
     try:
         make_folder(file.parent)
         write_atomically(file, kind.dump_json(value, indent=1), follow=False)

@@ -1,4 +1,4 @@
-"""A scene in words, for a terminal or a screen reader."""
+"""Describes a scene in words, for a terminal or a screen reader."""
 
 from cmath import exp
 from collections.abc import Iterator
@@ -14,29 +14,30 @@ from sandbox.physics.measuring.grading import Result
 from sandbox.physics.stepping.world import World
 
 STILL = 1e-9
-"""m/s or rad/s: anything slower is said to be at rest."""
+"""The speed up to which a body is described as at rest [m/s, rad/s]."""
 
 NEAR = 1e-6
-"""Of the width that is seen: what is no farther from an axis is said to be on it."""
+"""The distance from an axis, as a fraction of the view's width, up to which a point is described as
+on the axis."""
 
 MANY = 40
-"""Up to how many bodies, joints or contacts are described one by one; the others are only
-counted."""
+"""The largest number of bodies, joints or contacts that are described one by one; the others are
+only counted."""
 
 
 def describe(
     world: World, results: tuple[Result, ...], *, with_forces: bool = False
 ) -> Iterator[str]:
-    """Yield what is on the stage, a line each.
+    """Yield the lines of a description of the stage.
 
     Parameters
     ----------
     world
         The world, at the moment to describe.
     results
-        How its level's checks stand.
+        The results of the level's checks.
     with_forces
-        Whether the forces on each body are listed, too.
+        Whether to list the forces on each body, too.
     """
     level = world.level
     yield f"{level.title}. {level.summary}".strip()
@@ -55,7 +56,7 @@ def describe(
 
 
 def _section(heading: str, lines: Iterator[str]) -> Iterator[str]:
-    """Yield a heading and what stands below it, if there is anything."""
+    """Yield a heading and its lines, if there are any."""
     found = list(lines)
     if found:
         yield f"{heading}:"
@@ -97,7 +98,7 @@ def _shape(shape: Shape, world: World) -> str:
 
 
 def _ends(world: World, row: int) -> str:
-    """Say from where to where a segment is: what its body is placed at may be far from it."""
+    """Describe a segment by its ends, since its body's position may be far from it."""
     shape = list(world.level.bodies.values())[row].shape
     assert isinstance(shape, Segment)
     place = complex(*world.snapshot.position[row].tolist())

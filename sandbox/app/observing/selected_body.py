@@ -1,4 +1,4 @@
-"""The body that was clicked on, and the forces on it at the step that is shown."""
+"""The selected body, and the forces on it at the current step."""
 
 from collections.abc import Mapping, Sequence
 from itertools import cycle
@@ -27,24 +27,24 @@ _NAMES = (
 )
 
 FAINT = 1e-9
-"""The share of the strongest force below which a force counts as rounding."""
+"""The fraction of the largest force below which a force counts as a rounding error."""
 
 
 LITTLE = 0.1
-"""The share of the scale that the strongest force must fill; otherwise the scale is reduced."""
+"""The fraction of the scale below which the largest force makes the scale be reduced."""
 
 
 HELD = 0.3
-"""For how long the stage keeps to the numbers of a page [s], which are anew some times a second."""
+"""The time for which the stage shows the numbers of a page, which is updated less often [s]."""
 
 
 class Looking:
-    """At which body a person looks.
+    """The body that the user has selected, and the forces on it.
 
     Attributes
     ----------
     chosen
-        The body that was clicked on last, which another level, or an earlier step, may not have.
+        The body that was clicked last; it may not exist in another level or at an earlier step.
     """
 
     def __init__(self) -> None:
@@ -55,16 +55,13 @@ class Looking:
         self._told: tuple[World, FreeBody, float] | None = None
 
     def body(self, level: Level) -> str | None:
-        """Return the selected body of a level, if it exists.
-
-        Else it is the first that forces can move; None if there is none.
-        """
+        """Return the selected body if it exists, else the first dynamic body, or None."""
         if self.chosen in level.bodies:
             return self.chosen
         return next((n for n, body in level.bodies.items() if body.type == "dynamic"), None)
 
     def at(self, world: World) -> FreeBody | None:
-        """Return the forces on the body; None if they are unknown, see `FreeBodies.of`."""
+        """Return the forces on the selected body; None if unknown, see `FreeBodies.of`."""
         body = self.body(world.level)
         if body is None:
             return None
@@ -76,13 +73,13 @@ class Looking:
         return seen[2]
 
     def tell(self, world: World, found: FreeBody) -> None:
-        """Note that these forces stand on a page."""
+        """Record that a page shows these forces."""
         self._told = world, found, perf_counter()
 
     def told(self, world: World, found: FreeBody) -> FreeBody:
-        """Return the forces that a page told just now, if they are the same ones, or else them.
+        """Return the forces as last shown by a page, if they are the same ones, else as found.
 
-        Numbers on the stage would change in each frame, and differ from those of the page.
+        Otherwise numbers on the stage would change in every frame, and differ from the page's.
         """
         if self._told is None or self._told[0] is not world:
             return found
@@ -91,9 +88,10 @@ class Looking:
         return told if same and perf_counter() - at < HELD else found
 
     def full(self, found: FreeBody) -> float:
-        """Return the force that the longest arrow on a body stands for [N].
+        """Return the force that corresponds to the longest arrow on a body [N].
 
-        It is a round number that stays as long as forces fill a part of it; impacts do not count.
+        It is a round number that stays until forces exceed it or become much smaller; impacts do
+        not count.
         """
         now = 0.0 if found.struck else max(found.largest, *map(abs, found.gain))
         known = self._full.get(found.body, 0.0)
@@ -112,16 +110,17 @@ def color(acting: Acting) -> Color:
 
 
 def colors() -> Mapping[str, Color]:
-    """Return the colours of forces, by what they are called."""
+    """Return the colours of forces by name."""
     free = cycle(theme.BODIES)
     return {name: theme.ACTING.get(name) or next(free) for name in dict.fromkeys(_NAMES)}
 
 
 def texts(found: FreeBody) -> Sequence[tuple[Acting, str]]:
-    """Return the forces on a body, and what is written beside each: another name for each.
+    """Return the forces on a body, each with the text beside its arrow, which is unique.
 
-    A name is as short as it can be: that of the force alone; of several of a name, who gives each,
-    or both where those that one gives have several names; and else a number, too.
+    The text is as short as possible: the name of the force; for several forces of the same name
+    the body or joint that exerts each, together with the name if several names are ambiguous; and
+    a number if that is still ambiguous.
     """
     forces = felt(found)
     alike = [acting for acting in forces if _count(forces, acting) > 1]
@@ -135,7 +134,7 @@ def texts(found: FreeBody) -> Sequence[tuple[Acting, str]]:
 
 
 def titles(found: FreeBody) -> Sequence[tuple[Acting, str]]:
-    """Return the forces on a body, and what each is called, and who gives it."""
+    """Return the forces on a body, each with its name and what exerts it."""
     forces = felt(found)
     return [*zip(forces, _numbered([*map(_whole, forces)]), strict=True)]
 
@@ -149,7 +148,7 @@ def _count(forces: Sequence[Acting], acting: Acting) -> int:
 
 
 def _numbered(names: Sequence[str]) -> Sequence[str]:
-    """Return names with a number behind those that are alike."""
+    """Return the names, with a number after equal ones."""
     return [
         name if names.count(name) == 1 else f"{name} ({names[: place + 1].count(name)})"
         for place, name in enumerate(names)
@@ -157,16 +156,16 @@ def _numbered(names: Sequence[str]) -> Sequence[str]:
 
 
 def felt(found: FreeBody) -> Sequence[Acting]:
-    """Return the forces on a body but those that are nothing beside the strongest."""
+    """Return the forces on a body, without those negligible compared with the largest."""
     return [acting for acting in found.forces if acting.size > FAINT * found.largest]
 
 
 def cleared(vector: XY, found: FreeBody) -> XY:
-    """Return a sum of forces with nothing for what is but rounding of them."""
+    """Return a sum of forces, with 0 for components that are only rounding errors."""
     x, y = (0.0 if abs(part) < FAINT * found.largest else part for part in vector)
     return x, y
 
 
 def newtons(value: float) -> str:
-    """Write a force with three digits, and without a power of ten as long as it is read so."""
+    """Format a force with three digits, or more from 1e3 on to avoid a power of ten."""
     return number(value, 5 if abs(value) >= 1e4 else 4 if abs(value) >= 1e3 else 3)

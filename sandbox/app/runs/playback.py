@@ -1,8 +1,8 @@
-"""Playing a run: how fast time passes, up to which step, and what a hand does on the way.
+"""Plays a run: the speed of time, seeking a step, and the user's hand on bodies.
 
-The time step belongs to the level. A frame only decides how many whole steps are due. What cannot
-be paid for within its budget is left to the next two; what is too much for these is dropped and
-shown as a lower pace, never stretched.
+The time step is that of the level; a frame only determines how many whole steps are due. Steps that
+exceed its time budget are postponed by up to two frames. Further ones are dropped and shown as a
+lower pace; steps are never stretched.
 """
 
 from abc import ABC, abstractmethod
@@ -26,11 +26,11 @@ from sandbox.model.shapes import XY
 from sandbox.physics.state.errors import SimulationError
 from sandbox.physics.stepping.world import World
 
-BUDGET = 0.009  # s, of a frame for steps
-LATE = 2 / 60  # s, that steps may be late
-AT_ONCE = 0.15  # s, for a way back or ahead before a frame is drawn
-FADING = 0.25  # s, that a flash at an impact takes to fade
-ON_THE_WAY = 0.05  # s, of a frame for the rest of such a way
+BUDGET = 0.009  # s, the time for steps in a frame
+LATE = 2 / 60  # s, the longest delay of steps
+AT_ONCE = 0.15  # s, the time for seeking a step before a frame is drawn
+FADING = 0.25  # s, the time in which a flash at an impact fades
+ON_THE_WAY = 0.05  # s, the time for seeking in later frames
 
 
 class Playback(RunView, ABC):
@@ -39,20 +39,20 @@ class Playback(RunView, ABC):
     Attributes
     ----------
     playing, speed
-        Whether time passes by itself, and how fast.
+        Whether the run plays, and the simulated seconds per second.
     locked
-        Whether no time passes: somebody is to say first what will come of the run.
+        Whether time is stopped until the user has predicted the outcome of the run.
     booked
-        Whether it is booked where energy and momentum come from and go; see `Books`.
+        Whether the balance of energy and momentum is recorded; see `Books`.
     sought
-        The step to which the run is on its way, back or ahead; None if it is not.
+        The step that the run is seeking, backwards or forwards; None if it is not.
 
     Parameters
     ----------
     run
-        The run that is played.
+        The run to play.
     watched
-        Whether a person waits for each step, and is asked where one takes long.
+        Whether the run pauses with a message when a step takes long or memory is full.
     """
 
     def __init__(self, run: LiveRun, *, watched: bool) -> None:
@@ -70,15 +70,15 @@ class Playback(RunView, ABC):
         self._grip = Grip(run)
         self._owed = 0.0  # steps
         self.sought: int | None = None
-        self._records = Records()  # of what is taken again
-        self._recalled: Observed | None = None  # what is sought, if it is in one of them
+        self._records = Records()  # of the run as it was before rewinding
+        self._recalled: Observed | None = None  # the record of the sought step, if any
 
     @abstractmethod
     def _run_anew(self) -> LiveRun:
-        """Return the present run at its start; raise a `SandboxError` if it cannot be built."""
+        """Return the current run at its start; raise a `SandboxError` if it cannot be built."""
 
     def book(self, wanted: bool) -> None:
-        """Book energy and momentum from now on, in later runs from their start; or no more."""
+        """Start or stop recording the balance, in this run from now on and in later ones."""
         self.booked = wanted
         self.run.books.keep(wanted)
 
@@ -88,46 +88,46 @@ class Playback(RunView, ABC):
 
     @property
     def _stands(self) -> bool:
-        """Whether no time may pass, for whatever reason."""
+        """Whether time is stopped for any reason."""
         return self.waiting or self.locked
 
     @property
     def remaining(self) -> float | None:
-        """How long the rest of the run takes as slowly as it goes; None if it keeps up [s]."""
+        """The real time for the rest of the run at a reduced pace [s]; None if it keeps up."""
         pace = self.run.pace.reduced if self.playing else None
         return max(self.duration - self.t, 0.0) / pace if pace else None
 
     @property
     def recalled(self) -> Observed | None:
-        """What was recorded of the run, as it was at the step that is sought; None if unknown.
+        """The recorded observations of the run at the sought step; None if there are none.
 
-        It is there at once: the run itself takes its time until it stands there again.
+        They are shown at once, while the run itself takes some time to reach the step again.
         """
         return self._recalled if self.sought is not None else None
 
     @property
     def shown(self) -> World:
-        """The world that is shown: the present one, or a recorded one."""
+        """The world that is shown: the current one, or a recorded one."""
         return self.recalled.world if self.recalled else self.world
 
     def _recall(self) -> None:
-        """Show the recorded state of the step that is sought, if there is one."""
+        """Show the recorded state of the sought step, if there is one."""
         if self.sought is not None:
             self._recalled = self._records.show(self.sought, self.run.all_actions)
 
     def toggle(self) -> None:
-        """Play or pause; continue a run that had to stop, if that is possible."""
+        """Play or pause; continue a run that has failed, if that is possible."""
         if self.doubted:
             self.run.go_on()
         self.run.limits.bear()
         self.playing = not self.playing and self.failure is None
 
     def pause(self) -> None:
-        """Stop the time."""
+        """Pause the run."""
         self.playing = False
 
     def step(self) -> None:
-        """Pause, and take a single step; on a way, go a step farther."""
+        """Pause, and take a single step; while seeking, seek a step further."""
         self.playing = False
         if self.sought is None:
             self._advance()
@@ -135,19 +135,19 @@ class Playback(RunView, ABC):
             self.go_to(self.sought + 1)
 
     def go_to(self, step: int, *, undone: bool = False) -> None:
-        """Go to another step of the run, backwards or forwards, as far as its `span` reaches.
+        """Seek another step of the run, backwards or forwards, within its `span`.
 
-        A way back begins at the start: the run is taken again, with all that a hand did to it, and
-        so is the same to the last bit. What was done later is done again when its step comes,
-        unless something else is done before. A long way takes some frames, see `sought`; what was
-        recorded is there before, see `recalled`.
+        To go back, the run is repeated from its start with the user's actions, which gives the same
+        states to the last bit. Later actions are repeated at their steps, unless the user acts
+        before. Seeking may take some frames, see `sought`; a recorded state is shown meanwhile, see
+        `recalled`.
 
         Parameters
         ----------
         step
-            Which.
+            The step to seek.
         undone
-            Whether what was done at that step and later is forgotten.
+            Whether to drop the actions at that step and later.
 
         Raises
         ------
@@ -167,11 +167,11 @@ class Playback(RunView, ABC):
         self._seek(AT_ONCE)
 
     def do_again(self, actions: Sequence[Action], steps: int) -> None:
-        """Take a run from its start to a step, with what a hand did to it then."""
+        """Compute a run from its start to a step, with the given actions."""
         self._take_again(actions, steps, inf)
 
     def _take_again(self, actions: Sequence[Action], steps: int, budget: float = AT_ONCE) -> None:
-        """Compute a run from its start for some time [s]; later frames do the rest."""
+        """Compute a run from its start within a time budget [s]; later frames do the rest."""
         self.run.script, self.sought = actions, steps
         self._seek(budget)
 
@@ -191,7 +191,7 @@ class Playback(RunView, ABC):
         self.sought = sought
 
     def _seek(self, budget: float) -> None:
-        """Take steps towards the one that is sought, as far as the budget goes [s]."""
+        """Take steps towards the sought one, within a time budget [s]."""
         deadline, playing = perf_counter() + budget, self.playing
         while self.sought is not None and self.failure is None:
             if self.halted:
@@ -208,29 +208,29 @@ class Playback(RunView, ABC):
                 self._advance()
 
     def stay(self) -> bool:
-        """Stay where a way back or ahead has come to, and return whether there was one."""
+        """Stop seeking at the current step, and return whether the run was seeking."""
         under_way, self.sought = self.sought is not None, None
         if under_way:
             self.playing = False
         return under_way
 
     def step_back(self) -> None:
-        """Pause, and go a single step back."""
+        """Pause, and go back a single step."""
         self.playing = False
         here = self.world.steps if self.sought is None else self.sought
         if here:
             self.go_to(here - 1)
 
     def faster(self) -> None:
-        """Take the next higher speed."""
+        """Set the next higher speed."""
         self.speed = faster(self.speed)
 
     def slower(self) -> None:
-        """Take the next lower speed."""
+        """Set the next lower speed."""
         self.speed = slower(self.speed)
 
     def update(self, seconds: float, budget: float = BUDGET) -> None:
-        """Take the steps that are due after some real time, as far as the budget goes [s]."""
+        """Take the steps that are due after some real time [s], within a time budget [s]."""
         if self.sought is not None:
             self._seek(ON_THE_WAY)
             return
@@ -264,20 +264,20 @@ class Playback(RunView, ABC):
             self.playing = False
 
     def grab(self, body: str, point: XY) -> None:
-        """Take hold of a body at a point [m]; nothing happens to it before `drag`.
+        """Grab a body at a point [m]; it is not affected before `drag`.
 
-        What is only `recalled` cannot be touched.
+        A state that is only `recalled` cannot be changed.
         """
         if self.recalled is None:
             self._grip.grab(body, point)
 
     def drag(self, point: XY) -> None:
-        """Pull what is held to a point [m]: while time runs with a force, else put it there.
+        """Pull the held body towards a point [m] while the run plays, else move it there.
 
         Raises
         ------
         SandboxError
-            If it cannot be put there. Then the run stands where it stood, and nothing is held.
+            If the body cannot be moved there. Then the run is restored, and the body released.
         """
         well = self.failure is None
         self._grip.drag(point, playing=self.playing)
@@ -286,7 +286,7 @@ class Playback(RunView, ABC):
         self._pause_if_stopped()
 
     def _put_back(self, failure: SandboxError) -> None:
-        """Take the run again up to here, without what it could not stand."""
+        """Repeat the run up to the current step, without the action that failed."""
         self._begin_again(self.world.steps)
         self._recall()
         self._seek(AT_ONCE)
@@ -296,7 +296,7 @@ class Playback(RunView, ABC):
         )
 
     def release(self) -> None:
-        """Let go."""
+        """Release the body."""
         self._grip.release()
         self._pause_if_stopped()
 
@@ -306,15 +306,15 @@ class Playback(RunView, ABC):
 
     @property
     def flashes(self) -> Sequence[Flash]:
-        """What is to be seen of the last impacts: the same at a step whenever it is shown."""
+        """The flashes of the last impacts, which depend only on the step and the speed."""
         if self.recalled:
             return ()
         return self.run.blows.flashes(FADING * self.speed)
 
     def readings(self) -> tuple[Reading, ...]:
-        """Return how the checks stand."""
+        """Return the results of the checks; while playing, perhaps slightly old ones."""
         return self.run.readings(hurried=self.playing)
 
     def milestones(self) -> tuple[Milestone, ...]:
-        """Return the events so far; those after a hand touched the run do not count."""
+        """Return the events so far; none once a body was moved by hand."""
         return self.run.milestones(hurried=self.playing)

@@ -1,4 +1,4 @@
-"""What pages, panels, the banner and the stage read of a run."""
+"""The data of a run that pages, panels, the banner and the stage read."""
 
 from collections.abc import Sequence
 
@@ -21,12 +21,12 @@ from sandbox.physics.stepping.world import World
 
 
 class RunView:
-    """The run that is played now.
+    """Read access to the current run.
 
     Attributes
     ----------
     run
-        It; another one whenever it begins anew.
+        The run; replaced whenever it starts anew.
     """
 
     def __init__(self, run: LiveRun) -> None:
@@ -34,7 +34,7 @@ class RunView:
 
     @property
     def world(self) -> World:
-        """The world of the present run."""
+        """The world of the current run."""
         return self.run.world
 
     @property
@@ -44,52 +44,49 @@ class RunView:
 
     @property
     def companions(self) -> tuple[Companion, ...]:
-        """Other runs beside it, in lockstep."""
+        """The companion runs, in lockstep."""
         return self.run.companions
 
     @property
     def earlier(self) -> tuple[Earlier, ...]:
-        """The last runs with other parameters and the present bodies, the newest last."""
+        """The last runs with other parameters and the same bodies, the newest last."""
         return tuple(run for run in self.run.earlier if alike(run.world, self.world))
 
     @property
     def later(self) -> Observed | None:
-        """The run as it was before a way back, if it had come farther; None if it had not.
-
-        None as well if it has other bodies by then.
-        """
+        """The run before it was rewound, if it had more steps and the same bodies; else None."""
         ahead = self.run.ahead
         farther = ahead is not None and ahead.steps() > self.world.steps
         return ahead if ahead and farther and alike(ahead.world, self.world) else None
 
     @property
     def trail(self) -> Trail:
-        """Where the bodies have been."""
+        """The paths of the bodies."""
         return self.run.trail
 
     @property
     def history(self) -> History:
-        """Everything that was observed of the present run."""
+        """The states of the current run."""
         return self.run.history
 
     @property
     def books(self) -> Books:
-        """What energies there were, and where they came from."""
+        """The energies of the run, and their balance."""
         return self.run.books
 
     @property
     def failure(self) -> SandboxError | None:
-        """Why the run had to stop, or could not be built; None if all is well."""
+        """The error that stopped the run, or prevented it from being built, or None."""
         return self.run.failure
 
     @property
     def values(self) -> Values:
-        """The parameters of the present run."""
+        """The parameters of the current run."""
         return self.world.values
 
     @property
     def begun_with(self) -> Values:
-        """The parameters with which the present run began; it may have branched since."""
+        """The parameters at the start of the run; it may have branched since."""
         return self.run.begun_with
 
     @property
@@ -104,17 +101,17 @@ class RunView:
 
     @property
     def all_actions(self) -> Sequence[Action]:
-        """What a person has done to the run, also at recorded steps that are still to come."""
+        """All actions of the user, also those at later steps that are to be repeated."""
         return self.run.all_actions
 
     @property
     def clock(self) -> Clock:
-        """What the steps take."""
+        """The computing time of the steps."""
         return self.run.clock
 
     @property
     def pace(self) -> Pace:
-        """Whether the machine keeps up."""
+        """The pace at which the machine simulates the run."""
         return self.run.pace
 
     @property
@@ -124,7 +121,7 @@ class RunView:
 
     @property
     def end(self) -> int:
-        """How many steps reach the level's duration."""
+        """The number of steps in the level's duration."""
         return self.run.end
 
     @property
@@ -134,34 +131,34 @@ class RunView:
 
     @property
     def span(self) -> int:
-        """How many steps the bar of the time stands for: the level's, or more if there were."""
+        """The number of steps on the time bar: the level's, or more if the run had more."""
         return max(self.end, self.run.farthest.steps())
 
     @property
     def at_end(self) -> bool:
-        """Whether the run stands where its level says that it is complete."""
+        """Whether the run is at the end of the level's duration."""
         return self.world.steps == self.end
 
     @property
     def waiting(self) -> bool:
-        """Whether no time passes before it is known which setting the level asks for."""
+        """Whether the run waits for the setting that reaches the level's accuracy."""
         return self.run.setting is None and self.world.level.stepping.accuracy is not None
 
     @property
     def advised(self) -> float | None:
-        """The rate at which a run that had to stop holds; None if none is known [Hz]."""
+        """The rate at which a run that has failed would succeed [Hz]; None if none is known."""
         if self.run.trying or not isinstance(self.failure, SimulationError):
             return None
         return self.failure.rate
 
     @property
     def doubted(self) -> bool:
-        """Whether the run had to stop, but could go on without being reliable."""
+        """Whether the run has failed, but can continue with unreliable results."""
         return self.failure is not None and self.world.doubted
 
     @property
     def halted(self) -> str:
-        """Why it has paused although nothing is wrong with it; empty if it has not."""
+        """Why the run has paused at a limit of time or memory; empty if it has not."""
         return self.run.limits.message
 
     @property

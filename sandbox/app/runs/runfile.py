@@ -30,18 +30,18 @@ LARGEST = 100_000_000
 
 
 class Run(Model):
-    """A run that can be taken again."""
+    """A run that can be repeated."""
 
     format: Literal[1]
     """the version of the format"""
     level: Mapping[str, Any]
-    """the level that was played, whole, with the rate at which it was"""
+    """the complete level, with the stepping of the run"""
     parameters: Mapping[str, Annotated[float, Field(strict=False, allow_inf_nan=False)]]
-    """their values at the start"""
+    """the values of the parameters at the start"""
     steps: Annotated[int, Field(ge=0, le=MAX_STEPS)]
-    """after how many steps it stood"""
+    """the number of steps of the run"""
     actions: Annotated[tuple[Action, ...], Field(strict=False)] = ()
-    """what was done to it, in order, also at steps later than that"""
+    """the user's actions in order, also those at later steps"""
     state: str
     """a hash of the state after these steps"""
 
@@ -62,7 +62,7 @@ def run_of(session: Session) -> Run:
 
 
 def _scene(level: Level) -> Level:
-    """Return what still holds of a level with other effects: all but the formulas."""
+    """Return a level without its formulas, which do not hold with other effects."""
     view = level.view.model_copy(update={"landscape": None})
     told: dict[str, object] = {"checks": (), "ghosts": {}, "challenge": None, "view": view}
     scene = level.model_copy(update=told)
@@ -72,12 +72,12 @@ def _scene(level: Level) -> Level:
 
 
 def replay(run: Run) -> Session:
-    """Take a run again, without a window, and return it at its end.
+    """Repeat a run without a window, and return its session at the end.
 
     Raises
     ------
     SandboxError
-        If its level is not well formed, or it cannot be run.
+        If the level is not well formed, or cannot be run.
     """
     session = session_of(run)
     session.do_again(run.actions, run.steps)
@@ -87,14 +87,14 @@ def replay(run: Run) -> Session:
 
 
 def session_of(run: Run, *, patient: bool = True) -> Session:
-    """Return a session at the start of a run, which does again, step by step, what a hand did.
+    """Return a session at the start of a run, which repeats the user's actions at their steps.
 
-    It is as `patient` as `Session` says.
+    For `patient` see `Session`.
 
     Raises
     ------
     SandboxError
-        If its level is not well formed, or cannot be built.
+        If the level is not well formed, or cannot be built.
     """
     level = parse(json.dumps(run.level), "the level of the run")
     session = Session(level, choose(level, run.parameters), patient=patient)
@@ -103,17 +103,17 @@ def session_of(run: Run, *, patient: bool = True) -> Session:
 
 
 def is_same(run: Run, session: Session) -> bool:
-    """Whether a run that was taken again has come to the same state, to the last bit."""
+    """Whether a repeated run has the recorded state, to the last bit."""
     return fingerprint(session.world.snapshot) == run.state
 
 
 def save(run: Run, path: Path) -> None:
-    """Write a run to a file, whole or not at all.
+    """Write a run to a file, completely or not at all.
 
     Raises
     ------
     SandboxError
-        If it cannot be written.
+        If the file cannot be written.
     """
     write_atomically(path, run.model_dump_json(indent=1) + "\n")
 
@@ -124,7 +124,7 @@ def read(path: Path) -> Run:
     Raises
     ------
     SandboxError
-        If there is no such file, or it is no run.
+        If the file cannot be read, or is not a run file.
     """
     try:
         content = read_ordinary(path, LARGEST)
@@ -151,7 +151,7 @@ def read(path: Path) -> Run:
 
 
 def _told(first: ErrorDetails) -> tuple[str, Message]:
-    """Return where a file has a mistake, and what it is."""
+    """Return the position and the description of a file's mistake."""
     if first["type"] == "json_invalid":
         rule, place = parse_messages.refused(first["ctx"]["error"])
         return ":".join(map(str, place or ())) or Message("the file"), rule
@@ -160,6 +160,6 @@ def _told(first: ErrorDetails) -> tuple[str, Message]:
 
 
 def fingerprint(snapshot: Snapshot) -> str:
-    """Return a hash of where everything is and how it moves."""
+    """Return a hash of all positions, angles and velocities."""
     parts = (snapshot.position, snapshot.angle, snapshot.velocity, snapshot.angular_velocity)
     return sha256(b"".join(part.tobytes() for part in parts)).hexdigest()

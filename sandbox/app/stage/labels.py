@@ -1,4 +1,4 @@
-"""The placement of labels, so that none covers another."""
+"""Places labels so that none covers another."""
 
 from collections.abc import Iterable, Sequence
 from itertools import chain
@@ -9,7 +9,7 @@ from sandbox.model.shapes import XY
 
 
 class Labels:
-    """The places that are taken by words in one picture."""
+    """The areas of a picture that are occupied by labels and lines."""
 
     def __init__(self, bounds: pygame.Rect) -> None:
         self._bounds = bounds
@@ -17,25 +17,24 @@ class Labels:
         self._crossed: list[tuple[XY, XY]] = []
 
     def take(self, place: pygame.Rect) -> None:
-        """Keep words from a place [px]."""
+        """Mark an area as occupied [px]."""
         self._taken.append(place)
 
     def mark(self, start: XY, end: XY) -> None:
-        """Let words rather not lie over a line, such as an arrow [px]."""
+        """Mark a line, such as an arrow, that labels avoid if possible [px]."""
         self._crossed.append((start, end))
 
     def find(
         self, places: Iterable[pygame.Rect], avoid: Sequence[pygame.Rect] = ()
     ) -> pygame.Rect | None:
-        """Take the first of some places that is free; None if there is none.
+        """Return the first free place, and mark it as occupied; None if there is none.
 
         Parameters
         ----------
         places
-            Where words could stand [px], the best first.
+            The possible places of a label [px], the best first.
         avoid
-            What they should rather not cover, even less than a line; they may if nothing else is
-            left.
+            Areas to avoid if possible, with priority over lines [px].
         """
         free = [
             place
@@ -50,5 +49,5 @@ class Labels:
         return found
 
     def _crosses(self, place: pygame.Rect) -> bool:
-        """Whether a line goes through a place."""
+        """Whether a marked line crosses a place."""
         return any(pygame.FRect(place).clipline(line) for line in self._crossed)

@@ -1,4 +1,4 @@
-"""The marks that explain a motion: trails, ghosts, velocity arrows, names."""
+"""Draws the marks that explain a motion: trails, ghosts, velocity arrows, events, names."""
 
 from collections.abc import Iterable, Iterator, Sequence
 from math import copysign, hypot, isfinite
@@ -22,14 +22,14 @@ from sandbox.model.shapes import XY
 from sandbox.physics.stepping.world import World
 
 LONGEST = 0.14
-"""The longest arrow, as a share of the stage's width."""
+"""The longest arrow, as a fraction of the stage's width."""
 
-EDGE = 26  # px, kept free of words along the rulers
+EDGE = 26  # px, kept free of text along the rulers
 LINE, FURTHER = 16, 4
-"""The height of a line [px], and by up to how many lines a label may move to find room."""
+"""The height of a line [px], and the number of offsets by lines at which a label may be placed."""
 
 PATH_POINTS = 240
-"""The number of pieces in which the closed form's path is drawn."""
+"""The number of points of the closed form's path."""
 
 
 def trail_color(color: Color) -> Color:
@@ -52,7 +52,7 @@ def draw_ghost(
     surface: pygame.Surface, camera: Camera, outline: Outline, position: XY, angle: float,
     lane: int | None = None,
 ) -> None:  # fmt: skip
-    """Draw where a body is by the closed form, or in another run."""
+    """Draw a dashed outline of a body, of the closed form or, with a `lane`, of a companion run."""
     color = theme.GHOST if lane is None else theme.LANES[lane]
     corners = camera.path(outline.placed(position, angle))
     if outline.closed:
@@ -67,7 +67,7 @@ def draw_ghost_path(
     surface: pygame.Surface, camera: Camera, formulas: tuple[Formula, Formula],
     values: Values, duration: float,
 ) -> None:  # fmt: skip
-    """Draw the way that the closed form takes through the level's duration."""
+    """Draw the closed form's path over the level's duration."""
     t = np.linspace(0.0, duration, PATH_POINTS)
     where = places(formulas, values, t)
     if where is not None and np.isfinite(where).all():
@@ -75,13 +75,13 @@ def draw_ghost_path(
 
 
 def draw_ghost_trail(surface: pygame.Surface, camera: Camera, points: Array) -> None:
-    """Draw a path through points, dashed: (k, 2) [m]."""
+    """Draw a dashed path through points: (k, 2) [m]."""
     color = theme.faded(theme.GHOST, 0.35)
     lines.dashed(surface, color, camera.path(points.tolist()), 3, 6)
 
 
 def place(formulas: tuple[Formula, Formula], values: Values, t: float) -> XY | None:
-    """Return where the closed form says that a body is [m], None if it has no answer."""
+    """Return the closed form's position of a body [m]; None if it is not defined."""
     where = places(formulas, values, np.array([t]))
     if where is None:
         return None
@@ -90,7 +90,7 @@ def place(formulas: tuple[Formula, Formula], values: Values, t: float) -> XY | N
 
 
 def places(formulas: tuple[Formula, Formula], values: Values, t: Array) -> Array | None:
-    """Return the closed form's positions at many times: (k, 2) [m]."""
+    """Return the closed form's positions at many times, (k, 2) [m]; None if not defined."""
     try:
         return np.stack([formula.over(values, t) for formula in formulas], axis=-1)
     except ExpressionError:
@@ -100,7 +100,7 @@ def places(formulas: tuple[Formula, Formula], values: Values, t: Array) -> Array
 def draw_arrow(
     surface: pygame.Surface, camera: Camera, position: XY, velocity: XY, seconds: float
 ) -> None:
-    """Draw a velocity: how far the body would come in some seconds."""
+    """Draw a velocity as the displacement in some time [s]."""
     end = position[0] + velocity[0] * seconds, position[1] + velocity[1] * seconds
     lines.arrow(surface, theme.ARROW, camera.to_screen(position), camera.to_screen(end))
 
@@ -108,7 +108,7 @@ def draw_arrow(
 def draw_components(
     surface: pygame.Surface, camera: Camera, pen: Pen, position: XY, velocity: XY, seconds: float
 ) -> None:  # fmt: skip
-    """Draw a velocity's two components, and the sides of the rectangle that they span."""
+    """Draw a velocity's two components, and the rectangle that they span."""
     start = camera.to_screen(position)
     across, up = (velocity[0] * seconds * camera.scale, -velocity[1] * seconds * camera.scale)
     if min(abs(across), abs(up)) < 2 or not lines.near((start,)):
@@ -127,7 +127,7 @@ def draw_components(
 
 
 def fastest(world: World, duration: float) -> float:
-    """Return the highest speed that is to be expected [m/s]: that at the start or of a ghost."""
+    """Return the highest speed at the start or of a ghost [m/s]."""
     velocity = world.snapshot.velocity
     speeds = [float(np.hypot(velocity[:, 0], velocity[:, 1]).max())]
     t = np.linspace(0.0, duration, PATH_POINTS)
@@ -135,7 +135,7 @@ def fastest(world: World, duration: float) -> float:
         where = places(formulas, world.values, t)
         if where is not None and np.isfinite(where).all():
             steps = np.diff(where, axis=0)
-            # a formula may jump, and a jump is no speed
+            # the percentile ignores jumps of the formula
             speeds.append(float(np.percentile(np.hypot(steps[:, 0], steps[:, 1]), 95)) / t[1])
     return max(speeds)
 
@@ -143,7 +143,7 @@ def fastest(world: World, duration: float) -> float:
 def draw_arrow_key(
     surface: pygame.Surface, camera: Camera, pen: Pen, seconds: float, corner: XY
 ) -> None:
-    """Explain the arrows' length, with its lower right end in a corner."""
+    """Draw the key to the arrows' length, with its lower right end at a point [px]."""
     speed = nice(70 / (camera.scale * seconds))
     length = speed * seconds * camera.scale
     text = pen.write(f"{speed:g} m/s", 12)
@@ -155,7 +155,7 @@ def draw_arrow_key(
 def draw_milestones(
     surface: pygame.Surface, camera: Camera, milestones: Sequence[Milestone], labels: Labels
 ) -> None:
-    """Mark where something has happened."""
+    """Mark the positions of events."""
     for milestone, (x, y) in _seen(camera, milestones):
         color = theme.PASSED if milestone.passed else theme.FAILED
         corners = [(x, y - 6), (x + 6, y), (x, y + 6), (x - 6, y)]
@@ -168,9 +168,9 @@ def write_milestones(
     surface: pygame.Surface, camera: Camera, pen: Pen, milestones: Sequence[Milestone],
     words: Say, labels: Labels, avoid: Sequence[pygame.Rect] = (),
 ) -> None:  # fmt: skip
-    """Write beside each mark what was measured then.
+    """Write the measured values beside each mark.
 
-    The words rather do not cover some places [px], such as those of bodies.
+    The text avoids some areas if possible [px], such as those of bodies.
     """
     for milestone, (x, y) in _seen(camera, milestones):
         texts = [pen.outlined(text) for text in milestone.texts(words)]
@@ -185,7 +185,7 @@ def write_milestones(
 
 
 def _seen(camera: Camera, milestones: Sequence[Milestone]) -> Iterator[tuple[Milestone, XY]]:
-    """Yield what is near the picture, and where in it [px]."""
+    """Yield the events near the picture, with their positions in it [px]."""
     for milestone in milestones:
         place = camera.to_screen(milestone.place)
         if lines.near((place,)):
@@ -193,9 +193,9 @@ def _seen(camera: Camera, milestones: Sequence[Milestone]) -> Iterator[tuple[Mil
 
 
 def _around(x: int, y: int, size: tuple[int, int]) -> Iterator[pygame.Rect]:
-    """Yield where words may stand about a point: below, above, beside it, and further off.
+    """Yield places for a text near a point: below, above, beside it, and further away.
 
-    Where something straight up and down is in the way, they stand on one side of that.
+    The last places are on one side of the vertical through the point, which may be occupied.
     """
     place = pygame.Rect((0, 0), size)
     for further in range(0, FURTHER * LINE, LINE):
@@ -204,7 +204,7 @@ def _around(x: int, y: int, size: tuple[int, int]) -> Iterator[pygame.Rect]:
         if not further:
             yield place.move_to(midleft=(x + 11, y))
             yield place.move_to(midright=(x - 11, y))
-    for further in range(0, FURTHER * LINE, LINE):  # no longer above or below it
+    for further in range(0, FURTHER * LINE, LINE):  # beside the vertical
         yield place.move_to(topleft=(x + 11, y + 9 + further))
         yield place.move_to(topright=(x - 11, y + 9 + further))
         yield place.move_to(bottomleft=(x + 11, y - 9 - further))
@@ -212,7 +212,7 @@ def _around(x: int, y: int, size: tuple[int, int]) -> Iterator[pygame.Rect]:
 
 
 def boxes(camera: Camera, shown: Iterable[tuple[Outline, XY, float]]) -> list[pygame.Rect]:
-    """Return where bodies are in the picture, as far as they are near it [px]."""
+    """Return the bounding boxes of the bodies near the picture [px]."""
     paths = (camera.path(outline.placed(position, angle)) for outline, position, angle in shown)
     return [_box(path) for path in paths if lines.near(path)]
 
@@ -221,7 +221,7 @@ def draw_names(
     surface: pygame.Surface, camera: Camera, pen: Pen,
     shown: Sequence[tuple[Outline, XY, float]], labels: Labels,
 ) -> None:  # fmt: skip
-    """Write the names of bodies beside them; where there is no room for one, it is left out."""
+    """Write the names of bodies beside them; names without room are left out."""
     paths = [camera.path(outline.placed(position, angle)) for outline, position, angle in shown]
     near = [lines.near(path) for path in paths]
     boxes = [_box(path) if seen else pygame.Rect() for path, seen in zip(paths, near, strict=True)]
@@ -242,6 +242,6 @@ def draw_names(
 
 
 def _box(corners: Sequence[XY]) -> pygame.Rect:
-    """Return the rectangle about some points [px]."""
+    """Return the bounding box of some points [px]."""
     (left, top), (right, bottom) = np.min(corners, axis=0), np.max(corners, axis=0)
     return pygame.Rect(round(left), round(top), round(right - left), round(bottom - top))

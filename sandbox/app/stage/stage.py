@@ -1,4 +1,4 @@
-"""The picture of a world, on any surface."""
+"""Draws the picture of a world, on any surface."""
 
 from collections.abc import Sequence
 from itertools import pairwise
@@ -28,18 +28,18 @@ from sandbox.physics.stepping.world import World
 
 
 class Stage:
-    """Draws a world. What does not change from frame to frame is drawn once and kept.
+    """Draws a world. Static parts are drawn once and kept.
 
     Attributes
     ----------
     camera
-        What part of the plane is shown.
+        The part of the plane that is shown.
     shown
-        Which overlays are drawn, by name.
+        Whether each overlay is drawn, by name.
     asked
-        An overlay that is drawn in any case; empty if none is.
+        The name of an overlay that is always drawn, or empty.
     view
-        The world that is shown, as overlays draw it.
+        The view of the world, for overlays.
     """
 
     view: View
@@ -56,7 +56,7 @@ class Stage:
         self._level: object = None
 
     def use(self, world: World) -> None:
-        """Show another world; what a person has chosen to see of the plane stays."""
+        """Show another world; a part of the plane that the user has chosen stays."""
         again = world.level is self._level and world.values == self.view.world.values
         if world.level is not self._level:
             self._level = world.level
@@ -73,11 +73,11 @@ class Stage:
             self.fit()
 
     def fit(self) -> None:
-        """Show the part of the plane that the level asks for."""
+        """Show the part of the plane in the level's view."""
         self.camera.fit(self.view.world.level.view, self.view.world.values)
 
     def resize(self, size: tuple[int, int]) -> None:
-        """Draw on surfaces of another size from now on."""
+        """Set the size of the surfaces to draw on [px]."""
         if size != self.camera.size:
             self.camera.resize(size)
             self._base, self._canvas = pygame.Surface(size), pygame.Surface(size)
@@ -88,9 +88,20 @@ class Stage:
         milestones: Sequence[Milestone] = (), beside: Sequence[Companion] = (),
         earlier: Sequence[Trail] = (),
     ) -> None:  # fmt: skip
-        """Draw the present world on a surface of the stage's size, with other runs over it.
+        """Draw the current world on a surface of the stage's size.
 
-        Of earlier runs the trails are drawn.
+        Parameters
+        ----------
+        surface
+            The surface.
+        trail
+            The paths of the bodies.
+        milestones
+            The events to mark.
+        beside
+            The companion runs, drawn over the world.
+        earlier
+            The trails of earlier runs, drawn if there are no companions.
         """
         view, world, outlines = self.view, self.view.world, self.view.outlines
         view.trail, view.labels = trail, Labels(surface.get_rect())
@@ -125,7 +136,7 @@ class Stage:
             self._write(surface, told)
 
     def _write(self, surface: pygame.Surface, milestones: Sequence[Milestone]) -> None:
-        """Write what was measured, once it is known where arrows are: they cannot be elsewhere."""
+        """Write the measured values, after the arrows, which cannot move out of the way."""
         view, words = self.view, level_words.of(self.view.world.level)
         avoid = marks.boxes(self.camera, ((each, *view.state(each)) for each in view.moving))
         marks.write_milestones(
@@ -134,11 +145,11 @@ class Stage:
 
     @property
     def _overlays(self) -> Sequence[Overlay]:
-        """The overlays that are drawn."""
+        """The overlays to draw."""
         return [each for each in OVERLAYS if self.shown[each.name] or each.name == self.asked]
 
     def _draw_beside(self, surface: pygame.Surface, beside: Sequence[Companion]) -> None:
-        """Draw the bodies of other runs as dashed outlines."""
+        """Draw the bodies of companion runs as dashed outlines."""
         for companion in beside:
             snapshot, lane = companion.world.snapshot, companion.variant.lane
             for outline in self.view.moving:
@@ -147,7 +158,7 @@ class Stage:
                 marks.draw_ghost(surface, self.camera, outline, (x, y), angle, lane)
 
     def body_at(self, pixel: XY, margin: float = 6.0) -> str | None:
-        """Return the body that a hand would take hold of at a pixel."""
+        """Return the dynamic body at a pixel, within a margin [px], or None."""
         x, y = self.camera.to_world(pixel)
         reach = margin / self.camera.scale
         for outline in reversed(self.view.moving):
@@ -157,14 +168,14 @@ class Stage:
         return None
 
     def tip_at(self, pixel: XY) -> Arrow | None:
-        """Return the force whose tip a hand would take hold of at a pixel."""
+        """Return the force whose tip can be dragged at a pixel, or None."""
         if not (self.shown["arrows"] and self.view.few):
             return None
         return self.view.forces.tip_at(self.view.world, self.camera, pixel)
 
     @property
     def newton(self) -> float:
-        """How long a force of 1 N is drawn [px]."""
+        """The length of the arrow of a force of 1 N [px]."""
         return self.view.forces.scale(self.camera)
 
     def _draw_base(self) -> None:
@@ -194,14 +205,14 @@ class Stage:
         bodies.draw_surface(surface, self.camera, outline, *self.view.state(outline), inside)
 
     def _middle(self) -> XY:
-        """Return a point where things happen [m], the same all along a run."""
+        """Return the mean start position of the moving bodies [m], else the camera's centre."""
         if not self.view.moving:
             return self.camera.center
         x, y = self.view.starts.mean(axis=0).tolist()
         return x, y
 
     def _nearest(self, outline: Outline) -> XY:
-        """Return where of what moves begins that which is nearest to an outline then [m]."""
+        """Return the start position nearest to an outline among the moving bodies [m]."""
         if not self.view.moving:
             return self.camera.center
         place, angle = self.view.state(outline)
@@ -218,7 +229,7 @@ class Stage:
                 lines.stroke(self._base, theme.STAGE, a, b, 2)
 
     def _draw_trails(self, own: Trail | None, others: Sequence[tuple[Trail, theme.Color]]) -> None:
-        """Bring the trails on the canvas up to date, from the base if it must be."""
+        """Update the trails on the canvas, starting from the base if necessary."""
         trails = [*(trail for trail, _ in others), *([own] if own else [])]
         colors = [*(color for _, color in others), *([None] if own else [])]
         key = [(id(trail), trail.version) for trail in trails]
@@ -236,7 +247,7 @@ class Stage:
         self._trail_drawn = counts
 
     def _draw_joints(self, surface: pygame.Surface, *, in_front: bool) -> None:
-        """Draw what goes through bodies, or all else, which ends behind them."""
+        """Draw the joints in front of bodies, and open ones, or else those behind bodies."""
         world = self.view.world
         snapshot, paths = world.snapshot, world.scene.joints.paths
         springs = world.scene.joints.springs
@@ -264,7 +275,7 @@ class Stage:
             joints.draw_joint(surface, self.camera, joint, path, bool(slack))
 
     def _draw_open(self, surface: pygame.Surface, name: str) -> None:
-        """Draw a joint that is open, if it is still to catch."""
+        """Draw an open joint, if it is still to latch."""
         world = self.view.world
         latches = world.scene.joints.latches
         if latches and latches.is_open(name, float(world.snapshot.t)):
@@ -273,7 +284,7 @@ class Stage:
             joints.draw_open(surface, self.camera, path)
 
     def _far_along(self, rail: Rail, through: Plane) -> list[Plane]:
-        """Return two points of a rail that lie outside of the picture [m]."""
+        """Return two points of a rail outside the picture [m]."""
         (x, y), seen = self.camera.center, max(self.camera.size) / self.camera.scale
         way = complex(*evaluate(rail.direction, self.view.world.values))
         way /= abs(way)
@@ -293,12 +304,12 @@ class Stage:
                 bodies.draw_body(surface, self.camera, outline, position, angle, turns)
 
     def watch(self) -> None:
-        """Note how fast the world is now, so that arrows keep to one scale over a run."""
+        """Record the current speeds, for a common scale of arrows over a run."""
         self.view.watch()
 
 
 def _mark_joints(view: View) -> None:
-    """Keep words off springs, strings and rods, where there is room beside them."""
+    """Keep labels off springs, strings and rods, if possible."""
     for path in view.world.scene.joints.paths.values():
         ends = [anchor.look(view.world.snapshot)[0] for anchor in path]
         pixels = [view.camera.to_screen((float(end.real), float(end.imag))) for end in ends]

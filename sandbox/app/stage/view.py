@@ -1,4 +1,4 @@
-"""A view of a world: what the stage and its overlays draw from."""
+"""A view of a world: the data from which the stage and its overlays draw."""
 
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
@@ -25,10 +25,10 @@ if TYPE_CHECKING:
     from sandbox.model.expressions import Array
 
 NAMED = 12
-"""Up to how many moving bodies have a name, an arrow and a trail."""
+"""The largest number of moving bodies that have names, arrows and trails."""
 
 LONGER = 1.1
-"""How far an arrow may exceed the longest length before all are drawn shorter."""
+"""The largest ratio of an arrow to the longest length, above which the scale is reduced."""
 
 
 class View:
@@ -38,29 +38,30 @@ class View:
     ----------
     world, camera, pen
         The world, the camera, and the pen.
-    outlines, moving, still
-        The outlines of all bodies by name, and those of the bodies that move, and that do not, but
-        for hidden ones; the lowest layer first.
+    outlines
+        The outlines of all bodies, by name.
+    moving, still
+        The outlines of moving and of static bodies without hidden ones, the lowest layer first.
     in_front
-        The outlines drawn in every frame: moving bodies, and those above them.
+        The outlines drawn in every frame: moving bodies, and static ones on a layer above 0.
     few
-        Whether so few bodies move that each can be explained.
+        Whether there are at most `NAMED` moving bodies, so that each can be explained.
     duration
-        When the run is complete [s].
+        The duration of the run [s].
     forces
         The level's given forces as arrows.
     shown
-        Which overlays are drawn, by name.
+        Whether each overlay is drawn, by name.
     trail
-        Where the bodies have been; None if nobody keeps it.
+        The paths of the bodies, or None.
     looking
-        The selected body; None if there is none.
+        The selected body, or None.
     starts
-        Where the level places what moves: (k, 2) [m].
+        The positions of moving bodies in the level: (k, 2) [m].
     flashes
-        Of the impacts that have just been.
+        The flashes of recent impacts.
     labels
-        Where there is room for words in the present frame.
+        The places of labels in the current frame.
     """
 
     def __init__(self, world: World, camera: Camera, pen: Pen, shown: Mapping[str, bool]) -> None:
@@ -84,37 +85,36 @@ class View:
         self._fastest = marks.fastest(world, self.duration)
 
     def state(self, outline: Outline) -> tuple[XY, float]:
-        """Return where a body is [m], and its angle [rad]."""
+        """Return the position [m] and the angle [rad] of a body."""
         snapshot = self.world.snapshot
         x, y = snapshot.position[outline.row].tolist()
         return (x, y), float(snapshot.angle[outline.row])
 
     @property
     def colors(self) -> Sequence[Color]:
-        """The colours of what moves, each once."""
+        """The colours of moving bodies, without repetition."""
         return list(dict.fromkeys(outline.color for outline in self.moving))
 
     @property
     def width(self) -> float:
-        """How much of the plane is seen [m]."""
+        """The width of the visible part of the plane [m]."""
         return self.camera.size[0] / self.camera.scale
 
     @property
     def fastest(self) -> float:
-        """The speed that the longest arrow stands for [m/s]: they keep to one scale over a run.
+        """The speed that corresponds to the longest arrow [m/s], for a common scale over a run.
 
-        Where a run becomes faster than was expected, it is a round number, so that arrows grow
-        with the speed until the next.
+        If the run becomes faster than expected, it is rounded up, so that the scale changes rarely.
         """
         self.watch()
         return self._fastest
 
     def keep_scale(self, speed: float) -> None:
-        """Let the longest arrow stand for a speed at least, as in another view of the run [m/s]."""
+        """Raise `fastest` to at least a speed [m/s], such as that of an earlier view of the run."""
         self._fastest = max(self._fastest, speed)
 
     def watch(self) -> None:
-        """Note how fast the world is now."""
+        """Adapt the scale of arrows to the current speeds."""
         velocity = self.world.snapshot.velocity
         speed = float(np.hypot(velocity[:, 0], velocity[:, 1]).max(initial=0.0))
         if speed > LONGER * self._fastest:

@@ -1,4 +1,4 @@
-"""Lines over a numbered axis: the base of all graphs."""
+"""Draws lines over numbered axes, for all graphs."""
 
 from collections.abc import Iterator, Sequence
 from math import ceil, degrees, floor
@@ -18,21 +18,21 @@ LEFT, BELOW, ABOVE, RIGHT = 46, 18, 8, 10  # px, around the field
 ROUNDING = 1e-12
 """Smaller differences are drawn as a straight line, in any unit."""
 MANY = 600
-"""How many points of a line are drawn: there are no more pixels."""
+"""The approximate number of points of a line that are drawn: there are no more pixels."""
 
 
 SIGNED = 4
-"""How many signs stand on a line; the signs of different lines are offset."""
+"""The number of markers on a line; the markers of different lines are offset."""
 GAP = 7  # px, between the numbers of two ticks
 DOT = 2.5  # px, the radius of a marked point
 CORNERS = "topleft", "bottomleft", "topright", "bottomright"
-MARGIN = 3  # px, around the field, in which what stands on its edge is drawn
+MARGIN = 3  # px, around the field, for points on its edge
 
 
 class Series(NamedTuple):
     """A line: its colour, its points, whether it is dashed, and whether its points are marked.
 
-    A sign stands on it here and there where it has one: others have other signs.
+    `sign` is the index of a marker that distinguishes the line from others, or None.
     """
 
     color: Color
@@ -44,7 +44,7 @@ class Series(NamedTuple):
 
 
 class Scale(NamedTuple):
-    """Numbers and pixels of an axis."""
+    """The mapping between the numbers and the pixels of an axis."""
 
     low: float
     high: float
@@ -52,30 +52,30 @@ class Scale(NamedTuple):
     end: float
 
     def pixels(self, values: Array) -> Array:
-        """Return where values are [px]."""
+        """Return the positions of values [px]."""
         share = (values - self.low) / (self.high - self.low)
         return np.asarray(self.start + share * (self.end - self.start))
 
     def value(self, pixel: float) -> float:
-        """Return what stands at a pixel."""
+        """Return the value at a pixel."""
         share = (pixel - self.start) / (self.end - self.start)
         return self.low + share * (self.high - self.low)
 
     def read_in(self, unit: str) -> "Scale":
-        """Return it with the numbers that a person reads of a quantity with a unit."""
+        """Return the scale with the numbers to show for a unit: radians in degrees."""
         if not unit.startswith("rad"):
             return self
         return self._replace(low=degrees(self.low), high=degrees(self.high))
 
     def ticks(self, most: int) -> Iterator[float]:
-        """Yield round numbers along the axis, at most so many."""
+        """Yield round numbers along the axis, about `most` to 2.5 times as many."""
         step = formatting.nice((self.high - self.low) / most)
         for i in range(ceil(self.low / step), floor(self.high / step) + 1):
             yield i * step
 
 
 def scale(values: Sequence[Array], start: float, end: float, room: float) -> Scale:
-    """Return the scale for some values, with a part of it left free at both ends."""
+    """Return the scale for some values, with a fraction `room` of it left free at both ends."""
     finite = [v[np.isfinite(v)] for v in values]
     known = np.concatenate(finite) if finite else np.zeros(0)
     low, high = (float(known.min()), float(known.max())) if len(known) else (0.0, 1.0)
@@ -90,10 +90,22 @@ def draw(
     pen: Pen, size: tuple[int, int], series: Sequence[Series], span: Scale, cursor: float | None,
     up: Scale | None = None, units: tuple[str, str] = ("", ""),
 ) -> pygame.Surface:  # fmt: skip
-    """Draw lines, the last on top; and a cursor at a value of x, if there is one.
+    """Draw a graph of lines, the last on top.
 
-    Without a scale upwards there is room for all of them. The units of x and y say how the axes
-    are numbered: what is kept in radians is read in degrees.
+    Parameters
+    ----------
+    pen, size
+        The pen, and the size of the graph [px].
+    series
+        The lines.
+    span
+        The scale of x.
+    cursor
+        The value of x at which to draw a cursor, or None.
+    up
+        The scale of y; by default one with room for all lines.
+    units
+        The units of x and y; radians are shown in degrees.
     """
     surface = pygame.Surface(size)
     surface.fill(theme.STAGE)
@@ -113,17 +125,17 @@ def draw(
 
 
 def across(pen: Pen, width: int, values: Sequence[Array]) -> Scale:
-    """Return the scale of x for graphs of a width [px]."""
+    """Return the scale of x for a graph of some width [px]."""
     return scale(values, pen.px(LEFT), width - pen.px(RIGHT), 0.0)
 
 
 def upwards(pen: Pen, height: int, values: Sequence[Array]) -> Scale:
-    """Return the scale of y for a graph of a height [px], with a little room at both ends."""
+    """Return the scale of y for a graph of some height [px], with a little room at both ends."""
     return scale(values, height - pen.px(BELOW), pen.px(ABOVE), 0.06)
 
 
 def _draw_line(surface: pygame.Surface, series: Series, span: Scale, up: Scale) -> None:
-    """Draw the parts of a line that come into the field."""
+    """Draw the parts of a line in the field."""
     field = np.array([[span.start, up.end], [span.end, up.start]])
     pixels = np.column_stack((span.pixels(series.x), up.pixels(series.y)))
     for part in _parts(pixels[np.isfinite(pixels).all(axis=1)], field):
@@ -133,7 +145,7 @@ def _draw_line(surface: pygame.Surface, series: Series, span: Scale, up: Scale) 
 
 
 def _parts(pixels: Array, field: Array) -> Iterator[Array]:
-    """Yield the pieces of a broken line, (k, 2), that come near a field: its two corners [px]."""
+    """Yield the parts of a polyline, (k, 2), near a field, given by its two corners [px]."""
     if len(pixels) < 2:
         yield from (pixels,) if len(pixels) else ()
         return
@@ -162,7 +174,7 @@ def _draw_part(surface: pygame.Surface, series: Series, points: Sequence[XY]) ->
 
 
 def _sign(surface: pygame.Surface, which: int, color: Color, points: Sequence[XY]) -> None:
-    """Put signs on a line, evenly along it."""
+    """Draw markers at equal distances along a line's points."""
     count = SIGNED * curve_markers.SIGNS
     for place in range(which % curve_markers.SIGNS, count, curve_markers.SIGNS):
         curve_markers.sign(surface, which, color, points[len(points) * place // count], 3)
@@ -189,7 +201,7 @@ def _tell_offset(
     surface: pygame.Surface, pen: Pen, field: pygame.Rect, series: Sequence[Series], span: Scale,
     up: Scale,
 ) -> None:  # fmt: skip
-    """Write what the numbers upwards are told beyond, in a corner that no line goes through."""
+    """Write the offset of the numbers on the y axis, in a corner that no line crosses."""
     if not (offset := _offset(up)):
         return
     told = pen.write(f"{_brief(offset)} + …", 11, theme.NOTICE)
@@ -205,7 +217,7 @@ def _tell_offset(
 
 
 def _ticks_apart(pen: Pen, span: Scale) -> Sequence[float]:
-    """Return ticks whose numbers keep apart, as many as there is room for."""
+    """Return the ticks of an axis, as many as there is room for their numbers."""
     for most in (4, 2, 1):
         ticks = [*span.ticks(most)]
         widest = max((pen.write(_brief(value), 11).width for value in ticks), default=0)
@@ -216,11 +228,11 @@ def _ticks_apart(pen: Pen, span: Scale) -> Sequence[float]:
 
 
 def _offset(up: Scale) -> float:
-    """Return the offset that numbers are written without if they are nearly equal; else 0."""
+    """Return the offset that is subtracted from nearly equal numbers; else 0."""
     middle = (up.low + up.high) / 2
     return middle if up.high - up.low < 1e-3 * abs(middle) else 0.0
 
 
 def _brief(value: float) -> str:
-    """Write the number of a tick."""
+    """Format the number of a tick."""
     return f"{0.0 if abs(value) < 1e-15 else value:.5g}".replace("-", formatting.MINUS)

@@ -1,4 +1,4 @@
-"""All forces on the selected body, as arrows at the points where they act."""
+"""The overlay with all forces on the selected body, as arrows at their points of application."""
 
 from math import hypot
 
@@ -15,8 +15,8 @@ from sandbox.physics.measuring.free_body import FRICTION, FreeBody
 
 WIDTH = 3.5  # px
 CUT = 1.5
-"""How many times the usual longest arrow the force of an impact may be drawn."""
-SURFACE = 300.0  # px, how far along a surface words keep off it
+"""The largest arrow of an impact's force, relative to the longest arrow of other forces."""
+SURFACE = 300.0  # px, the length of a surface, to either side, that labels avoid
 RING = 4.0  # px, the radius of the mark at the centre of mass
 
 
@@ -40,12 +40,12 @@ def _draw(surface: pygame.Surface, view: View) -> None:
         _mark(view, acting.name, start, end)
     if lines.near((center := view.camera.to_screen(found.center),)):
         pygame.draw.aacircle(surface, theme.TEXT, center, RING, 2)
-    for text, start, end in ends:  # words last: nothing is drawn over them
+    for text, start, end in ends:  # texts last, so that nothing covers them
         write_beside(surface, view.pen, text, start, end, view.labels)
 
 
 def _mark(view: View, name: str, start: XY, end: XY) -> None:
-    """Keep words off an arrow, and off the surface along which there is friction."""
+    """Keep labels off an arrow, and off the surface of a friction force."""
     view.labels.mark(start, end)
     if name == FRICTION:
         length = hypot(end[0] - start[0], end[1] - start[1]) or 1.0
@@ -54,9 +54,9 @@ def _mark(view: View, name: str, start: XY, end: XY) -> None:
 
 
 def _given(view: View, found: FreeBody) -> float:
-    """Return the scale of the given forces [px/N], where their arrows are drawn already.
+    """Return the scale of the given forces [px/N], if their arrows are already drawn.
 
-    0 where they are not, or where the others would be too long beside them.
+    0 if they are not, or if other forces would be too long at that scale.
     """
     if not (view.few and view.shown["arrows"]):
         return 0.0
