@@ -16,7 +16,7 @@ from typing import Any
 from sandbox.app.drawing import theme
 from sandbox.app.words import language
 
-LIMIT = 120.0  # s, how long a process may live
+LIMIT = 120.0  # s, the longest lifetime of a process
 POLITE = 5  # added to the process's niceness, where there is one
 
 Work = Callable[..., Iterator[Any]]

@@ -15,7 +15,7 @@ from sandbox.app.words.language import later, say
 from sandbox.model.message import NOTHING
 from sandbox.physics.state.errors import SimulationError
 
-NOTE = 5.0  # s, how long a passing note is shown
+NOTE = 5.0  # s, the time for which a note is shown
 
 
 class Banner:

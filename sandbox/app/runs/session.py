@@ -90,8 +90,8 @@ class Session(Playback):
     def values_for(self, level: Level) -> Values:
         """Return parameters for a level: the current ones, as far as the run has them.
 
-        If the level does not allow these, which may be changed since the start, they are those at
-        the start, or else the level's defaults.
+        If the level does not allow the current values, those at the start are taken, or else the
+        level's defaults.
         """
         for known in ({**self.begun_with, **self.values}, self.begun_with):
             with suppress(ValueRangeError):
