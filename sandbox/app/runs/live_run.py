@@ -294,14 +294,14 @@ class LiveRun:
         return self._grading.readings(hurried=hurried)
 
     def milestones(self, *, hurried: bool) -> tuple[Milestone, ...]:
-        """Return the events so far; none once a body was moved by hand."""
+        """Return the events so far; none once the run is disturbed."""
         if self.world.disturbed:
             return ()
         self.readings(hurried=hurried)
         return self._grading.milestones
 
     def attempt(self, *, hurried: bool) -> Attempt | None:
-        """Return the state of the challenge; None without one, or once a body was moved by hand."""
+        """Return the state of the challenge; None without one, or once the run is disturbed."""
         if self.world.level.challenge is None or self.world.disturbed:
             return None
         return self._attempts(len(self._recorder), hurried=hurried)

@@ -316,5 +316,5 @@ class Playback(RunView, ABC):
         return self.run.readings(hurried=self.playing)
 
     def milestones(self) -> tuple[Milestone, ...]:
-        """Return the events so far; none once a body was moved by hand."""
+        """Return the events so far; none once the run is disturbed."""
         return self.run.milestones(hurried=self.playing)

@@ -284,6 +284,6 @@ class Session(Playback):
     def attempt(self) -> Attempt | None:
         """Return the state of the level's challenge.
 
-        None without a challenge, once a body was moved by hand, or if effects are changed.
+        None without a challenge, once the run is disturbed, or if effects are changed.
         """
         return None if self.changes else self.run.attempt(hurried=self.playing)

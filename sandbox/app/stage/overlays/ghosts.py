@@ -1,4 +1,4 @@
-"""The overlay with ghosts: bodies at the positions of the closed form, unless moved by hand."""
+"""The overlay with ghosts: bodies at the closed form's positions, unless the run is disturbed."""
 
 import pygame
 
