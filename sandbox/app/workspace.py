@@ -148,17 +148,7 @@ class Workspace:
         settings: Mapping[str, float] | None = None,
         accuracy: float | None = None,
     ) -> None:
-        """Open a level by its name or path; if that fails, show the error.
-
-        Parameters
-        ----------
-        level
-            The name or the path.
-        settings
-            Values of the level's parameters.
-        accuracy
-            An accuracy that replaces the level's stepping.
-        """
+        """Open a level by its name or path, with options as for `open_file`; show any error."""
         try:
             path = catalog.find(level).resolve()
         except SandboxError as error:

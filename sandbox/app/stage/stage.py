@@ -90,18 +90,7 @@ class Stage:
     ) -> None:  # fmt: skip
         """Draw the current world on a surface of the stage's size.
 
-        Parameters
-        ----------
-        surface
-            The surface.
-        trail
-            The paths of the bodies.
-        milestones
-            The events to mark.
-        beside
-            The companion runs, drawn over the world.
-        earlier
-            The trails of earlier runs, drawn if there are no companions.
+        Companions `beside` it are drawn over it; without any, the trails of `earlier` runs are.
         """
         view, world, outlines = self.view, self.view.world, self.view.outlines
         view.trail, view.labels = trail, Labels(surface.get_rect())
