@@ -1,7 +1,7 @@
-"""Drifts with an event that changes what acts: a joint is cut, a force is switched.
+"""Drifts with an event that changes the forces: a joint is cut, a force is switched.
 
-Between two kicks leapfrog stands for a motion with the acceleration of the last kick: a parabola.
-An event happens at its own time on that parabola. From there another parabola, with another
+Between two kicks, leapfrog represents a motion with the acceleration of the last kick: a parabola.
+An event happens at its own time on that parabola. From there another parabola, with a different
 acceleration, leads to the end of the drift.
 """
 
@@ -22,20 +22,20 @@ BISECTIONS = 60
 """A step halved this often is shorter than a float's rounding."""
 
 NEAR = 1e-6
-"""The share of a step before its end in which no event happens: it waits for the next drift."""
+"""The share of a step at its end in which no event happens: it waits for the next drift."""
 
 
 class Part(NamedTuple):
-    """A part of a drift in which the accelerations of n bodies stay as they are.
+    """A part of a drift in which the accelerations of n bodies are constant.
 
     Attributes
     ----------
     t, lasts
-        When it begins, and how long it is [s].
+        Its start time and its duration [s].
     place, velocity
-        (n, 3), at its beginning [m, rad, m/s, rad/s].
+        (n, 3), positions and velocities at its start [m, rad, m/s, rad/s].
     acceleration, smooth
-        (n, 3), in it: all of it, and what gravity and force laws give [m/s², rad/s²].
+        (n, 3), the total accelerations, and those by gravity and force laws [m/s², rad/s²].
     """
 
     t: float
@@ -46,39 +46,40 @@ class Part(NamedTuple):
     smooth: Array
 
     def at(self, time: float) -> Instant:
-        """Return the motion some time after its beginning [s]."""
+        """Return the motion at a time after its start [s]."""
         return Instant.at(self.t + time, *self.state(time))
 
     def state(self, time: float) -> tuple[Array, Array]:
-        """Return positions and velocities some time after its beginning [s]: (n, 3) each."""
+        """Return positions and velocities at a time after its start [s]: (n, 3) each."""
         velocity = self.velocity + self.acceleration * time
         return self.place + (self.velocity + velocity) * (time / 2), velocity
 
 
 class Acted(NamedTuple):
-    """What the books must know of an event within a drift, for n bodies.
+    """The energy and momentum that an event within a drift adds to the books; n bodies.
 
-    They take the kick before the drift to go on for half of it, and that after it to begin there.
+    The books assume that the kick before the drift acts until its middle, and the kick after it
+    from there on.
 
     Attributes
     ----------
     begun
-        (n, 3), the velocities that the kick after the drift begins with [m/s, rad/s].
+        (n, 3), the velocities at the beginning of the kick after the drift [m/s, rad/s].
     switched
-        The energy that is stored at once, or gone, as forces are switched [J].
+        The jump of the stored energy when forces are switched [J].
     worked
-        Of each law, the work beyond that of the halves of the two kicks [J].
+        The work of each law beyond that of the halves of the two kicks [J].
     pushed
-        Of each law, the momentum, and the angular momentum, beyond what the halves give: (3,) each
+        The momentum and angular momentum from each law beyond those from the two halves: (3,) each
         [kg m/s, kg m²/s].
     given
-        The same of all together: (3,).
+        The same from all forces together: (3,).
     lifted
-        How much more energy there is in the middle of the drift for nothing but another
-        acceleration [J]: along a parabola there is a force's F a dt²/8 more than in the middle of
-        the chord.
+        The change of the energy read in the middle of the drift that is only due to the change of
+        acceleration [J]: on the parabola, the energy due to a force F is higher by F a dt²/8 than
+        in the middle of the chord.
     jolts
-        The impacts of joints in it.
+        The impacts of joints in the drift.
     """
 
     begun: Array
@@ -91,9 +92,9 @@ class Acted(NamedTuple):
 
 
 def crosses(crossing: Crossing, before: float, now: float) -> bool:
-    """Return whether a quantity has crossed a value; one that begins there has not.
+    """Return whether a quantity has crossed a value; one that starts on the value has not.
 
-    One that waits for a size is there at once if it begins beyond.
+    A crossing with direction "beyond" counts at once if the magnitude is already large enough.
     """
     if crossing.direction == "beyond":
         return abs(now) >= crossing.value
@@ -102,7 +103,7 @@ def crosses(crossing: Crossing, before: float, now: float) -> bool:
 
 
 def within(value: Callable[[float], float], crossing: Crossing, lasts: float) -> float:
-    """Return how long it takes a quantity to cross a value, in less than `lasts` [s]."""
+    """Return the time until a quantity crosses a value, at most `lasts` [s]."""
 
     def beyond(time: float) -> float:
         reading = value(time)
@@ -113,7 +114,7 @@ def within(value: Callable[[float], float], crossing: Crossing, lasts: float) ->
 
 
 def since(holds: Callable[[float], bool], low: float, high: float) -> float:
-    """Return from when on something holds that does not at one time, and does at another [s]."""
+    """Return when a condition begins to hold, given a time before and a time after that [s]."""
     for _ in range(BISECTIONS):
         middle = (low + high) / 2
         if holds(middle):
@@ -126,20 +127,20 @@ def since(holds: Callable[[float], bool], low: float, high: float) -> float:
 def acted(
     parts: Sequence[Part], laws: Sequence[Law], inertia: Array, switched: float, dt: float
 ) -> Acted:
-    """Return what books must know of a drift of several parts.
+    """Return the entries for the books from a drift of several parts.
 
     Parameters
     ----------
     parts
-        One before the first of what happened, and one after each.
+        One before the first event, and one after each event.
     laws
-        The laws whose works and impulses are recorded.
+        The laws whose works and impulses are returned.
     inertia
         (n, 3), masses, masses and moments [kg, kg m²].
     switched
-        The energy that is stored at once, or gone [J].
+        The jump of the stored energy [J].
     dt
-        How long the drift is [s].
+        The length of the drift [s].
     """
     first, last, half = parts[0], parts[-1], dt / 2
     end, (place, velocity) = last.at(last.lasts), last.state(last.lasts)
@@ -159,26 +160,26 @@ def acted(
 
 
 def acted_at_a_step(begun: Array, laws: Sequence[Law], switched: float) -> Acted:
-    """Return the same where all of it happened at the step that a drift begins with.
+    """Return the entries for the books if all events happened at the step before a drift.
 
     Parameters
     ----------
     begun
-        (n, 3), the velocities after it [m/s, rad/s].
+        (n, 3), the velocities after the events [m/s, rad/s].
     laws
-        None of them has worked by then.
+        The laws; none has done any work yet.
     switched
-        The energy that is stored at once, or gone [J].
+        The jump of the stored energy [J].
     """
     nothing = np.zeros(3)
     return Acted(begun, switched, [0.0] * len(laws), [nothing] * len(laws), nothing, 0.0)
 
 
 class _Share(NamedTuple):
-    """A part of a drift, or half of a kick that books have counted already and that is taken off.
+    """A part of a drift (sign 1), or half of a kick that the books already contain (sign −1).
 
-    The impulse is that of the force at its beginning, which makes the parabola, about the middle of
-    the way; of what is taken off, the books have seen all where the kick was.
+    The impulse is that of the force at the start, which causes the parabola; it acts at the middle
+    of the path. For a half kick both are taken where the kick acted, as the books did.
     """
 
     sign: float
@@ -193,11 +194,11 @@ class _Share(NamedTuple):
         return self.sign * float(np.sum(_wrench(law, self.middle, inertia) * way))
 
     def push(self, law: Law, inertia: Array) -> Array:
-        """Return the momentum, and the angular momentum, that a law gives: (3,)."""
+        """Return the momentum and angular momentum from a law: (3,)."""
         return self._about(_wrench(law, self.start, inertia))
 
     def given(self, inertia: Array) -> Array:
-        """Return those that all together give: (3,)."""
+        """Return the momentum and angular momentum from all forces together: (3,)."""
         return self._about(inertia * self.part.acceleration)
 
     def _about(self, wrench: Array) -> Array:
@@ -205,13 +206,13 @@ class _Share(NamedTuple):
 
 
 def _wrench(law: Law, motion: Instant, inertia: Array) -> Array:
-    """Return the force and torque of a law on what they move: (n, 3) [N, N m]."""
+    """Return the forces and torques of a law on the movable bodies: (n, 3) [N, N m]."""
     wrench = np.zeros_like(inertia)
     law.add(motion, wrench)
     return np.where(inertia > 0, wrench, 0.0)
 
 
 def stored(laws: Sequence[Law], motion: Instant) -> float:
-    """Return what laws store [J]."""
+    """Return the potential energy that laws store [J]."""
     stores = (law for law in laws if law.effect.book == "potential")
     return sum(float(law.potential_energy(motion).sum()) for law in stores)

@@ -1,10 +1,10 @@
-"""Elastic stops: what runs into one is turned back with some of its speed.
+"""Elastic stops: a body that runs into one rebounds with some of its speed.
 
-It is turned back at its own time within a drift, by Newton's law of restitution (see
-`joint_impacts.py`). Until then the stop is no part of the equations of the joints. What would come
-back within a step rests on the stop: from there the stop holds it like any other joint that only
-pushes, until it leaves. So a ball that bounces lower and lower comes to rest. Its last bounces,
-lower than a g dt²/8, are taken by the stop.
+It rebounds at its own time within a drift, by Newton's law of restitution (see `joint_impacts.py`).
+Until then the stop is no part of the equations of the joints. A body that would return within a
+step rests on the stop: from then on the stop is a one-sided joint that pushes, until the body
+leaves. So a ball that bounces lower and lower comes to rest; the stop absorbs its last bounces,
+those lower than g dt²/8.
 """
 
 from collections.abc import Mapping
@@ -28,18 +28,18 @@ TOUCHING = 1e-9
 
 
 class Bounces:
-    """Lets bodies bounce off the stops of a scene; n bodies, s sides of stops.
+    """Makes bodies bounce off the stops of a scene; n bodies, s sides of stops.
 
     Parameters
     ----------
     scene
-        What moves; its joints have the sides.
+        The scene, whose joints have the sides.
     sides
         The equations of the sides.
     restitution
-        Of each stop, by its name.
+        The coefficient of restitution of each stop, by name.
     borne
-        The force at which those joints break that do, by name [N].
+        The breaking force of each joint that has one, by name [N].
     dt
         The time step [s].
     """
@@ -61,13 +61,13 @@ class Bounces:
     def of(
         cls, scene: Scene, level: Level, values: Values, borne: Mapping[str, float], dt: float
     ) -> Self | None:
-        """Return that of a scene; None if nothing in it bounces off a stop."""
+        """Return the bounces of a scene; None if it has no elastic stops."""
         sides = scene.joints.elastic
         restitution = {name: e(values) for name, e in bouncing(level.joints)}
         return cls(scene, sides, restitution, borne, dt) if sides else None
 
     def _begin(self) -> None:
-        """Hold what lies at a stop from the start and does not run into it."""
+        """Hold bodies that rest at a stop at the start."""
         state = self._scene.batch.state()
         beyond, rate = self._beyond(state[:, :3]), self._rate(state[:, :3], state[:, 3:])
         for side in np.flatnonzero((np.abs(beyond) <= TOUCHING) & (np.abs(rate) <= TOUCHING)):
@@ -76,13 +76,13 @@ class Bounces:
             self._together.calm()
 
     def release(self) -> None:
-        """Release bodies that leave the stop on which they rested."""
+        """Release bodies that leave the stop on which they rest."""
         for side in sorted(self._resting):
             if not self._together.tension[self._rows(side)].any():
                 self._let_go(side)
 
     def first(self, part: Part) -> tuple[int, float] | None:
-        """Return which side is met first in a part of a drift, and how long after its begin [s]."""
+        """Return the side that is reached first in part of a drift, and when [s]; None if none is."""
         states = part.state(0.0), part.state(part.lasts)
         now, then = (self._beyond(place) for place, _ in states)
         meets = then > 0
@@ -104,18 +104,18 @@ class Bounces:
         return min(soon.items(), key=lambda item: item[1], default=None)
 
     def _meets(self, side: int, part: Part, low: float) -> float:
-        """Return when a side is met, after a time at which it is not [s]."""
+        """Return when a side is reached, after a time `low` at which it is not [s]."""
         return since(lambda t: bool(self._beyond(part.state(t)[0])[side] > 0), low, part.lasts)
 
     def rests(self, side: int, part: Part, wait: float) -> bool:
-        """Whether a body that meets a stop at some time in a part would be back at once."""
+        """Return whether a body that reaches a stop in a part would return to it within a step."""
         place, velocity = part.state(wait)
         comes = self._rate(place, velocity)[side]
         pressed = self._rate(place, part.acceleration)[side]
         return bool(2 * self._restitution[side] * comes <= pressed * self._dt)
 
     def bounce(self, side: int, t: float, *, rests: bool) -> Jolt:
-        """Let what meets a side at a time leave it again [s], or stay."""
+        """Let a body that reaches a side at a time t [s] bounce off it, or stay if it rests."""
         self._hold(side)
 
         def impact() -> Jolt:
@@ -151,15 +151,15 @@ class Bounces:
             self._scene.direct.relay()
 
     def _rows(self, side: int) -> Booleans:
-        """Return which equations of those solved together are that of a side: (m,)."""
+        """Return which of the equations solved together belong to a side: (m,)."""
         name = self._sides.names[side]
         return np.array([joint == name for joint in self._together.names], dtype=bool)
 
     def _beyond(self, place: Array) -> Array:
-        """Return how far beyond their stops bodies are at a place, (n, 3): (s,) [m, rad]."""
+        """Return how far positions, (n, 3), lie beyond the stops: (s,) [m, rad]."""
         return self._sides.look(self._sides.at(place)).total - self._sides.length
 
     def _rate(self, place: Array, velocity: Array) -> Array:
-        """Return how fast they come nearer to their stops there: (s,) [m/s, rad/s]."""
+        """Return the speeds of approach to the stops at those positions: (s,) [m/s, rad/s]."""
         jacobian = self._sides.look(self._sides.at(place)).jacobian
         return np.asarray(jacobian @ coordinates_of(velocity).values)

@@ -1,4 +1,4 @@
-"""The order of located impacts: which comes next, and when they are too many."""
+"""The order of located impacts, and the limit to their number."""
 
 from collections.abc import Callable, Sequence
 
@@ -11,7 +11,7 @@ from sandbox.physics.contacts.time_of_impact import Hit
 from sandbox.physics.engine.batch import Booleans
 
 MOST = 500
-"""The most impacts of a body in a step: they take 0.2 s."""
+"""The most impacts of a body in a step, which take 0.2 s to compute."""
 
 INSTANT = 1e-9
 """Impacts within this share of a step are simultaneous."""
@@ -25,18 +25,18 @@ Restitution = Callable[[Hit], float]
 
 
 class Turns:
-    """Lets impacts take turns; n bodies.
+    """Chooses the impacts that come next; n bodies.
 
     Parameters
     ----------
     restitution
-        Returns the coefficient of a hit.
+        Returns the coefficient of restitution of a hit.
     moving
-        (n,), which bodies can move.
+        (n,), the bodies that can move.
     dt
         The time step [s].
     linked
-        Whether joints may hand on an impulse to any body.
+        Whether joints may transmit an impulse to any body.
     """
 
     def __init__(
@@ -46,9 +46,10 @@ class Turns:
         self._instant = INSTANT * dt
 
     def next(self, hits: Sequence[Hit]) -> list[list[Hit]]:
-        """Return what comes next: the fastest of those at the same time.
+        """Return the next hits: the fastest of the earliest ones, in groups.
 
-        Those with the same e that are equally fast come with it: what shares bodies, at once.
+        Equally fast hits with the same e come with it; hits that share bodies form a group, and are
+        solved together.
         """
         first = min(hit.time for hit in hits)
         now = [hit for hit in hits if hit.time <= first + self._instant]
@@ -63,7 +64,7 @@ class Turns:
         return groups
 
     def linked(self, group: list[Hit], others: list[Hit]) -> list[Hit]:
-        """Return those of other hits whose impulses reach what some hit."""
+        """Return the hits among others whose impulses reach the bodies of a group."""
         if self._all:
             return others
         reached, count = np.zeros_like(self._moving), 0
@@ -84,12 +85,12 @@ class Tally:
         self._began = np.zeros(len(moving))
 
     def count(self, hits: Sequence[Hit]) -> bool:
-        """Note impacts, and return whether a body has had many at one time.
+        """Count impacts, and return whether a body has had many at one time.
 
         Raises
         ------
         EndlessImpacts
-            If a body has more than can be followed.
+            If a body has more than `MOST` impacts.
         """
         time = hits[0].time
         bodies = [body for hit in hits for body in hit.bodies if self._moving[body]]
@@ -103,6 +104,6 @@ class Tally:
         return bool(self._now[bodies].max() > MANY)
 
     def gentle(self, around: Sequence[Hit]) -> bool:
-        """Whether as many impacts leave next to nothing of an approach; see `GENTLE`."""
+        """Return whether so many impacts leave almost no approach velocity; see `GENTLE`."""
         had = max(self._now[body] for hit in around for body in hit.bodies)
         return bool(max(map(self._restitution, around)) ** had < GENTLE)

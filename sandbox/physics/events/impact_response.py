@@ -1,8 +1,8 @@
-"""The response to impacts of two bodies at any time: to one, or to several at once.
+"""The response to one impact of two bodies, or to several at once, at any time.
 
-Impulses along the normal, at the points where the bodies touch, turn their approach into e times as
-fast a parting (Newton's law of restitution); friction takes what Coulomb's law allows; exact joints
-pass both on to what hangs on them. What would part for less than half a step rests from there on.
+Normal impulses at the contact points reverse the approach velocity, scaled by e (Newton's law of
+restitution); friction is limited by Coulomb's law; exact joints pass both on to the bodies attached
+to them. Bodies that would separate for less than half a step rest on each other from there on.
 """
 
 from collections.abc import Sequence
@@ -35,19 +35,19 @@ class Impact(NamedTuple):
     bodies
         Their indices.
     time
-        Since the step before [s].
+        The time since the previous step [s].
     normal
         The unit vector from the first to the second.
     points
-        The points of contact [m].
+        Their contact points [m].
     impulse
-        What the second got; the first got the opposite [N s].
+        The impulse on the second body; the first gets the opposite [N s].
     kinematic, driven
-        The works of a kinematic body, and of belts [J].
+        The work of kinematic bodies and of belts [J].
     rubbed, pressed
-        The works of friction, and of what presses the bodies apart [J].
+        The work of friction and of the normal impulses [J].
     given
-        The momentum and, about the origin, the angular momentum that it gave, (3,)
+        (3,), the momentum, and the angular momentum about the origin, that it added
         [kg m/s, kg m²/s].
     """
 
@@ -64,21 +64,21 @@ class Impact(NamedTuple):
 
 
 class Collided(NamedTuple):
-    """What books kept in the middle of a drift must know of the impacts that cut it; n bodies.
+    """The outcome of the impacts within a drift, for books kept at its middle; n bodies.
 
     Attributes
     ----------
     impacts
-        One after the other.
+        The impacts, in order.
     begun
-        (n, 3), the velocities that the kick after the drift begins with [m/s, rad/s].
+        (n, 3), the velocities at the beginning of the kick after the drift [m/s, rad/s].
     lifted
-        How much more energy bodies have in the middle of the drift for nothing but being pulled
-        less than before their impacts [J]: along a parabola there is m a² dt²/8 more of it than in
-        the middle of the chord.
+        The increase of the energy read in the middle of the drift that is only due to accelerations
+        smaller than before the impacts [J]: on a parabola it is higher by m a² dt²/8 than in the
+        middle of the chord.
     pulled
-        The momentum, and the angular momentum, that what pulls them gave along their way, beyond
-        what the kicks before and after give: (3,) [kg m/s, kg m²/s].
+        (3,), the momentum and angular momentum from the forces along the path, beyond those from
+        the kicks before and after [kg m/s, kg m²/s].
     """
 
     impacts: Sequence[Impact]
@@ -88,19 +88,19 @@ class Collided(NamedTuple):
 
 
 class Bounce(NamedTuple):
-    """What one impact, or some at once, do to n bodies.
+    """The effect of one impact, or of simultaneous ones, on n bodies.
 
     Attributes
     ----------
     struck
-        (n,), which bodies impulses reached.
+        (n,), the bodies that impulses reached.
     jump
-        (n, 3), how their velocities jump [m/s, rad/s].
+        (n, 3), the jumps of their velocities [m/s, rad/s].
     held
-        (n, 3), how accelerations change from there on where bodies rest on each other
+        (n, 3), the change of the accelerations of bodies that rest on each other from there on
         [m/s², rad/s²].
     impacts
-        The same as they are told.
+        The impacts, for reports and books.
     """
 
     struck: Booleans
@@ -110,25 +110,25 @@ class Bounce(NamedTuple):
 
 
 class Coefficients(NamedTuple):
-    """Of the pairs of n bodies: (n, n) each."""
+    """The coefficients of each pair of n bodies: (n, n) each."""
 
     restitution: Array
     friction: Array
 
 
 class _Points(NamedTuple):
-    """The points of hits: as they part and then, where any rubs, as they slip; k, of n bodies.
+    """The k rows of hits of n bodies: the normals of all points, then, with friction, their slips.
 
     Attributes
     ----------
     jacobian
-        (k, n, 3), how fast velocities take them apart, and along.
+        (k, n, 3), maps velocities to the rates of separation and slip.
     response
-        (k, n, 3), how velocities jump by a unit impulse at each.
+        (k, n, 3), the jump of the velocities by a unit impulse on each row.
     delassus
-        (k, k), how fast each parts, or slips, by a unit impulse at each.
+        (k, k), the rate of each row by a unit impulse on each.
     runs
-        (k,), how fast they slip by belts that run.
+        (k,), the slip due to running belts [m/s].
     """
 
     jacobian: Array
@@ -138,14 +138,14 @@ class _Points(NamedTuple):
 
 
 class Collision:
-    """Lets bodies bounce off each other; n bodies.
+    """Computes how n bodies bounce off each other.
 
     Parameters
     ----------
     coefficients
-        Of the pairs.
+        The coefficients of the pairs.
     scene
-        Their masses, and the joints that hold together what collides; see `Sequence`.
+        The bodies, with their masses and the exact joints between them.
     dt
         The time step [s].
     """
@@ -161,16 +161,16 @@ class Collision:
         self._joints = scene.joints.together
 
     def restitution(self, hit: Hit) -> float:
-        """Return the coefficient of a pair."""
+        """Return the coefficient of restitution of a hit's pair."""
         return float(self._coefficients.restitution[hit.bodies])
 
     def bounce(self, path: Path, hits: Sequence[Hit], *, dead: bool = False) -> Bounce:
         """Return the outcome of simultaneous hits along a path.
 
-        Bodies that would part for less than half a step rest on each other from there on. Points
-        that part already are left out where holding them would add energy: if they are driven
-        together, that is the next impact. If the hits are `dead`, nothing bounces, whatever its
-        coefficient.
+        Bodies that would separate for less than half a step rest on each other from there on.
+        Points that already separate are left out if holding them would add energy: if they are
+        driven together, that is the next impact. If the hits are `dead`, nothing bounces, whatever
+        its coefficient.
         """
         time, of = hits[0].time, np.repeat(range(len(hits)), [len(hit.points) for hit in hits])
         place, velocity = path.at(time)
@@ -208,7 +208,7 @@ class Collision:
         return Bounce(struck, jump, onwards, tuple(impacts))
 
     def _momentum(self, push: Array, response: Array, place: Array) -> Array:
-        """Return what impulses (k,) give to all bodies together: (3,)."""
+        """Return the total momentum that impulses (k,) add: (3,)."""
         return momentum(self._inertia * np.einsum("k,knc->nc", push, response), place)
 
     def _points(self, hits: Sequence[Hit], place: Array, *, rubs: bool) -> _Points:
@@ -217,19 +217,19 @@ class Collision:
         response = responses(jacobian, self._inverse_mass, stiff)
         delassus = np.einsum("knc,lnc->kl", response, jacobian)
         runs = np.einsum("knc,nc->k", jacobian[..., :2], self._running)
-        runs[: sum(len(hit.points) for hit in hits)] = 0.0  # what runs lies along a surface
+        runs[: sum(len(hit.points) for hit in hits)] = 0.0  # belts run along the surface only
         return _Points(jacobian, response, delassus, runs)
 
 
 def _only(hits: Sequence[Hit], wanted: Booleans) -> list[Hit]:
-    """Return hits at some of their points."""
+    """Return hits reduced to the wanted points."""
     left = iter(wanted.tolist())
     kept = [hit._replace(points=tuple(p for p in hit.points if next(left))) for hit in hits]
     return [hit for hit in kept if hit.points]
 
 
 def _jacobian(hits: Sequence[Hit], place: Array, *, rubs: bool) -> Array:
-    """Return how fast velocities take the points of impacts apart, and along: (k, n, 3)."""
+    """Return the Jacobian of the separation and, with friction, the slip: (k, n, 3)."""
     bodies = np.array([hit.bodies for hit in hits for _ in hit.points], dtype=np.intp)
     points = np.array([point for hit in hits for point in hit.points], dtype=complex)
     ways = np.array([hit.normal for hit in hits for _ in hit.points], dtype=complex)
@@ -252,7 +252,7 @@ def _vectors(points: NDArray[np.complexfloating]) -> Array:
 def _impact(
     hit: Hit, impulse: Array, works: Array, kinematic: float, driven: float, given: Array
 ) -> Impact:
-    """Return a hit with the impulses at its points, pushes before frictions, and their works."""
+    """Return the impact for a hit, given impulses and works: normal before friction."""
     count = len(hit.points)
     whole = hit.normal * complex(impulse[:count].sum(), impulse[count:].sum())
     rubbed, pressed = float(works[count:].sum()), float(works[:count].sum())
@@ -261,17 +261,17 @@ def _impact(
 
 
 def _impulses(delassus: Array, rates: Array, leaves: Array, mu: Array) -> Array:
-    """Return the impulses at the points of impacts: pushes, and then friction: (k,) [N s].
+    """Return the impulses at the points of impacts, normal before friction: (k,) [N s].
 
-    Each push makes its point part as fast as asked, or faster; friction stops it from slipping, as
-    far as mu times the push goes. Pushes and frictions in turn, until nothing changes (E. Catto:
-    Sequential Impulses, GDC 2006); the pushes at once, for one after the other those of points that
-    are close come to terms late.
+    Each normal impulse makes its point separate at the requested rate or faster; friction stops the
+    slip, within mu times the normal impulse. Normal and friction impulses alternate until they
+    converge (E. Catto: Sequential Impulses, GDC 2006). The normal impulses are solved together: one
+    by one, those of neighbouring points would converge slowly.
 
     Parameters
     ----------
     delassus
-        (k, k), how fast each point parts, or slips, by a unit impulse at each.
+        (k, k), the rate of each row by a unit impulse on each.
     rates
         (k,), how fast they do so.
     leaves

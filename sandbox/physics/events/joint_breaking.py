@@ -1,19 +1,19 @@
 """Joints that break under an impact.
 
-Rigid joints have no finite force at an impact: they take an impulse in no time. A joint with a
-breaking force therefore breaks before it has given any impulse, and its bodies go on as if it had
-not been there. So if the force of a joint in a kick leaps beyond its limit, the kick is solved
-again without that joint. An impulse counts as the force that would give it within one step. So the
-rate decides what counts as an impact: a joint bears an impulse that its limiting force gives in one
-step.
+At an impact, rigid joints transmit an impulse in no time, so their force is not finite. A joint
+with a breaking force therefore breaks before it has transmitted any impulse, and its bodies go on
+as if it had not been there. So if the force of a joint jumps beyond its limit in a kick, the kick
+is solved again without that joint. An impulse counts as the force that would give it within one
+step, so the rate decides what counts as an impact: a joint bears the impulse that its breaking
+force gives in one step.
 
 A rope that becomes taut within a drift is stopped partly in the kick before it and partly in the
-kick after it. What counts is the whole jerk, J = m u, wherever in the drift it happens. The first
-kick gives the share (u − u')/u of it, where u and u' are the rates at which the rope grows longer
-before and after that kick.
+kick after it. The whole jerk J = m u counts, wherever in the drift it happens. The first kick gives
+the share (u − u')/u of it, where u and u' are the rates of extension before and after that kick.
 
-What catches within a drift, or bounces off a stop, is an impact at its own time. It breaks joints
-by the same rule, and is found again without each that it breaks: among them the joint that catches.
+A joint that catches within a drift, or a body that bounces off a stop, is an impact at its own
+time. It breaks joints by the same rule, and is solved again without each joint that it breaks,
+which may be the joint that catches.
 
 The force of a spring is known at any time, so springs need none of this.
 """
@@ -36,16 +36,16 @@ counts as a blow. Slower growth is a rising force, and is located within the dri
 
 
 class JointBreaking:
-    """Solves the joints of a scene in a kick, and once more without those that a blow breaks.
+    """Solves the joints of a scene in a kick, and again without each joint that a blow breaks.
 
     Parameters
     ----------
     scene
-        The scene of the joints.
+        The scene with the joints.
     joints
-        Those that are solved together.
+        The joints that are solved together.
     borne
-        The force at which those break that do, by name [N].
+        The breaking force of each joint that has one, by name [N].
     solve
         Solves all joints, from the velocities that pymunk leaves.
     """
@@ -57,7 +57,7 @@ class JointBreaking:
         self._borne = borne
 
     def __call__(self, kick: Kick) -> None:
-        """Take a kick; one that is only tried, of bodies that are held, breaks nothing."""
+        """Solve a kick. A trial kick, of bodies that are held in place, breaks nothing."""
         batch, before = self._scene.batch, self._forces()
         velocity = batch.velocity()
         self._solve(kick)
@@ -67,12 +67,12 @@ class JointBreaking:
             self._solve(kick)
 
     def _forces(self) -> dict[str, float]:
-        """Return the size of the force of each joint that can break and holds [N]."""
+        """Return the size of the force of each intact joint that can break [N]."""
         holding = self._joints.equations.pulling
         return {name: abs(self._joints.force(name)) for name in self._borne if name in holding}
 
     def _broken(self, before: Mapping[str, float], velocity: Array) -> str | None:
-        """Return the joint that a blow takes furthest beyond what it bears, if there is one.
+        """Return the joint that a blow overloads most; None if there is none.
 
         Parameters
         ----------
@@ -89,7 +89,7 @@ class JointBreaking:
         return max(found, key=lambda name: found[name], default=None)
 
     def _jerk(self, name: str, velocity: Array) -> float:
-        """Return how many times as large the whole jerk is as what a kick has given of it."""
+        """Return the ratio of the whole jerk to the share of it that a kick has given."""
         row = np.array([joint == name for joint in self._joints.names], dtype=bool)
         along = self._joints.jacobian()[row]
         now = self._scene.batch.velocity()
@@ -100,23 +100,23 @@ class JointBreaking:
 def borne_jolt(
     scene: Scene, t: float, borne: Mapping[str, float], dt: float, jolt: Callable[[], Jolt]
 ) -> Jolt:
-    """Let what is joined come to terms at once, without the joints that this breaks.
+    """Solve an impact of joints, without those that it breaks.
 
     Parameters
     ----------
     scene
-        What moves.
+        The scene.
     t, dt
-        The time, and a step [s].
+        The time, and the time step [s].
     borne
-        The force at which those joints break that do, by name [N].
+        The breaking force of each joint that has one, by name [N].
     jolt
-        Finds the impulses; it is asked again after each joint that has broken.
+        Finds the impulses; it is called again after each joint that breaks.
 
     Raises
     ------
     JointFailure, NoForces
-        If there are no such impulses.
+        If no such impulses exist.
     """
     found = jolt()
     while broken := _overloaded(scene, borne, dt, found):
@@ -126,7 +126,7 @@ def borne_jolt(
 
 
 def _overloaded(scene: Scene, borne: Mapping[str, float], dt: float, found: Jolt) -> str | None:
-    """Return the joint that an impact takes furthest beyond what it bears, if there is one."""
+    """Return the joint that an impact overloads most; None if there is none."""
     together = scene.joints.together
     pulling = together.equations.pulling if together else {}
     shares = {

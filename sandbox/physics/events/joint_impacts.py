@@ -1,13 +1,13 @@
 """Impacts of joints at one instant: a joint catches, or a body runs into an elastic stop.
 
-All that is joined or touches takes part: the impulses λ along the rows of the Jacobian J are found
-together, so that right after it nothing that holds is parted any further, and what bounces leaves
-as Newton's law of restitution says,
+All joints and contacts take part: the impulses λ along the rows of the Jacobian J are solved
+together, so that afterwards no constraint is violated any further, and bodies that bounce separate
+by Newton's law of restitution,
 
     v' = v + M⁻¹ Jᵀ λ,    J v' = −e J v,
 
-with λ >= 0 where something only pulls or pushes. A joint that catches has e = 0: it is the
-perfectly inelastic impact of what it ties, and takes the energy of their motion against each other.
+with λ >= 0 for one-sided constraints. A joint that catches has e = 0: it is a perfectly inelastic
+impact of the bodies that it ties, and takes the energy of their relative motion.
 """
 
 from collections.abc import Mapping
@@ -27,22 +27,22 @@ from sandbox.physics.scene.scene import Scene
 
 
 class Jolt(NamedTuple):
-    """What an impact of joints did; n bodies, m equations.
+    """The outcome of an impact of joints; n bodies, m equations.
 
     Attributes
     ----------
     t
-        When it was [s].
+        The time of the impact [s].
     place
-        (n, 3), where bodies were [m, rad].
+        (n, 3), the positions [m, rad].
     begun, after
-        (n, 3), the velocities before it, and after it [m/s, rad/s].
+        (n, 3), the velocities before and after it [m/s, rad/s].
     pulls
-        What the exact joints gave: the tensions are impulses [N s].
+        The impulses of the exact joints, in place of tensions [N s].
     contacts
-        Who touched whom, with impulses.
+        The contacts, with their impulses.
     elastic
-        Whether it can take no energy: nothing but what gives back all speed is run into.
+        Whether it takes no energy: only stops with e = 1 take part.
     """
 
     t: float
@@ -55,21 +55,21 @@ class Jolt(NamedTuple):
 
 
 def jolt(scene: Scene, t: float, bounces: Mapping[int, float] | None = None) -> Jolt:
-    """Let what is joined come to terms at once; the velocities of the scene are those before it.
+    """Solve an impact of all joints; the velocities of the scene are those before it.
 
     Parameters
     ----------
     scene
-        What moves.
+        The scene.
     t
         The time [s].
     bounces
-        The coefficient of restitution of the equations that give back speed, by their rows.
+        The coefficients of restitution of the equations that bounce, by row.
 
     Raises
     ------
     JointFailure, NoForces
-        If there are no such impulses.
+        If no such impulses exist.
     """
     joints = scene.joints.together
     assert joints
@@ -79,7 +79,7 @@ def jolt(scene: Scene, t: float, bounces: Mapping[int, float] | None = None) -> 
     bounces = bounces or {}
     leaves, out = np.zeros(len(kick.response)), np.zeros(len(kick.response), dtype=bool)
     impulse, came = np.zeros_like(leaves), motion.values
-    if bounces:  # velocities at an instant obey what holds only to second order in the step
+    if bounces:  # velocities at an instant satisfy the constraints only to second order in dt
         out[list(bounces)] = True
         impulse = impulses(kick, came, leaves, out)
         came = came + impulse @ kick.response
@@ -101,7 +101,7 @@ def jolt(scene: Scene, t: float, bounces: Mapping[int, float] | None = None) -> 
 
 
 def _kick(scene: Scene, joints: ExactJoints, t: float) -> Kick:
-    """Return the rows of all that is joined or touches where bodies are."""
+    """Return the rows of all joints and contacts at the current positions."""
     lengths = joints.lengths(t), joints.lengths(t + joints.drift)
     if scene.direct:
         return scene.direct.standing(lengths)

@@ -1,8 +1,8 @@
-"""The kick after which bodies go on from an event within a step.
+"""The kick with which bodies continue after an event within a step.
 
-The bodies are held where they are and kicked by pymunk's solver and the joints together, as before
-the first step. In a kick that is short enough, a slipping contact keeps slipping. A contact whose
-slip has ended is held by friction if friction is strong enough; otherwise it slips the other way.
+The bodies are held in place and kicked by pymunk's solver and the joints together, as before the
+first step. In a short enough kick, a slipping contact keeps slipping. A contact whose slip has
+ended is held by friction if friction is strong enough; otherwise it slips the other way.
 """
 
 from collections.abc import Callable, Iterator, Mapping
@@ -20,28 +20,28 @@ from sandbox.physics.geometry.distance import surfaces
 from sandbox.physics.scene.scene import Scene
 
 TRIES = 16
-"""How often a kick is shortened, by `SHORTER`, until what slips before it also slips after it."""
+"""How often a kick is shortened, by `SHORTER`, until contacts that slip before it slip after it."""
 
 SHORTER = 1 / 4
 
 PLACES = 1e-14
-"""The relative precision of positions, from which strings choose velocities."""
+"""The relative precision of positions, from which strings derive velocities."""
 
 Held = Callable[[], AbstractContextManager[None]]
 Kicker = Callable[[float, Array, float, float], Array]
 
 
 class Found(NamedTuple):
-    """The accelerations with which n bodies go on.
+    """The accelerations with which n bodies continue.
 
     Attributes
     ----------
     acceleration
         (n, 3), their accelerations [m/s², rad/s²].
     forces
-        Their contacts, impulses standing for forces.
+        Their contacts, with forces in place of impulses.
     slips, sense
-        Of the contacts, and which way each slips.
+        The slips of the contacts, and their directions.
     """
 
     acceleration: Array
@@ -51,15 +51,16 @@ class Found(NamedTuple):
 
 
 class Onwards:
-    """Finds the accelerations with which n bodies go on after an event.
+    """Finds the accelerations with which n bodies continue after an event.
 
     Parameters
     ----------
     scene
-        What moves.
+        The scene.
     kick
-        Kicks bodies that are held, as if so many steps after the last: takes these, the velocities
-        before it, how long it is and the drift that would follow; returns the velocities after it.
+        Kicks bodies that are held in place. It takes the time since the last step, in steps, the
+        velocities before the kick, its length and that of the drift that would follow [s], and
+        returns the velocities after the kick.
     held
         Holds all bodies where they are.
     dt
@@ -68,9 +69,9 @@ class Onwards:
     Attributes
     ----------
     running
-        (n, 2), how fast the bodies' surfaces run [m/s].
+        (n, 2), the velocities of the bodies' running surfaces [m/s].
     adds
-        (n, 3), about what gravity and force laws add to the velocities in a step [m/s, rad/s].
+        (n, 3), the approximate change of velocity per step by gravity and force laws [m/s, rad/s].
     """
 
     def __init__(self, scene: Scene, kick: Kicker, held: Held, dt: float) -> None:
@@ -81,7 +82,7 @@ class Onwards:
         self._blur = PLACES / dt if scene.joints.strings else 0.0
 
     def sense(self, slips: Slips, contacts: Contacts, velocity: Array, adds: Array) -> Array:
-        """Return the directions of slipping, given velocities and what a kick adds to them."""
+        """Return the directions of slip, given velocities and their change in a kick."""
         known = slips.sense(velocity, np.abs(adds) + self.adds, self._blur)
         return np.where(contacts.friction > 0, known, 0.0)
 
@@ -94,18 +95,18 @@ class Onwards:
         slips: Slips,
         sense: Array,
     ) -> Found | None:
-        """Return how bodies go on; None if no kick is short enough, or if others touch there.
+        """Return how bodies continue; None if no kick is short enough or the contacts have changed.
 
         Parameters
         ----------
         place, velocity
-            (n, 3), from where [m, rad, m/s, rad/s].
+            (n, 3), positions and velocities to continue from [m, rad, m/s, rad/s].
         ahead
-            When: so many steps after the last.
+            The time since the last step, in steps.
         longest
-            How long the kick may be [s].
+            The greatest length of the kick [s].
         slips, sense
-            Of the contacts so far, and which way each slips.
+            The slips of the contacts so far, and their directions.
         """
         self._batch.set_state(np.concatenate((place, velocity), axis=1))
         length = longest
@@ -123,18 +124,19 @@ class Onwards:
         return None
 
     def meets(self, contacts: Contacts, place: Array, velocity: Array, length: float) -> bool:
-        """Return whether what touches meets, so that a kick of a length [s] would have to stop it.
+        """Return whether touching bodies approach, so that a kick of a length [s] would stop them.
 
-        Places and velocities are (n, 3) [m, rad, m/s, rad/s].
+        Positions and velocities are (n, 3) [m, rad, m/s, rad/s].
         """
         apart = rates_apart(contacts, touching(contacts, place), velocity)
         most = NEGLIGIBLE * np.hypot(*self.adds[:, :2].T).max() * length / self._dt
         return bool((apart < -most).any())
 
     def settled(self, ahead: float, start: Array, length: float, drift: float) -> Array:
-        """Kick bodies that are held, where they are: see the class.
+        """Kick bodies that are held in place, for the parameters see the class.
 
-        While pymunk's impulses are those of a kick of another length, static friction misjudges.
+        With static friction the kick is taken twice: it misjudges as long as pymunk's impulses stem
+        from a kick of another length.
         """
         with self._held():
             if self._sticking:
@@ -144,17 +146,17 @@ class Onwards:
             return self._kick(ahead, start, length, drift)
 
     def memory(self) -> dict[frozenset[int], Memory]:
-        """Return what static friction knows of its contacts, by the numbers of the bodies."""
+        """Return the memory of static friction, by pairs of body indices."""
         return {pair: sticks.memory() for pair, sticks in self._sticking.items()}
 
     def recall(self, memory: Mapping[frozenset[int], Memory]) -> None:
-        """Let static friction know what it knew."""
+        """Restore the memory of static friction."""
         for pair, known in memory.items():
             self._sticking[pair].recall(known)
 
     @contextmanager
     def _forced(self, slipping: Integers, others: Integers) -> Iterator[None]:
-        """Let pairs with static friction slip, or find out whether they do: (k, 2) each."""
+        """Let some pairs with static friction slip, and others find out whether they do: (k, 2)."""
         for pairs, slips in ((others, False), (slipping, True)):
             for pair in map(frozenset, pairs.tolist()):
                 if pair in self._sticking:
@@ -165,10 +167,10 @@ class Onwards:
 
 
 def _matched(before: Slips, sense: Array, now: Slips) -> Array | None:
-    """Return which way contacts slip, known from before, of the same pairs now: (k,).
+    """Return earlier directions of slip in the order of the present contacts: (k,).
 
-    None if they are others. pymunk may turn round who comes first of a pair, which leaves the sense
-    as it is.
+    None if the pairs have changed. pymunk may swap the bodies of a pair, which does not change the
+    sign of the slip.
     """
     old, new = np.sort(before.bodies, axis=1), np.sort(now.bodies, axis=1)
     rows, others = np.lexsort(old.T), np.lexsort(new.T)

@@ -1,4 +1,4 @@
-"""Which contacts slip at a step, and which stop slipping before the next."""
+"""Detection of contacts that slip at a step and stop slipping before the next."""
 
 from typing import NamedTuple
 
@@ -10,24 +10,24 @@ from sandbox.physics.events.restart_kick import Onwards
 from sandbox.physics.events.slip_phases import Slips
 
 WEAKER = 1e-6
-"""Friction below its limit by more than this share no longer slips."""
+"""A contact whose friction is below its limit by more than this share no longer slips."""
 
 
 class Seen(NamedTuple):
-    """The contacts of a kick of n bodies; k of them.
+    """The k contacts of a kick of n bodies.
 
     Attributes
     ----------
     place
-        (n, 3), where the bodies are [m, rad].
+        (n, 3), the positions of the bodies [m, rad].
     slips, sense
-        How the contacts slip, and which way.
+        The slips of the contacts, and their directions.
     ends
-        (k,), whose slip ends in the drift after the kick.
+        (k,), the contacts whose slip ends in the drift after the kick.
     weakened
-        (k,), whose friction pymunk has weakened for that already.
+        (k,), the contacts whose friction pymunk has already reduced for that.
     steps
-        How many steps it is to the first end.
+        The number of steps until the first end.
     """
 
     place: Array
@@ -39,18 +39,18 @@ class Seen(NamedTuple):
 
 
 class Lookout:
-    """Sees whose slipping ends; n bodies, k contacts.
+    """Detects the contacts whose slip ends; n bodies, k contacts.
 
     Parameters
     ----------
     batch
         Reads the bodies.
     named
-        (n,), whose slipping matters.
+        (n,), the bodies whose slipping is located.
     coefficients
-        (n, n), of the friction of each pair that slips.
+        (n, n), the coefficient of kinetic friction of each pair.
     onwards
-        Distinguishes slips from rounding.
+        Distinguishes slip from rounding.
     dt
         The time step [s].
     """
@@ -62,10 +62,10 @@ class Lookout:
         self._onwards, self._dt = onwards, dt
 
     def see(self, came: Array, velocity: Array, acceleration: Array) -> Seen:
-        """Return which contacts slip at the step, and no longer at the next.
+        """Return which contacts slip at the step, and which no longer do at the next.
 
-        Which way they slip is told by how they came to the step: the end of one slip, which pymunk
-        takes for one of the whole kick, makes others slip after it.
+        The directions are those of the velocities with which bodies came to the step: pymunk lets a
+        slip end for the whole kick, and that makes other contacts slip after it.
         """
         contacts, place = self._batch.contacts(), self._batch.state()[:, :3]
         slips, adds = Slips.of(contacts, place, self._onwards.running), acceleration * self._dt
@@ -83,12 +83,15 @@ class Lookout:
     def ends(
         self, slips: Slips, sense: Array, contacts: Contacts, velocity: Array, adds: Array
     ) -> Booleans:
-        """Return which contacts of named bodies no longer slip when they are as fast: (k,)."""
+        """Return which contacts of named bodies no longer slip at these velocities: (k,)."""
         later = self._onwards.sense(slips, contacts, velocity, adds)
         return (sense != 0) & self._named[slips.bodies].any(axis=1) & (later != sense)
 
     def wait(self, slips: Slips, sense: Array, velocity: Array, acceleration: Array) -> Array:
-        """Return how long each contact of named bodies slips on, for ever if it does: (k,)."""
+        """Return the time until each contact of named bodies stops slipping: (k,) [s].
+
+        It is infinite if the slip does not slow down.
+        """
         speed, change = sense * slips.speed(velocity), sense * slips.change(acceleration)
         slows = (change < 0) & self._named[slips.bodies].any(axis=1)
         wait = np.full(len(sense), np.inf)

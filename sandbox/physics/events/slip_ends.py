@@ -1,16 +1,16 @@
 """The end of slipping, located in time.
 
-Sliding friction lasts as long as the slip: then the body rests, moves with the belt, or rolls.
-pymunk finds that in the next kick, and weakens the friction of that whole kick so that nothing
+Kinetic friction lasts as long as the slip: then the body rests, moves with the belt, or rolls.
+pymunk detects that in the next kick, and reduces the friction of that whole kick so that nothing
 slips back: the end comes up to half a step early or late. Here the drift is cut where the slip
-ends. Between two kicks leapfrog stands for a motion with the acceleration of the last, so a slip
-changes linearly and its zero is known. pymunk's solver and the joints decide how the bodies go on
-from there for the rest of the step (`restart_kick.py`). pymunk is then handed the places at the end
-of the drift, and the velocities half a kick before.
+ends. Between two kicks leapfrog represents a motion with the acceleration of the last, so a slip
+changes linearly and its zero is known. pymunk's solver and the joints determine how the bodies
+continue from there for the rest of the step (`restart_kick.py`). pymunk is then given the positions
+at the end of the drift, and the velocities half a kick before.
 
-Where the slip ends within the half of a kick that comes after its step, pymunk has weakened the
-friction at the step already. That kick is then taken again, short enough for everything to slip on,
-so that what is read at the step is right.
+If the slip ends within the second half of a kick, the half after its step, pymunk has reduced the
+friction at the step already. That kick is then taken again, short enough for everything to keep
+slipping, so that the values at the step are right.
 """
 
 from collections.abc import Callable
@@ -30,10 +30,10 @@ from sandbox.physics.events.slip_phases import Phase, Slips, Stop, booked
 from sandbox.physics.scene.scene import Scene
 
 MOST = 100
-"""How often the drift of a step is cut, at most; slips that end later are left to pymunk."""
+"""The most cuts of the drift of a step; slips that end later are left to pymunk."""
 
 LATE = 0.1
-"""A slip that has reversed by a larger share of its change per step did not slip there: it was
+"""A slip that has reversed by more than this share of its change per step was no slip: it was
 rounding."""
 
 ALIKE = 1e-9
@@ -45,12 +45,12 @@ FAR = 1_000_000
 
 
 class Cut(NamedTuple):
-    """Where a drift leads in which slipping ended; n bodies.
+    """The outcome of a drift in which slipping ended; n bodies.
 
     Attributes
     ----------
     begun
-        (n, 3), the velocities that the next kick begins with [m/s, rad/s].
+        (n, 3), the velocities at the beginning of the next kick [m/s, rad/s].
     acceleration
         (n, 3), the accelerations since slipping last ended [m/s², rad/s²].
     """
@@ -65,27 +65,28 @@ class Stops:
     Parameters
     ----------
     scene
-        What moves.
+        The scene.
     linked
-        (l, 2), pairs of bodies that strings hold together.
+        (l, 2), pairs of bodies that strings and pymunk's own joints connect.
     tied
-        (n,), which bodies other exact joints hold: with contacts, these come to terms too late for
-        a kick to tell how they go on.
+        (n,), bodies held by other exact joints: together with contacts, these converge too slowly
+        for a kick to tell how the bodies continue.
     lookout, onwards
-        See whose slipping ends, and find how bodies go on.
+        Detect the end of slipping, and find how bodies continue.
     smooth
-        Returns the accelerations by gravity and force laws in the last kick: (n, 3) [m/s², rad/s²].
+        Returns the accelerations by gravity and force laws in the last kick: (n, 3)
+        [m/s², rad/s²].
     dt
         The time step [s].
 
     Attributes
     ----------
     begun
-        (n, 3), the velocities that the last kick began with [m/s, rad/s].
+        (n, 3), the velocities at the beginning of the last kick [m/s, rad/s].
     kicked
-        The contacts of the last kick, if it was taken again; None if they are pymunk's.
+        The contacts of the last kick if it was taken again, else None: then they are pymunk's.
     last
-        What the books must know of the last drift; None if no slipping ended in it.
+        The entries for the books from the last drift; None if no slipping ended in it.
     """
 
     def __init__(
@@ -103,7 +104,7 @@ class Stops:
         self._next = self.begun = self._change = self._batch.velocity()
         self._ground = self._next[scene.mass == 0]
         self._ground[:, :2] += onwards.running[scene.mass == 0]
-        # how many steps need no look, while kicks differ by no more than that, squared
+        # steps without a check, while the squared difference of kicks stays within `_alike`
         self._quiet, self._alike = 0, 0.0
         self._acceleration: Array | None = None  # until the next step, if it is known
         self._due: tuple[Phase, Slips, Array] | None = None
@@ -111,12 +112,12 @@ class Stops:
         self.last: Stop | None = None
 
     def start(self, velocity: Array, acceleration: Array) -> Array:
-        """Look at the first kick, of half a step; return its accelerations, right at the start.
+        """Check the first kick, of half a step; return the accelerations at the start.
 
         Parameters
         ----------
         velocity
-            (n, 3), those at the start [m/s, rad/s].
+            (n, 3), the velocities at the start [m/s, rad/s].
         acceleration
             (n, 3), the accelerations that pymunk gave [m/s², rad/s²].
         """
@@ -127,7 +128,7 @@ class Stops:
         return acceleration
 
     def look(self) -> None:
-        """See whether slipping ends in the coming drift, and take the last kick again if so."""
+        """Check whether slipping ends in the coming drift; take the last kick again if so."""
         begun, after = self._next, self._batch.velocity()
         self.begun, self._next, change = begun, after, after - begun
         self.kicked = self._due = None
@@ -151,7 +152,7 @@ class Stops:
             self._batch.set_velocity(self._next)
 
     def _struck(self, smooth: Array) -> bool:
-        """Return whether the last kick held an impact, which no acceleration stands for."""
+        """Return whether the last kick held an impact, which no acceleration represents."""
         contacts, solid = self._batch.contacts(), self._scene.joints.joined
         if not contacts.first.any():
             return False
@@ -160,24 +161,24 @@ class Stops:
         return bool(len(hit))
 
     def _look(self, begun: Array, came: Array, acceleration: Array, length: float) -> Array:
-        """Find out whether slipping ends, and return the accelerations until it does.
+        """Check whether slipping ends, and return the accelerations until it does.
 
         Parameters
         ----------
         begun, came
-            (n, 3), the velocities that the kick began with, and those with which bodies came to the
-            step by what pulled them until then [m/s, rad/s].
+            (n, 3), the velocities at the beginning of the kick, and those at the step, from the
+            accelerations until then [m/s, rad/s].
         acceleration
-            (n, 3), the accelerations that it gave [m/s², rad/s²].
+            (n, 3), the accelerations in the kick [m/s², rad/s²].
         length
-            How long it was [s]: a step, or half of it where it began at the step.
+            The length of the kick [s]: a step, or half a step if it began at the step.
         """
         if not len(self._batch.contacts().bodies):
             return acceleration
         velocity = begun + acceleration * (length - self._dt / 2)
         seen = self._lookout.see(came, velocity, acceleration)
         if not seen.ends.any():
-            if (self._ground == self._ground[:1]).all():  # it is the same wherever a body goes
+            if (self._ground == self._ground[:1]).all():  # all the ground moves alike
                 self._quiet = int(min(max(seen.steps - 2, 0) / 2, FAR))
                 self._alike = (ALIKE * float(self._onwards.adds.max())) ** 2
             return acceleration
@@ -193,7 +194,7 @@ class Stops:
         return acceleration
 
     def _again(self, begun: Array, came: Array, acceleration: Array, length: float) -> Array:
-        """Take the last kick again while everything slips on; see `_look`."""
+        """Take the last kick again with everything still slipping; see `_look`."""
         after, memory, since = self._batch.velocity(), self._onwards.memory(), length - self._dt / 2
         settled = (self._onwards.settled(0.0, begun, length, self._dt) - begun) / length
         seen = self._lookout.see(came, begun + settled * since, settled)
@@ -211,18 +212,18 @@ class Stops:
                 part = Phase(self._dt, seen.place, velocity, slipping, found.forces)
                 self._due = part, slips, sense
                 return slipping
-        self._onwards.settled(0.0, begun, length, self._dt)  # what pymunk is to remember
+        self._onwards.settled(0.0, begun, length, self._dt)  # for pymunk's warm start
         self._onwards.recall(memory)
         self._batch.set_velocity(after)
         return acceleration
 
     def drop(self, begun: Array) -> None:
-        """Leave the coming drift to an impact in it, after which kicks begin with a velocity."""
+        """Leave the coming drift to an impact; the next kick then begins with velocities (n, 3)."""
         self._due = self.last = self._acceleration = None
         self._next, self._quiet = begun, 0
 
     def cut(self) -> Cut | None:
-        """Let slipping end in the coming drift; return the result, if it does."""
+        """Let slipping end in the coming drift; return the outcome, None if none ends."""
         due, self._due, self.last = self._due, None, None
         if due is None:
             return None
@@ -235,7 +236,7 @@ class Stops:
             ends, _ = phases[-1].at(phases[-1].lasts)
             begun = np.where(moved[:, None], self.last.begun, begun)
             place = np.where(moved[:, None], ends - begun * self._dt, place)
-        self._onwards.settled(1.0, begun, self._dt, self._dt)  # what pymunk is to remember
+        self._onwards.settled(1.0, begun, self._dt, self._dt)  # for pymunk's warm start
         self._onwards.recall({p: known for p, known in memory.items() if not moved[[*p]].any()})
         self._batch.set_state(np.concatenate((place, begun), axis=1))
         self._next, self._acceleration = begun, phases[-1].acceleration
@@ -244,7 +245,7 @@ class Stops:
     def _follow(
         self, part: Phase, slips: Slips, sense: Array, state: Array
     ) -> tuple[list[Phase], Booleans]:
-        """Let one slip end after the other; return the parts of the drift, and whom it changed."""
+        """Let slips end one after the other; return the drift's parts and the changed bodies."""
         phases: list[Phase] = []
         kinematic = self._scene.mass == 0
         moved = np.zeros_like(kinematic)
@@ -271,7 +272,7 @@ class Stops:
         return [*phases, part], moved
 
     def _island(self, slips: Slips, ended: Booleans) -> Booleans:
-        """Return which bodies touch, or hang on, those that no longer slip: (n,)."""
+        """Return the bodies connected by contacts or strings to ended slips: (n,)."""
         return reached(slips.bodies, ended, self._scene.mass > 0, linked=self._linked)
 
 
@@ -283,7 +284,7 @@ def stop(
     smooth: Callable[[], Array],
     dt: float,
 ) -> Stops | None:
-    """Make what locates where the slipping of a level's bodies ends, if it names any."""
+    """Return the locator of the ends of slipping for a level; None if it names no bodies."""
     friction, names = level.effects.friction, list(level.bodies)
     if friction is None or friction.located is None:
         return None

@@ -12,25 +12,25 @@ from sandbox.physics.engine.batch import Contacts, Integers
 from sandbox.physics.state.motion import momentum
 
 ROUNDING = 1e-12
-"""A slip slower than this share of the speeds whose difference it is counts as none;"""
+"""A slip slower than this share of the speeds whose difference it is counts as zero;"""
 
 FAINT = 1e-9
-"""so does one slower than this share of what a step adds to them."""
+"""so does one slower than this share of the change of these speeds in a step."""
 
 
 class Slips(NamedTuple):
-    """The contacts of n bodies, seen along their surfaces; k of them.
+    """The slips of k contacts of n bodies, along their surfaces.
 
     Attributes
     ----------
     bodies
-        (k, 2), who touches whom.
+        (k, 2), the two bodies of each contact.
     way
-        (k, 2, 3), how much of the two bodies' velocities is slip.
+        (k, 2, 3), the Jacobian of the slip, for the velocities of the two bodies.
     runs
-        (k,), how fast the surfaces slip by themselves, as those of belts do [m/s].
+        (k,), the slip due to running surfaces, such as belts [m/s].
     far
-        (k,), about how far from the origin that is [m].
+        (k,), the approximate distance from the origin [m].
     """
 
     bodies: Integers
@@ -45,11 +45,11 @@ class Slips(NamedTuple):
         Parameters
         ----------
         contacts
-            Those of a kick.
+            The contacts of a kick.
         place
-            (n, 3), where the bodies are [m, rad].
+            (n, 3), the positions of the bodies [m, rad].
         running
-            (n, 2), how fast their surfaces run [m/s].
+            (n, 2), the velocities of their running surfaces [m/s].
         """
         bodies, (x, y) = contacts.bodies, contacts.direction.T
         arm = contacts.on_surfaces(contacts.points[:, 0]) - place[bodies, :2]
@@ -58,28 +58,28 @@ class Slips(NamedTuple):
         return cls(bodies, way, runs, np.abs(contacts.points[:, 0]).sum(axis=1))
 
     def change(self, acceleration: Array) -> Array:
-        """Return how fast the slips change with accelerations (n, 3): (k,) [m/s²]."""
+        """Return the rates of change of the slips under accelerations (n, 3): (k,) [m/s²]."""
         return np.asarray(np.einsum("kbc,kbc->k", self.way, acceleration[self.bodies]))
 
     def speed(self, velocity: Array) -> Array:
-        """Return how fast the second of each two bodies slips over the first: (k,) [m/s]."""
+        """Return the slip velocity of each second body relative to the first: (k,) [m/s]."""
         return self.change(velocity) + self.runs
 
     def sense(self, velocity: Array, adds: Array, blur: float) -> Array:
-        """Return which way each slips, 1 or −1, or 0 if it does not: (k,).
+        """Return the direction of each slip, 1 or −1, or 0 if there is none: (k,).
 
         Parameters
         ----------
         velocity
             (n, 3) [m/s, rad/s].
         adds
-            (n, 3), about what a step may change them by [m/s, rad/s].
+            (n, 3), the approximate change of the velocities in a step [m/s, rad/s].
         blur
-            What else they are uncertain by, a metre from the origin [1/s].
+            Further uncertainty of the slips, per metre from the origin [1/s].
         """
         speed = self.speed(velocity)
         sizes = np.abs(velocity) + np.abs(adds) * (FAINT / ROUNDING)
-        sizes[:, :2] = sizes[:, :2].sum(axis=1, keepdims=True)  # whatever their direction
+        sizes[:, :2] = sizes[:, :2].sum(axis=1, keepdims=True)  # in any direction
         known = ROUNDING * (self._sizes(sizes) + np.abs(self.runs))
         return np.where(np.abs(speed) > known + blur * self.far, np.sign(speed), 0.0)
 
@@ -88,16 +88,16 @@ class Slips(NamedTuple):
 
 
 class Phase(NamedTuple):
-    """A part of a drift in which the accelerations of n bodies stay as they are.
+    """A part of a drift in which the accelerations of n bodies are constant.
 
     Attributes
     ----------
     lasts
-        How long it is [s].
+        Its duration [s].
     place, velocity, acceleration
-        (n, 3), places and velocities at its beginning, and the accelerations in it.
+        (n, 3), positions and velocities at its start, and the accelerations in it.
     forces
-        What contacts do in it, impulses standing for forces.
+        The contacts, with forces in place of impulses.
     """
 
     lasts: float
@@ -107,32 +107,32 @@ class Phase(NamedTuple):
     forces: Contacts
 
     def at(self, time: float) -> tuple[Array, Array]:
-        """Return positions and velocities some time after its beginning [s]."""
+        """Return positions and velocities at a time after its start [s]."""
         velocity = self.velocity + self.acceleration * time
         return self.place + (self.velocity + velocity) * (time / 2), velocity
 
 
 class Stop(NamedTuple):
-    """What books kept in the middle of a drift must know of slipping that ended in it; n bodies.
+    """The energy and momentum that the end of slipping within a drift adds to the books; n bodies.
 
-    They take the kick before the drift to go on for half of it, and that after it to begin there.
+    The books assume that the kick before the drift acts until its middle, and the kick after it
+    from there on.
 
     Attributes
     ----------
     begun
-        (n, 3), the velocities that the kick after the drift begins with [m/s, rad/s].
+        (n, 3), the velocities at the beginning of the kick after the drift [m/s, rad/s].
     rubbed, works
-        The work of friction beyond that of the halves of the two kicks; and of belts, and of
-        kinematic bodies [J].
+        The work of friction, and of belts and kinematic bodies, beyond that in the halves of the
+        two kicks [J].
     way
-        (n, 3), how much further the bodies went than the halves of the two kicks have them go
-        [m, rad].
+        (n, 3), the displacements beyond those in the halves of the two kicks [m, rad].
     lifted
-        How much more energy they have in the middle of the drift for nothing but another
-        acceleration [J]: along a parabola there is a force's F a dt²/8 more than in the middle of
-        the chord.
+        The change of the energy read in the middle of the drift that is only due to the change of
+        acceleration [J]: on the parabola, the energy due to a force F is higher by F a dt²/8 than
+        in the middle of the chord.
     given
-        The momentum, and the angular momentum, beyond what the halves give: (3,)
+        (3,), the momentum and angular momentum beyond those from the two halves
         [kg m/s, kg m²/s].
     """
 
@@ -147,20 +147,20 @@ class Stop(NamedTuple):
 def booked(
     phases: Sequence[Phase], inertia: Array, smooth: Array, running: Array, dt: float
 ) -> Stop:
-    """Return what books must know of a drift of several phases.
+    """Return the entries for the books from a drift of several phases.
 
     Parameters
     ----------
     phases
-        Its parts; what is not touched by the ends between them has the same in all.
+        Its parts; bodies that are not affected by an end of slipping have constant accelerations.
     inertia
         (n, 3), masses, masses and moments [kg, kg m²].
     smooth
         (n, 3), the accelerations by gravity and force laws [m/s², rad/s²].
     running
-        (n, 2), how fast the bodies' surfaces run [m/s].
+        (n, 2), the velocities of the bodies' running surfaces [m/s].
     dt
-        How long it is [s].
+        The length of the drift [s].
     """
     first, last, half = phases[0], phases[-1], dt / 2
     place, velocity = last.at(last.lasts)
