@@ -18,20 +18,21 @@ class Balance:
     Attributes
     ----------
     kinetic
-        Of all bodies [J].
+        The kinetic energy of all bodies [J].
     potential
-        By what stores it [J].
+        The potential energy, by the law that stores it [J].
     work, loss
-        By what put it in, or took it for good, since the books were opened [J].
+        The energy put in, and the energy lost, by cause, since the books were opened [J].
     unexplained
-        What the energy has grown by beyond that [J].
+        The further change of the energy [J].
     impulse
-        By what gave it from outside, since then: x, y and, about the origin, angular momentum, (3,)
-        each [N s, N m s].
+        The impulse from outside since then, by cause: along x and y, and the angular one about the
+        origin, (3,) each [N s, N m s].
     unexplained_impulse
-        What the momentum has grown by beyond that: (3,).
+        (3,), the further change of the momentum.
     overlaps
-        The part of the unexplained energy that correcting overlaps gave by moving bodies [J].
+        The part of the unexplained energy due to the correction of overlaps, which moves bodies
+        [J].
     """
 
     kinetic: float
@@ -45,11 +46,11 @@ class Balance:
 
     @property
     def energy(self) -> float:
-        """Kinetic and potential [J]."""
+        """The kinetic and potential energy [J]."""
         return self.kinetic + sum(self.potential.values())
 
     def value(self, quantity: Quantity) -> float:
-        """Return a quantity that the ledger keeps; a vector without a component is its size."""
+        """Return a quantity of the ledger; for a vector without a component, its magnitude."""
         kind, _, name = quantity.attribute.partition(".")
         match kind:
             case "work":

@@ -1,17 +1,17 @@
-"""Whether the energy books of a run close, and how well they can.
+"""Checks whether the energy books of a run close, within what the scheme allows.
 
-Leapfrog keeps an energy to rounding, but not quite the one that is read. Read in the middle of a
-drift, the two differ by
+Leapfrog conserves an energy to rounding, but not quite the one that is read. In the middle of a
+drift the two differ by
 
     dt² (v · V'' v / 12 − a · M a / 24),
 
-or a part of it (Hairer, Lubich and Wanner 2006, IX.3). V'' are the slopes of the forces, a the
-accelerations. So the energy that is read swings by at most twice the largest value of that, and as
-much of it is unexplained: of a spring's energy (ω dt)² / 4. A body that joints hold leaves its path
-in the middle of a drift, by a dt² / 8 across it; this adds a · M a dt² / 8. Where forces are
-constant the difference stays the same, and the books close to rounding. The scheme does not explain
-more than that. The rest comes from overlaps that were taken back, from steps that are too coarse
-for an orbit or a bend, or from a scheme that is not leapfrog. A scheme of fourth order leaves less.
+or a part of it (Hairer, Lubich and Wanner 2006, IX.3). V'' is the Hessian of the potential, a are
+the accelerations. So the energy that is read oscillates by at most twice the largest value of that
+difference, and as much is unexplained: for a spring, (ω dt)² / 4 of its energy. A body held by
+joints leaves its path in the middle of a drift, by a dt² / 8 across it; this adds a · M a dt² / 8.
+Under constant forces the difference is constant, and the books close to rounding. The scheme
+explains no more than that. Larger gaps come from the correction of overlaps, from steps too coarse
+for an orbit or a bend, or from a scheme other than leapfrog. A scheme of fourth order leaves less.
 """
 
 from math import isnan
@@ -24,15 +24,15 @@ from sandbox.physics.energy.step_record import Recorded
 from sandbox.physics.joints.exact.constraints import blur
 
 ROUNDING = 1e-11
-"""The share of the turnover that rounding may make in a run;"""
+"""The share of the turnover that rounding may add up to in a run;"""
 
 KNOWN = 1e-13
-"""and the share of the energy that the scene could store to which the turnover is known."""
+"""and the precision of the turnover, as a share of the energy that the scene could store."""
 
 MUCH = 1 / 15
-"""The share of what was turned over beyond which no books close, whatever the scheme may leave: as
-much as of a spring at the lowest rate that is advised for it. Where a jerk or an impact sets the
-bound, that alone would let pass what was in motion."""
+"""The unexplained share of the turnover beyond which no books close, whatever the scheme allows:
+that of a spring at the lowest rate advised for it. Where a jerk or an impact sets the bound, the
+bound alone would allow an error as large as the kinetic energy."""
 
 NOTHING = 1e-9
 """The turnover counts as none below this share of that energy."""
@@ -44,18 +44,17 @@ class Closing(NamedTuple):
     Attributes
     ----------
     turned
-        What was turned over: the most of what was in motion, of what any store gave or took, or
-        anything else since the start.
+        The turnover: the largest kinetic energy, change of a store, or other entry since the start.
     unexplained
-        The most that had no cause.
+        The largest amount without a cause.
     overlaps
-        Of that, what taking back overlaps gave by the end.
+        The part of it due to the correction of overlaps, at the end.
     bound
-        What the scheme may leave unexplained.
+        The most that the scheme may leave unexplained.
     scale
-        What could be stored in the scene, about.
+        The approximate energy that the scene could store.
     rounding
-        The kinetic energy of velocities that round positions within a step; less is rest.
+        The kinetic energy of the rounding of positions within a step; less is rest.
     """
 
     turned: float
@@ -67,13 +66,13 @@ class Closing(NamedTuple):
 
     @property
     def closes(self) -> bool:
-        """Whether no more is unexplained than the scheme may leave, and not much of it all."""
+        """Whether the unexplained energy is within the bound, and not a large share of all."""
         most = min(self.bound, MUCH * self.turned)
         return self.unexplained <= most or not self._turns
 
     @property
     def _turns(self) -> bool:
-        """Whether anything to speak of was turned over."""
+        """Whether the turnover is not negligible."""
         return self.turned > max(NOTHING * self.scale, self.rounding)
 
     @property
@@ -83,7 +82,7 @@ class Closing(NamedTuple):
 
     @property
     def text(self) -> str:
-        """How they closed, in words."""
+        """How the books closed, in words."""
         if not self._turns:
             return "nothing turned over"
         share = self.share
@@ -116,7 +115,7 @@ class Closer:
         self._before = np.full_like(self._inertia, np.nan)
 
     def note(self) -> None:
-        """Take in a step."""
+        """Add a step."""
         self._ledger.note()
         balance = self._ledger.balance
         stores = (abs(now - self._stored[name]) for name, now in balance.potential.items())
@@ -128,12 +127,12 @@ class Closer:
         moves = np.column_stack((now.velocity, now.angular_velocity))
         self._strain = max(self._strain, float(np.sum(self._inertia * pull * pull)))
         slope = abs(float(np.sum(self._inertia * moves * (pull - self._before))))
-        self._slope = max(self._slope, 0.0 if isnan(slope) else slope)  # at the first there is none
+        self._slope = max(self._slope, 0.0 if isnan(slope) else slope)  # at first NaN
         self._before = pull
 
     @property
     def closing(self) -> Closing:
-        """How they stand."""
+        """How the books close so far."""
         dt, bound = self._run.last.dt, ROUNDING * self._turned + KNOWN * self._scale
         if not self._run.stepping.is_stock:
             strain = self._strain * (1 / 12 + self._bends / 4)

@@ -1,4 +1,4 @@
-"""The kicks within a drift that was taken in parts, as the ledger books them."""
+"""The kicks within a drift that was divided into parts, for the ledger."""
 
 from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING, NamedTuple
@@ -20,15 +20,15 @@ class Within(NamedTuple):
     Attributes
     ----------
     kick
-        Which.
+        The kick, for the books.
     change
-        (n, 3), by how much it changes velocities [m/s, rad/s].
+        (n, 3), the change of the velocities [m/s, rad/s].
     impulses
-        (m,), along what joints keep; positive where they pull.
+        (m,), the impulses of the joints; positive where they pull.
     jacobian
-        (m, n, 3), how that changes with the bodies' places and angles.
+        (m, n, 3), the derivatives of the joints' equations by positions and angles.
     contacts
-        With their impulses.
+        The contacts, with their impulses.
     """
 
     kick: Kick
@@ -41,13 +41,13 @@ class Within(NamedTuple):
 def kicks_within(
     divided: "Divided", begin: Instant, seen: Motion, inertia: Callable[[float], Array]
 ) -> Iterator[Within]:
-    """Yield the kicks between the parts of a drift, of which there is at least one.
+    """Yield the kicks between the parts of a drift; there is at least one.
 
-    The last to be yielded takes back what the next whole kick gives too much.
+    The last one takes back the excess of the next whole kick.
 
-    Laws act in a divided drift as they did in the kick before it, on what goes in parts: nothing
-    else is kicked in it. The kick after it is a whole one, though it begins in the middle of a
-    part: that much is taken back before it.
+    In a divided drift, laws act as they did in the kick before it, and only on the bodies that move
+    in parts. The kick after it is booked as a whole one, although it begins in the middle of a
+    part; the excess is taken back before it.
 
     Parameters
     ----------
@@ -56,7 +56,7 @@ def kicks_within(
     begin
         The motion in the middle of its first part.
     seen
-        What the laws saw in the kick before it.
+        The motion that the laws saw in the kick before it.
     inertia
         Returns masses, masses and moments at a time [s]: (n, 3) [kg, kg m²].
     """

@@ -25,21 +25,21 @@ if TYPE_CHECKING:
 
 
 class Attribution:
-    """Books what each cause did in a kick; n bodies.
+    """Books the share of each cause in a kick; n bodies.
 
     Parameters
     ----------
     run
-        The run whose kicks are attributed.
+        The run with the kicks.
     laws
         The forces that act in them.
     entries
-        The entries in which they are booked.
+        The accounts in which they are booked.
 
     Attributes
     ----------
     elastic
-        Whether no impact may take energy: what it takes is left unexplained.
+        Whether no impact may take energy; a loss is then left unexplained.
     """
 
     def __init__(self, run: Recorded, laws: tuple[Law, ...], entries: Entries) -> None:
@@ -47,14 +47,14 @@ class Attribution:
         self._scene, self._laws, self._entries = scene, laws, entries
         self._mass = scene.inertia
         self._surfaces = surfaces(scene.bodies.values())
-        # solved directly, friction takes from a rebound what it would give otherwise
+        # in the direct solver, friction takes energy from a rebound
         self.elastic = _elastic(run) and not (scene.direct and level.effects.friction)
         own = [j for j in level.joints.values() if not (isinstance(j, Spring) or is_exact(j))]
         self._driven = any(ledger_accounts.drives(joint, level) for joint in own)
         self._hung = {list(scene.bodies).index(name) for joint in own for name in bodies_of(joint)}
 
     def begin(self) -> None:
-        """Begin with a kick, or an impact. All that is booked until the next is part of it."""
+        """Begin a kick, or an impact; all entries until the next call are part of it."""
         self._entries.begin()
 
     def book(
@@ -66,12 +66,12 @@ class Attribution:
         contacts: Contacts,
         slack: Booleans | None,
     ) -> None:
-        """Book a kick, or a part of it, that changes velocities so, (n, 3).
+        """Book a kick, or a part of it, with its change of velocities, (n, 3).
 
-        It is told which ropes were slack before it, but where bodies have stuck to each other.
+        `slack` are the ropes that were slack before it; None where bodies have just stuck together.
 
-        A rope that is caught stops all that it reaches at once. What keeps its length and what
-        touches there work on each other within the kick; what they take together is the loss.
+        A rope that becomes taut stops all bodies that it reaches at once. There, joints and
+        contacts do work on each other within the kick; their total is the loss.
         """
         rest = kick.inertia * change
         rest -= sum((self.force(law, kick) for law in self._laws), np.zeros_like(rest))
@@ -87,14 +87,14 @@ class Attribution:
             self._entries.lose("sticking", float(works.sum()))
         else:
             moves = kick.inertia[:, 0] > 0
-            if kick.length < 0:  # what ropes gave too much is taken back
+            if kick.length < 0:  # the excess of the ropes is taken back
                 pulls = pulls._replace(tension=np.abs(pulls.tension))
             lost += float(works[reached(pulls, contacts, slack, moves)].sum())
         if lost:
             self._entries.lose("impacts", lost)
 
     def jolt(self, jolt: "Jolt") -> None:
-        """Book an impact of joints at one instant: what these take is lost."""
+        """Book an impact of joints at one instant: the energy that they take is lost."""
         self.begin()
         kick = Kick(
             jolt.t,
@@ -113,7 +113,7 @@ class Attribution:
     def force(self, law: Law, kick: Kick) -> Array:
         """Book the impulse of a law, and return it: (n, 3).
 
-        A kinematic body holds its own against it, and does work by that.
+        A kinematic body resists the force, and thereby does work.
         """
         every = self._impulse(law, kick)
         impulse = np.where(kick.inertia > 0, every, 0.0)
@@ -143,7 +143,7 @@ class Attribution:
     def _joints(self, kick: Kick, pulls: Pulls) -> tuple[Array, Array]:
         """Book the impulses of the exact joints; return them, (n, 3), and their works, (m,).
 
-        Those of what is driven are booked, and 0.
+        The works of driven joints are booked here, and returned as 0.
         """
         kinematic = kick.inertia[:, 0] == 0
         drives = pulls.changes | (pulls.jacobian[:, kinematic] != 0).any(axis=(1, 2))
@@ -157,7 +157,7 @@ class Attribution:
         return together, np.where(drives, 0.0, works)
 
     def _own(self, kick: Kick, rest: Array, contacts: Contacts) -> Array:
-        """Book pymunk's own joints: what remains for the bodies they hold, except contacts."""
+        """Book pymunk's own joints: the rest of the impulse on their bodies, without contacts."""
         impulse = np.zeros_like(rest)
         if not self._hung:
             return impulse
@@ -171,14 +171,14 @@ class Attribution:
         return impulse
 
     def _couples(self, kick: Kick, contacts: Contacts, impulse: Array) -> Array | float:
-        """Return the torques of contacts, (k,), where bodies turn as the level says."""
+        """Return the torques of contacts, (k,), if a kinematic body turns in one; else 0."""
         turns = (self._mass[:, 2] == 0) & (kick.mean[:, 2] != 0)
         if not turns[contacts.bodies].any():
             return 0.0
         return couples(contacts, impulse, kick.place, kick.inertia)
 
     def _jump(self, step: StepRecord, kick: Kick) -> Array:
-        """Return the impulses of impacts that come one after the other: (n, 3)."""
+        """Book the impulses of sequential impacts, and return them: (n, 3)."""
         if step.jump is None:
             return np.zeros_like(self._mass)
         impulse = kick.inertia * step.jump
@@ -186,7 +186,7 @@ class Attribution:
         return impulse
 
     def _hand(self, step: StepRecord, kick: Kick, rest: Array, contacts: Contacts) -> Array:
-        """Book what a hand has pulled, as far as contacts do not account for it: (n, 3)."""
+        """Book the impulse of a hand, without that of contacts, and return it: (n, 3)."""
         impulse = np.zeros_like(rest)
         hold = step.hold
         if hold is None:
@@ -200,9 +200,9 @@ class Attribution:
         return impulse
 
     def _touch(self, kick: Kick, rest: Array, jumped: float, contacts: Contacts) -> float:
-        """Book what contacts did: all that is left to the bodies that touch, and in sequence.
+        """Book the contacts: the remaining impulses on touching bodies, and sequential impacts.
 
-        Return the work that impacts may account for.
+        Return the work of impacts.
         """
         if not len(contacts.bodies):
             return 0.0
@@ -217,7 +217,7 @@ class Attribution:
         drives = {name: work for name, work in drives.items() if name in self._entries.works}
         given = jumped + pressing - sum(drives.values())
         if not kick.length:
-            # in an impact friction and rebound act at once, and one feeds the other
+            # in an impact friction and rebound act at once, and exchange energy
             across = min(max(across, given), 0.0)
         self._entries.put_in(drives)
         if "friction" in self._entries.losses:
@@ -225,14 +225,14 @@ class Attribution:
         lost = given - across
         if lost > 0 and not kick.length and "sticking" in self._entries.losses:
             self._entries.losses["sticking"] += (
-                lost  # who sticks presses on each other in the same impact
+                lost  # bodies that stick press on each other in the same impact
             )
             return 0.0
         return 0.0 if self.elastic else lost
 
 
 def _elastic(run: Recorded) -> bool:
-    """Whether all impacts have e = 1, so that none may take energy."""
+    """Return whether all impacts have e = 1, so that none may take energy."""
     effect, values = run.level.effects.restitution, run.values
     if effect is None:
         return False

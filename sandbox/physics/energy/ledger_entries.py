@@ -1,4 +1,4 @@
-"""The accounts of a ledger, and the entries that are made in them."""
+"""The accounts of a ledger, and their entries."""
 
 from collections.abc import Mapping
 
@@ -17,11 +17,11 @@ class Entries:
     Attributes
     ----------
     works
-        The energy put in, or taken out [J].
+        The energy put in or taken out [J].
     losses
-        The lost energy, as negative numbers [J].
+        The energy lost, as negative numbers [J].
     impulses
-        (3,) each, what came from outside: along x and y [N s], and about the origin [N m s].
+        (3,) each, the impulses from outside: along x and y [N s], and about the origin [N m s].
     """
 
     def __init__(self, level: Level) -> None:
@@ -31,26 +31,26 @@ class Entries:
         self._lost: dict[str, float] = {}  # in the kick or impact so far [J]
 
     def begin(self) -> None:
-        """Begin with a kick, or an impact: it may take back what it has lost, and no more."""
+        """Begin a kick, or an impact: within it, a gain may cancel earlier losses, and no more."""
         self._lost = {}
 
     def give(self, name: str, impulse: Array, place: Array) -> None:
-        """Book what gave impulses (n, 3) at places, unless bodies give them to each other."""
+        """Book impulses (n, 3) at places, unless they are internal to the system."""
         if name in self.impulses:
             self.impulses[name] = self.impulses[name] + momentum(impulse, place)
 
     def support(self, given: Array) -> None:
-        """Book what supports gave: (3,)."""
+        """Book an impulse from supports: (3,)."""
         if "supports" in self.impulses:
             self.impulses["supports"] += given
 
     def put_in(self, works: Mapping[str, float]) -> None:
-        """Book works by what did them, where there is an account for it."""
+        """Book works by cause, where there is an account for the cause."""
         for name in works.keys() & self.works.keys():
             self.works[name] += works[name]
 
     def do(self, law: Law, work: float) -> None:
-        """Book the work of a law that is not booked by what it stores."""
+        """Book the work of a law, unless it stores energy."""
         if law.effect.book == "work":
             self.works[law.effect.booked] += work
         elif law.effect.book == "loss":
@@ -62,7 +62,7 @@ class Entries:
             self.losses["friction"] += work
 
     def lose(self, name: str, work: float) -> float:
-        """Book a loss, and return what is booked; what a kick would gain stays unexplained."""
+        """Book a loss, and return the booked part; a net gain in a kick stays unexplained."""
         before = self._lost.get(name, 0.0)
         self._lost[name] = before + work
         booked = min(before + work, 0.0) - min(before, 0.0)

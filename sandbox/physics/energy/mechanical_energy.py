@@ -1,4 +1,4 @@
-"""The energy and the momentum that bodies have in a motion."""
+"""The energy and the momentum of bodies in motion."""
 
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
@@ -16,14 +16,14 @@ if TYPE_CHECKING:
 
 
 class MechanicalEnergy:
-    """What bodies have, by their masses and the laws that store energy; n bodies.
+    """Energy and momentum from the masses of n bodies and the laws that store energy.
 
     Parameters
     ----------
     inertia
         (n, 3), masses, masses and moments at the start [kg, kg m²].
     share
-        Returns how much of them is left at a time [s].
+        Returns the remaining share of each at a time [s].
     """
 
     def __init__(self, level: Level, laws: Sequence["Law"], inertia: Array, share: Share) -> None:
@@ -42,18 +42,18 @@ class MechanicalEnergy:
         return float(np.sum(self.inertia(motion.t) * velocity * velocity) / 2)
 
     def stored(self, motion: Instant) -> float:
-        """Return what is stored somewhere [J]."""
+        """Return the potential energy [J]."""
         return sum(float(law.potential_energy(motion).sum()) for law in self._stores)
 
     def stored_by(self, motion: Instant) -> dict[str, float]:
-        """Return what is stored, by account [J]."""
+        """Return the potential energy, by account [J]."""
         stored = dict(self._accounts)
         for law in self._stores:
             stored[law.effect.booked] += float(law.potential_energy(motion).sum())
         return stored
 
     def stored_with(self, motion: Instant, t: float) -> Array:
-        """Return by how much each body stores more with its mass at another time: (n,) [J]."""
+        """Return the change of potential energy with the masses at another time: (n,) [J]."""
         other = motion._replace(t=np.asarray(t))
         more = [law.potential_energy(other) - law.potential_energy(motion) for law in self._stores]
         return sum(more, np.zeros(len(self._start)))

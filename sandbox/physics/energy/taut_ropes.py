@@ -1,4 +1,4 @@
-"""Ropes that become taut, and the joints that such a jerk reaches."""
+"""Ropes that become taut, and the joints that the resulting jerk reaches."""
 
 import numpy as np
 
@@ -13,12 +13,12 @@ def reached(pulls: Pulls, contacts: Contacts, slack: Booleans, moves: Booleans) 
     Parameters
     ----------
     pulls, contacts
-        What held, and what touched, in a kick.
+        The forces of the joints and the contacts in a kick.
     slack
-        (m,), which equations did not pull before. A rope that is caught in one drift is stopped in
-        the kick before it and the one after it.
+        (m,), the equations that did not pull before. A rope that becomes taut in a drift is stopped
+        in the kick before it and the kick after it.
     moves
-        (n,), which bodies anything can move.
+        (n,), the bodies that can move.
     """
     caught = pulls.pulls_only & (pulls.tension > 0) & slack
     found = np.zeros(len(caught) + len(contacts.bodies), dtype=bool)

@@ -82,7 +82,7 @@ class Bounces:
                 self._let_go(side)
 
     def first(self, part: Part) -> tuple[int, float] | None:
-        """Return the side that is reached first in part of a drift, and when [s]; None if none is."""
+        """Return the side reached first in a part of a drift, and when [s]; None if none is."""
         states = part.state(0.0), part.state(part.lasts)
         now, then = (self._beyond(place) for place, _ in states)
         meets = then > 0

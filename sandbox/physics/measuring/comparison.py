@@ -1,4 +1,4 @@
-"""Comparison of two runs of a level: what an effect changes."""
+"""Comparison of two runs of a level, such as with and without an effect."""
 
 from dataclasses import dataclass
 
@@ -12,25 +12,25 @@ from sandbox.physics.measuring.recording import Trace, needed
 
 @dataclass(frozen=True, slots=True)
 class Difference:
-    """How far a quantity of two runs lies apart.
+    """The difference of a quantity between two runs.
 
     Attributes
     ----------
     label
         A short description.
     quantity, unit
-        The measured quantity.
+        The quantity and its unit.
     at
-        The instant that counts; None if it is the time at which the runs are furthest apart.
+        The instant of the comparison; None for the time at which the runs differ most.
     t
-        When that was [s], in the first run and in the second; None where it never came.
+        The time of the instant in the first run and in the second [s]; None if it never came.
     before, after
-        The quantity in the first run and in the second; None where the instant never came.
+        The quantity in the first run and in the second; None if the instant never came.
     scale
-        The largest value in the first run; at an instant, the value there.
+        The largest magnitude in the first run; at an instant, the magnitude there.
     share
-        Their difference over what is largest of the quantity in both runs, from 0 to 2; infinite
-        where the instant came in one of them only.
+        The difference over the largest magnitude in both runs, from 0 to 2; infinite if the instant
+        came in only one of them.
     """
 
     label: str
@@ -45,7 +45,7 @@ class Difference:
 
     @property
     def relative(self) -> float | None:
-        """The difference over the first run's scale; None where that is zero or one is missing."""
+        """The difference over the scale; None if that is zero or a value is missing."""
         if self.before is None or self.after is None or self.scale <= ZERO:
             return None
         return (self.after - self.before) / self.scale
@@ -60,14 +60,14 @@ def watched(level: Level) -> list[str]:
 
 
 def differences(before: Trace, after: Trace, *, places: bool = False) -> tuple[Difference, ...]:
-    """Return how two runs differ in the quantities of the first one's checks.
+    """Return the differences of two runs in the quantities of the first one's checks.
 
     Parameters
     ----------
     before, after
         The runs, which recorded those quantities.
     places
-        Whether everything else that both recorded counts, too.
+        Whether to compare all other quantities that both recorded, too.
     """
     both = min(before.t[-1], after.t[-1])
     before, after = before.until(float(both)), after.until(float(both))
@@ -85,7 +85,7 @@ def differences(before: Trace, after: Trace, *, places: bool = False) -> tuple[D
 
 
 def _scales(before: Trace, after: Trace) -> dict[str, float]:
-    """Return the largest number of each unit: what is tiny against it is rounding."""
+    """Return the largest magnitude of each unit, against which rounding is judged."""
     scales: dict[str, float] = {}
     for trace in (before, after):
         for name, unit in trace.units.items():

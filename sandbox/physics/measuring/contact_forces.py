@@ -1,8 +1,8 @@
-"""The contact forces on one body: normal force, friction, and where they act.
+"""The contact forces on one body: normal force, friction, and their points of application.
 
-Contacts that are solved directly tell the impulse at every point, so the force of a side on a side
-is known with its line of action. pymunk tells the impulse of both points of a side together: where
-between them it acts follows from how the body turns, and lies between them if all is well.
+The direct solver yields the impulse at every contact point, so the line of action of a force of one
+side on another is known. pymunk yields only the sum for both points of a side: the point of
+application between them follows from the angular acceleration of the body.
 """
 
 from collections.abc import Iterator, Sequence
@@ -17,19 +17,19 @@ from sandbox.physics.measuring.free_body import FRICTION, NORMAL, Acting
 
 
 class Press(NamedTuple):
-    """What a contact does to a body.
+    """The forces of a contact on a body.
 
     Attributes
     ----------
     row
-        The other body's.
+        The index of the other body.
     normal, friction
-        Forces [N], and torques about the centre of mass as far as they are told [N m]: (3,) each.
+        (3,) each, the force [N], and the torque about the centre of mass as far as known [N m].
     at
-        The middle of where they touch: (2,) [m].
+        (2,), the middle of the contact [m].
     half
-        From there to the point at which they touch as well, if the force may act anywhere between:
-        (2,) [m].
+        (2,), from the middle to one of two contact points, if the force may act anywhere between
+        them [m].
     """
 
     row: int
@@ -39,12 +39,12 @@ class Press(NamedTuple):
     half: Array
 
     def acting(self, by: str, center: XY) -> Iterator[Acting]:
-        """Yield the two forces, on a body with its centre of mass at a point [m]."""
+        """Yield the two forces on a body, given its centre of mass [m]."""
         for name, (x, y, torque) in ((NORMAL, self.normal), (FRICTION, self.friction)):
             force, square = (float(x), float(y)), float(x * x + y * y)
             if square:
                 arm = self.at - center
-                off = (torque - (arm[0] * y - arm[1] * x)) / square  # to its line of action
+                off = (torque - (arm[0] * y - arm[1] * x)) / square  # offset of the line of action
                 foot = float(arm[0] + off * y), float(arm[1] - off * x)
                 yield Acting.of(name, by, force, float(torque), center, foot)
 
@@ -52,18 +52,18 @@ class Press(NamedTuple):
 def presses(
     contacts: Contacts, wrenches: Array | None, row: int, place: Array, length: float
 ) -> Iterator[Press]:
-    """Yield what each contact does to a body in a kick.
+    """Yield the forces of each contact on a body in a kick.
 
     Parameters
     ----------
     contacts
-        Those of the kick; k of them.
+        The k contacts of the kick.
     wrenches
-        (2, k, 3), its impulses on the body as far as they are known by themselves [N s, N m s].
+        (2, k, 3), the normal and friction impulses on the body, if known per contact [N s, N m s].
     row, place
-        Which body, and where its centre of mass is: (2,) [m].
+        The index of the body, and its centre of mass, (2,) [m].
     length
-        How long the kick is [s].
+        The length of the kick [s].
     """
     ours = (contacts.bodies == row).any(axis=1) & contacts.impulse.any(axis=1)
     for pair in np.flatnonzero(ours).tolist():
@@ -82,14 +82,14 @@ def presses(
 
 
 def settled(found: Sequence[Press], missing: float) -> Sequence[Press]:
-    """Return the same with the forces moved along the sides that they act on.
+    """Return the contacts with their forces moved along the sides that they act on.
 
-    Together they give a torque [N m] that is missing; of several sides each is moved as little as
-    it can be, and none beyond its ends.
+    Together they then supply the missing torque [N m]. Each force is moved as little as possible,
+    and not beyond the ends of its side.
     """
     levers = np.array([p.half[0] * p.normal[1] - p.half[1] * p.normal[0] for p in found])
     shares = np.zeros(len(found))
-    for _ in found:  # what one cannot give at its end is left to the others
+    for _ in found:  # a force at an end leaves the rest to the others
         free = np.where(np.abs(shares) < 1, levers, 0.0)
         if square := float(free @ free):
             missed = missing - float(shares @ levers)
@@ -102,7 +102,7 @@ def settled(found: Sequence[Press], missing: float) -> Sequence[Press]:
 
 
 def _middles(contacts: Contacts) -> Array:
-    """Return the middle of where each pair touches: (k, 2) [m]."""
+    """Return the middle of each contact: (k, 2) [m]."""
     second = np.where(contacts.touches == 2, 1, 0)
     both = contacts.points[np.arange(len(second)), second]
     middles: Array = (contacts.points[:, 0] + both) / 2

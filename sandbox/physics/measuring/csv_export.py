@@ -18,13 +18,13 @@ from sandbox.version import __version__
 
 
 class Change(NamedTuple):
-    """How the level of a run differs from the one that its source holds."""
+    """The difference between the level of a run and the level in its source."""
 
     original: Level
     description: str
     """such as `without drag`"""
     options: tuple[str, ...]
-    """those of the command line that make the change"""
+    """the command-line options that make the change"""
 
 
 def write_csv(
@@ -41,7 +41,7 @@ def write_csv(
     Parameters
     ----------
     path
-        The file; its folder must be there.
+        The file; its folder must exist.
     trace, source, names, disturbed, change
         As for `to_csv`.
 
@@ -63,7 +63,7 @@ def to_csv(
 ) -> str:
     """Return a run as CSV: comments that say how to repeat it, a header, and a line per instant.
 
-    Every number has the digits that give back its exact bits.
+    Every number has enough digits to restore its exact bits.
 
     Parameters
     ----------
@@ -72,11 +72,11 @@ def to_csv(
     source
         The name or the file of its level.
     names
-        Which of the recorded quantities to write, and in which order; all if left out.
+        The recorded quantities to write, in order; all if left out.
     disturbed
-        Whether a hand has touched the scene, so that nobody can run it again.
+        Whether a hand has touched the scene, so that the run cannot be repeated.
     change
-        The change of the level that was run, if it was not the level itself.
+        The change of the level, if the run did not use that of the source.
     """
     chosen = trace.columns if names is None else names
     columns = [name for name in dict.fromkeys(chosen) if name != "t"]
@@ -132,7 +132,7 @@ def _versions() -> Iterator[tuple[str, str]]:
 def _again(
     trace: Trace, source: str, columns: list[str], change: Change | None, *, disturbed: bool
 ) -> str:
-    """Return the command that gives the same file, or why there is none."""
+    """Return the command that reproduces the file, or the reason why there is none."""
     level, stepping = trace.level, trace.stepping
     if disturbed:
         return "not repeatable: it was touched on the way"

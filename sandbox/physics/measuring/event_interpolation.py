@@ -1,8 +1,8 @@
-"""Between two steps: values and crossings, by the cubic through four neighbouring samples.
+"""Values and crossings between two steps, from the cubic through four neighbouring samples.
 
-The cubic takes two samples before the interval, so that an impact at its end spoils nothing, and is
-exact for the parabolas of uniformly accelerated motion. Where all is smooth, as in a run of fourth
-order, the quintic through six samples around the interval is closer by far.
+The cubic uses no sample after the interval, so that an impact at its end does no harm, and is exact
+for the parabolas of uniformly accelerated motion. For smooth runs, those of fourth order, the
+quintic through six samples around the interval is far more accurate.
 """
 
 from typing import Literal
@@ -16,7 +16,7 @@ BISECTIONS = 60
 
 
 def value_at(t: Array, samples: Array, at: float, *, smooth: bool = False) -> float:
-    """Return the value at a time within the samples' own [s]."""
+    """Return the value at a time within the range of the samples [s]."""
     if at <= t[0] or len(t) == 1:
         return float(samples[0])
     end = min(max(int(np.searchsorted(t, at)), 1), len(t) - 1)
@@ -25,7 +25,7 @@ def value_at(t: Array, samples: Array, at: float, *, smooth: bool = False) -> fl
 
 
 def value_before(t: Array, samples: Array, at: float, first: int) -> float:
-    """Return the value at a time shortly before four samples, given the first's time [s]."""
+    """Return the value at a time [s] shortly before four samples, from index `first` on."""
     end = first + 3
     return _Polynomial(samples, end)(float(at - t[end]) / float(t[end] - t[first]) * 3)
 
@@ -38,7 +38,7 @@ def crossing(
     *,
     smooth: bool = False,
 ) -> float | None:
-    """Return when the samples first cross a value [s], None if they never do.
+    """Return when the samples first cross a value [s]; None if they never do.
 
     A start on the value itself is no crossing.
     """
@@ -64,8 +64,8 @@ def crossing(
 class _Polynomial:
     """Newton's backward differences: s = 0 at the interval's end, −1 at the sample before.
 
-    The cubic through the four samples up to the end; where all is smooth, the quintic through three
-    on either side. Where there are too few before the interval, it takes more behind.
+    The cubic through the four samples up to the end; for smooth runs, the quintic through three on
+    either side. If there are too few samples before the interval, it uses later ones.
     """
 
     def __init__(self, samples: Array, end: int, *, smooth: bool = False) -> None:

@@ -1,4 +1,4 @@
-"""A free-body diagram: a body, all forces on it, and what they do to it."""
+"""A free-body diagram: a body, all forces on it, and its acceleration."""
 
 from dataclasses import dataclass
 from math import hypot
@@ -7,7 +7,7 @@ from typing import NamedTuple
 from sandbox.model.shapes import XY
 
 IMPACT, NORMAL, FRICTION, HAND = "impact", "normal force", "friction", "hand"
-"""The forces that come neither from an effect nor from a joint."""
+"""The names of forces that come neither from an effect nor from a joint."""
 
 
 class Acting(NamedTuple):
@@ -16,15 +16,15 @@ class Acting(NamedTuple):
     Attributes
     ----------
     name
-        The name of the force: `weight`, `normal force`, `tension`.
+        Its name: `weight`, `normal force`, `tension`.
     by
-        Who gives it: a body, a joint; empty where its name says it.
+        The body or joint that exerts it; empty if the name says it.
     force
         The components [N].
     at
-        The point that it acts on [m].
+        The point of application [m].
     couple
-        The torque that it gives beside that of the force at its point [N m].
+        An additional torque, beside that of the force at its point [N m].
     """
 
     name: str
@@ -37,10 +37,10 @@ class Acting(NamedTuple):
     def of(
         cls, name: str, by: str, force: XY, torque: float, center: XY, arm: XY | None
     ) -> "Acting":
-        """Return a force with a torque about the centre of mass [N m].
+        """Return a force with a given torque about the centre of mass [N m].
 
-        It acts at the end of an arm from there [m], or else on its line of action, where that comes
-        nearest to the centre.
+        It acts at the end of a lever arm from there [m]; without one, at the point of its line of
+        action that is closest to the centre.
         """
         x, y = force
         if arm is None:
@@ -51,12 +51,12 @@ class Acting(NamedTuple):
 
     @property
     def size(self) -> float:
-        """How strong it is [N]."""
+        """Its magnitude [N]."""
         return hypot(*self.force)
 
     @property
     def title(self) -> str:
-        """What it is called, and who gives it."""
+        """Its name, and the body or joint that exerts it."""
         return f"{self.name}, {self.by}" if self.by else self.name
 
     def torque(self, center: XY) -> float:
@@ -76,19 +76,19 @@ class FreeBody:
     t
         The time [s].
     mass, moment
-        Then [kg, kg m²]; the moment is 0 of what cannot turn.
+        Mass and moment of inertia at that time [kg, kg m²]; the moment is 0 if it cannot rotate.
     center
         The centre of mass [m].
     forces
-        On it; what is nothing is left out.
+        The forces on it, without those that are zero.
     acceleration, angular_acceleration
-        Over the same kick as the forces [m/s², rad/s²].
+        The accelerations over the same kick as the forces [m/s², rad/s²].
     along
         A unit vector along each surface that presses on it, the hardest first.
     struck
         Whether an impact is among the forces.
     closed
-        Whether one of them is known from the rest alone, so that the sum says nothing.
+        Whether one force was computed from the others, so that the sum proves nothing.
     """
 
     body: str
@@ -123,11 +123,11 @@ class FreeBody:
 
     @property
     def largest(self) -> float:
-        """The size of the strongest force [N]."""
+        """The magnitude of the largest force [N]."""
         return max((acting.size for acting in self.forces), default=0.0)
 
     @property
     def off(self) -> float:
-        """By how much the sum is not mass times acceleration [N]."""
+        """The magnitude of the sum less mass times acceleration [N]."""
         (x, y), (u, v) = self.net, self.gain
         return hypot(x - u, y - v)

@@ -1,4 +1,4 @@
-"""The goals of a challenge, and how a run meets them."""
+"""The goals of a challenge, and the judging of runs by them."""
 
 from dataclasses import dataclass
 from math import inf, nan
@@ -17,19 +17,19 @@ Standing = Literal["met", "missed", "open"]
 
 @dataclass(frozen=True, slots=True)
 class Outcome:
-    """How a goal stands.
+    """The state of a goal.
 
     Attributes
     ----------
     goal
         The goal.
     unit
-        Of the quantity.
+        The unit of the quantity.
     t, measured
-        When it was furthest beyond its bounds, or closest to them [s], or when the event was, and
-        what it was then; None if that has not come.
+        The time at which the quantity was furthest beyond its bounds or closest to them, or the
+        time of the event [s], and the value then; None if the event has not come.
     least, most
-        The bounds with the run's parameters; infinite where there is none.
+        The bounds with the run's parameters; infinite if there is none.
     standing
         `open` while the run can still decide it.
     """
@@ -45,20 +45,20 @@ class Outcome:
 
 @dataclass(frozen=True, slots=True)
 class Attempt:
-    """How a challenge stands after a run, or during one.
+    """The state of a challenge after a run, or during one.
 
     Attributes
     ----------
     outcomes
-        Of all goals: those for the first star, then one for each further star.
+        The states of all goals: those for the first star, then one for each further star.
     stars
-        How many are earned so far.
+        The number of stars earned so far.
     most
-        How many there are.
+        The number of stars that there are.
     complete
-        Whether the run has lasted as long as its level says.
+        Whether the run has lasted for the duration of its level.
     altered
-        The locked parameters that do not have the level's own values: then no star counts.
+        The locked parameters that differ from the level's values; if any, no star counts.
     """
 
     outcomes: tuple[Outcome, ...]
@@ -118,12 +118,12 @@ def _outcome(goal: Goal, trace: Trace, *, complete: bool) -> Outcome:
 
 
 def bounds(goal: Goal, values: Values) -> tuple[float, float]:
-    """Return the least and the most that a goal allows; not a number where it has no value."""
+    """Return the lower and upper bound of a goal; not a number where one has no value."""
     return _bound(goal.above, values, -inf), _bound(goal.below, values, inf)
 
 
 def _bound(bound: Expression | None, values: Values, none: float) -> float:
-    """Return what a bound is; not a number if it has no value with these parameters."""
+    """Return the value of a bound; not a number if it has none with these parameters."""
     try:
         return none if bound is None else bound(values)
     except ExpressionError:

@@ -22,7 +22,7 @@ from sandbox.physics.measuring.recording import Trace
 Verdict = Literal["passed", "failed", "waiting", "not applicable"]
 
 ROUNDING = 1e-12
-"""A run that ends before the time of a check by less than this share of it reaches that time."""
+"""A run reaches the time of a check if it falls short of it by less than this share."""
 
 ZERO = 1e-9
 """An expected value below this, in its SI unit, counts as zero: its error is then absolute."""
@@ -30,24 +30,24 @@ ZERO = 1e-9
 
 @dataclass(frozen=True, slots=True)
 class Result:
-    """How a check came out.
+    """The result of a check.
 
     Attributes
     ----------
     check
         The check.
     unit
-        Of the measured and the expected value.
+        The unit of the measured and the expected value.
     t
-        When the two were furthest apart, or when the event was [s]; None without either.
+        The time at which the two differed most, or the time of the event [s]; None without either.
     measured, expected
         The two values at that time; None if there are none.
     error
-        Their largest difference, over the largest expected value; in the unit where that is zero.
-        None if there is none.
+        The largest difference over the largest expected value; absolute, in the unit, if that is
+        zero. None if there is none.
     verdict
-        `waiting` if the run has not come to the time or event yet, `not applicable` if the
-        check's own condition says that its formula does not hold here.
+        `waiting` if the run has not reached the time or event yet, `not applicable` if the check's
+        own condition says that its formula does not hold here.
     """
 
     check: Check
@@ -65,10 +65,10 @@ def grade(trace: Trace) -> tuple[Result, ...]:
 
 
 def relative_error(measured: Array, expected: Array, least: float = 0.0) -> tuple[float, int]:
-    """Return the largest difference, relative if it can be, and where it is.
+    """Return the largest difference, relative if possible, and its index.
 
-    It is relative to the largest expected value, or to a least scale if that is larger. Where
-    nothing is expected but zeros, and there is none, the error is absolute. A difference that is
+    It is relative to the largest expected value, or to a least scale if that is larger. If all
+    expected values are zero and there is no such scale, the error is absolute. A difference that is
     not a number is an infinite error.
     """
     with np.errstate(invalid="ignore"):
@@ -80,7 +80,7 @@ def relative_error(measured: Array, expected: Array, least: float = 0.0) -> tupl
 
 
 def grade_check(check: Check, trace: Trace) -> Result:
-    """Grade a run by one check; only what that needs must have been recorded."""
+    """Grade a run by one check, from the recorded quantities that it needs."""
     unit = trace.units[check.quantity]
     if not applies(check, trace.values):
         return Result(check, unit, None, None, None, None, "not applicable")
@@ -120,7 +120,7 @@ def applies(check: Check, values: Values) -> bool:
 
 
 def samples(trace: Trace, quantity: str, at: Instant | None) -> tuple[Array, Array] | None:
-    """Return the times that count and the values there; None if the run has not come so far.
+    """Return the times that count and the values there; None if the run has not reached them.
 
     Parameters
     ----------
@@ -133,7 +133,7 @@ def samples(trace: Trace, quantity: str, at: Instant | None) -> tuple[Array, Arr
     """
     column = trace.columns[quantity]
     if at is None:
-        # Euler's schemes know no forces before the first step
+        # Euler's schemes yield no forces before the first step
         first = 1 if trace.stepping.is_stock else 0
         return (trace.t[first:], column[first:]) if len(trace.t) > first else None
     if isinstance(at, ContactEvent):
@@ -148,7 +148,7 @@ def samples(trace: Trace, quantity: str, at: Instant | None) -> tuple[Array, Arr
 
 
 def _after_contact(trace: Trace, column: Array, at: ContactEvent) -> tuple[Array, Array] | None:
-    """Return when two bodies touch and what is measured then: just after it if located."""
+    """Return when two bodies touch and the value then; just after the impact if located."""
     met = trace.meetings.get(frozenset(at.bodies), ())
     if len(met) < at.nth:
         return None
@@ -160,7 +160,7 @@ def _after_contact(trace: Trace, column: Array, at: ContactEvent) -> tuple[Array
 
 
 def _when_parted(trace: Trace, column: Array, at: SeparationEvent) -> tuple[Array, Array] | None:
-    """Return when two bodies no longer touch and what is measured then."""
+    """Return when two bodies no longer touch and the value then."""
     parted = trace.partings.get(frozenset(at.bodies), ())
     if len(parted) < at.nth:
         return None
@@ -171,7 +171,7 @@ def _when_parted(trace: Trace, column: Array, at: SeparationEvent) -> tuple[Arra
 def time_of(
     at: Expression | CrossingEvent | ApexEvent | LandingEvent, trace: Trace
 ) -> float | None:
-    """Return when an instant is that is known between two steps [s], None if it has not come yet.
+    """Return the time of an instant that may lie between two steps [s]; None if not yet reached.
 
     Parameters
     ----------

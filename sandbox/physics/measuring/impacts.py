@@ -1,13 +1,12 @@
 """The impacts of a step: which bodies collided, where, and with what impulse.
 
-A contact that begins in a step gives the impulse that the engine reports for the pair. Bodies that
-touch already, as the balls of a Newton's cradle do, are struck in turn (`sequential_impacts`) or
-together (`contacts.direct`). Impacts in turn are reported body by body; the impulse of a pair is
-then at most the lesser of its bodies' two.
+For a contact that begins in a step, the impulse is the one that the engine reports for the pair.
+Bodies that touch already, as in a Newton's cradle, collide in turn (`sequential_impacts`) or
+together (`contacts.direct`). Impacts in turn are reported per body; the impulse of a pair is then
+taken as the smaller of its bodies' impulses, an upper bound.
 
-A body at rest is given an impulse in every step, too. That impulse changes its velocity by about as
-much as gravity and force laws do in a step, in the opposite direction. An impact changes it by
-more.
+A body at rest receives a contact impulse in every step, too, which changes its velocity by about as
+much as gravity and force laws do in a step. An impact changes it by more.
 """
 
 from typing import NamedTuple
@@ -30,13 +29,14 @@ class Impacts(NamedTuple):
     bodies
         (k, 2), the bodies' indices.
     at
-        (k, 2), where they touched, the middle of two points [m].
+        (k, 2), the contact point, or the midpoint of two [m].
     impulse
-        (k,), the size along the normal [N s].
+        (k,), the normal impulse [N s].
     lighter
-        (k,), the index of the lighter of the two bodies, of those that can be moved.
+        (k,), the index of the lighter of the two bodies that can move.
     momentum
-        The largest of a body as the kick began, after impacts located in time [kg m/s].
+        The largest momentum of a body at the beginning of the kick, after located impacts
+        [kg m/s].
     """
 
     bodies: Integers
@@ -47,7 +47,7 @@ class Impacts(NamedTuple):
 
 
 def impacts(world: World) -> Impacts | None:
-    """Return the impacts of the step that a world observed last; None if there were none."""
+    """Return the impacts of the last step that a world observed; None if there were none."""
     contacts, scene = world.contacts, world.scene
     if not len(contacts.bodies):
         return None

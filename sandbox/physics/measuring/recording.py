@@ -36,24 +36,24 @@ if TYPE_CHECKING:
 Met = TypeVar("Met")
 
 MANY = 1000
-"""The most snapshots that are collected before they are measured."""
+"""The most snapshots to collect before they are measured."""
 
 STATES = 1_000_000
-"""The most states of bodies among them: some 100 MB."""
+"""The most states of bodies in these snapshots: some 100 MB."""
 
 LARGEST = 1e9
-"""The most bytes that a recorded run may have."""
+"""The largest size of a recorded run, in bytes."""
 
 
 class Meeting(NamedTuple):
-    """When two bodies came to touch.
+    """The time at which two bodies began to touch.
 
     Attributes
     ----------
     step
-        The first instant at which they did.
+        The first instant at which they touch.
     time
-        If the impact was located, when that was [s]: before that instant.
+        The time of the impact [s], before that instant, if it was located.
     """
 
     step: int
@@ -62,12 +62,12 @@ class Meeting(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Trace:
-    """What was recorded of a run; T instants.
+    """A recorded run; T instants.
 
     Attributes
     ----------
     level, values, stepping
-        The run.
+        The level, its parameters, and the stepping.
     t
         (T,), times [s].
     columns
@@ -75,12 +75,12 @@ class Trace:
     units
         The quantities' units.
     meetings, partings
-        For each pair of bodies that came to touch, and for each that parted: when, each time, but
-        no more than `MOST_MEETINGS`. Those that touch from the start must part before.
+        The times at which each pair of bodies began to touch, or separated, at most `MOST_MEETINGS`
+        each. Bodies that touch at the start must separate before they can meet.
     leans
-        Whether the forces of what rests at its start were not found: a pile may lean then.
+        Whether the forces on bodies at rest at the start were not found: a pile may then lean.
     closing
-        How the books of its energy closed; None if none were kept.
+        How its energy books closed; None if none were kept.
     """
 
     level: Level
@@ -96,16 +96,16 @@ class Trace:
 
     @property
     def smooth(self) -> bool:
-        """Whether nothing in it may jump."""
+        """Whether nothing in it may jump, as in a run of fourth order."""
         return self.stepping.scheme == "fourth-order"
 
     @property
     def complete(self) -> bool:
-        """Whether it lasts as long as its level, apart from rounding."""
+        """Whether it lasts for the duration of its level, apart from rounding."""
         return bool(self.t[-1] >= self.level.duration(self.values) * (1 - 1e-12))
 
     def until(self, t: float) -> "Trace":
-        """Return the part of the run up to a time [s]: to the first step not before it."""
+        """Return the part of the run up to a time [s], to the first step not before it."""
         count = self.stepping.steps(t) + 1
         met = {p: [m for m in found if m.step < count] for p, found in self.meetings.items()}
         parted = {p: [i for i in found if i < count] for p, found in self.partings.items()}
@@ -118,9 +118,9 @@ class Trace:
         )
 
     def to_pandas(self) -> "DataFrame":
-        """Return it as a table: a row for each instant [s], a column for each quantity.
+        """Return the trace as a table: a row for each instant [s], a column for each quantity.
 
-        The units stand in `attrs["units"]`.
+        The units are in `attrs["units"]`.
 
         Raises
         ------
@@ -135,7 +135,7 @@ class Trace:
         return frame
 
     def to_xarray(self) -> "Dataset":
-        """Return it as a dataset over the coordinate `t`; each variable has its unit in `attrs`.
+        """Return the trace as a dataset over `t`; each variable has its unit in `attrs`.
 
         Raises
         ------
@@ -154,13 +154,13 @@ class Trace:
 
 
 def leans(world: World) -> bool:
-    """Whether sweeps of the solver did not settle what rests at the start of a run."""
+    """Return whether the solver did not settle the bodies at rest at the start of a run."""
     settling = world.kicks.settling
     return bool(settling and settling.unsettled and not world.scene.direct)
 
 
 class Recorder:
-    """Watches a world and notes quantities, step by step; with a ledger where one asks for it."""
+    """Records quantities of a world, step by step; keeps a ledger if a quantity needs one."""
 
     def __init__(self, world: World, names: Iterable[str]) -> None:
         self._world = world
@@ -177,13 +177,13 @@ class Recorder:
         self._forces: list[list[float]] = []
         self._names = list(world.scene.bodies)
         self._fresh: list[Snapshot] = []  # not yet measured
-        self._last: list[Snapshot] = []  # the last that was, from which integrals go on
+        self._last: list[Snapshot] = []  # the last one measured, from which integrals continue
         self._measured: list[tuple[Array, dict[str, Array]]] = []
         self._count = 0
         self._leans = leans(world)
         self._meetings: dict[Pair, list[Meeting]] = {}
         self._partings: dict[Pair, list[int]] = {}
-        self._touching: set[int] = set()  # pairs that do now, as numbers
+        self._touching: set[int] = set()  # pairs that touch now, as numbers
         self._many = min(MANY, max(STATES // len(self._names), 1))
         self._most = int(LARGEST / np.dtype(float).itemsize / (1 + len(wanted)))
         self.note()
@@ -192,7 +192,7 @@ class Recorder:
         return self._count
 
     def note(self) -> None:
-        """Note the world's last observed state."""
+        """Record the world's last observed state."""
         struck = self._world.impacts
         for pair, time in struck:
             _add(self._meetings, pair, Meeting(self._count, time))
@@ -210,16 +210,16 @@ class Recorder:
 
     @property
     def full(self) -> bool:
-        """Whether it must not grow any more, for lack of memory."""
+        """Whether it has reached its largest size."""
         return self._count >= self._most
 
     def require(self, count: int) -> None:
-        """Refuse to record more instants than memory should hold.
+        """Refuse to record more instants than fit in memory.
 
         Raises
         ------
         SimulationError
-            If they are.
+            If there are more.
         """
         if count > self._most:
             hint = Message("record fewer, or for a shorter time")
@@ -233,9 +233,9 @@ class Recorder:
             raise SimulationError("", self._world.t, reason, hint=hint)
 
     def _touch(self, bodies: Integers, struck: Collection[Pair]) -> None:
-        """Note which pairs touch, (k, 2), that did not at the step before, and which have parted.
+        """Record which pairs, (k, 2), have begun to touch since the step before, or separated.
 
-        Those whose impact was located in between are noted already.
+        Pairs with a located impact in between, `struck`, are recorded already.
         """
         touching = set((bodies @ (len(self._names), 1)).tolist()) if len(bodies) else set()
         for key in touching - self._touching if self._count else ():
@@ -249,7 +249,7 @@ class Recorder:
         return frozenset(self._names[row] for row in divmod(key, len(self._names)))
 
     def _forces_between(self) -> Iterator[float]:
-        """Yield the contact forces that are asked for of two bodies [N]."""
+        """Yield the requested contact forces between two bodies [N]."""
         contacts, now = self._world.contacts, self._world.snapshot
         for wanted in self._between.values():
             kind = wanted.attribute.partition(".")[2]
@@ -312,14 +312,14 @@ def _add(to: dict[Pair, list[Met]], pair: Pair, what: Met) -> None:
 
 
 def count_steps(world: World, duration: float | None = None) -> int:
-    """Return how many steps reach a duration [s], that of the level if left out."""
+    """Return the number of steps for a duration [s]; that of the level if left out."""
     if duration is None:
         duration = world.level.duration(world.values)
     return world.stepping.steps(duration)
 
 
 def needed(level: Level) -> list[str]:
-    """Return the quantities without which its checks and its challenge cannot be graded."""
+    """Return the quantities that the level's checks and its challenge need."""
     names = (name for _, one in measured(level) for name in needed_at(one.quantity, one.at))
     return list(dict.fromkeys(names))
 

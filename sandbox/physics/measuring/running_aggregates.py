@@ -1,7 +1,7 @@
 """Running extremes, means and integrals of a quantity since the start of a run.
 
-They are those of the samples: between two of them an extreme is missed by a kick's share, and an
-integral goes by trapezoids. Both are of second order.
+They are computed from the samples: an extreme between two samples is missed, and an integral uses
+the trapezoidal rule. Both errors are of second order.
 """
 
 from collections.abc import Callable, Mapping
@@ -19,7 +19,7 @@ def _integral(t: Array, y: Array) -> Array:
 
 
 def _mean(t: Array, y: Array) -> Array:
-    """Return the integral over the time; at the start, where there is none yet, the value."""
+    """Return the integral divided by the time; at the start, the value itself."""
     passed = t - t[0]
     return np.divide(_integral(t, y), passed, out=y.astype(float), where=passed > 0)
 
@@ -40,7 +40,7 @@ assert _FORMS.keys() == OVER_TIME.keys()
 
 
 def over_time(what: str, t: Array, y: Array) -> Array:
-    """Return what a quantity has come to until each instant.
+    """Return an aggregate of a quantity from the start to each instant: (T,).
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""The cost of a step, measured so that the noise of the machine stays out of it."""
+"""Measures the cost of a step, without the noise of the machine."""
 
 from collections.abc import Callable, Sequence
 from itertools import chain, count, cycle, islice
@@ -19,25 +19,25 @@ STEPS = 120
 """The most steps of a timed run, in blocks of `BLOCK`."""
 
 BLOCK = 10
-"""The steps that are timed together: long against the clock, short against disturbances."""
+"""The steps timed together: long for the clock's resolution, short against disturbances."""
 
 
 def step_seconds(
     starts: Sequence[Callable[[], Step]], steps: int = STEPS, repeats: int = REPEATS
 ) -> list[float]:
-    """Return the least time that a step takes [s], for several scenes that are run in turn.
+    """Return the least time of a step of each of several scenes [s], which run in turn.
 
-    Each run is cut into blocks, and of each block the quickest repetition counts: what the machine
-    does beside it only ever adds.
+    Each run is divided into blocks, and the fastest repetition of each block counts: disturbances
+    only add time.
 
     Parameters
     ----------
     starts
-        Each makes a scene anew and returns what takes one step of it.
+        Each makes a new scene and returns a function that takes one step.
     steps
-        How long each is run, from its start.
+        The number of steps of each run, from its start.
     repeats
-        How often.
+        The number of repetitions.
     """
     block = min(BLOCK, steps)
     count = max(steps // block, 1)
@@ -55,21 +55,21 @@ def step_seconds(
 def step_costs(
     *starts: Callable[[], World], most: int = STEPS, repeats: int = REPEATS
 ) -> tuple[float, ...]:
-    """Return what a step of some worlds costs [s], measured in turn from their starts on.
+    """Return the time of a step of some worlds [s], which run in turn from their starts.
 
     Parameters
     ----------
     starts
         Each builds a world.
     most
-        How many steps are taken at the most; no world goes beyond the duration of its level.
+        The most steps to take; no world goes beyond the duration of its level.
     repeats
-        How often.
+        The number of repetitions.
 
     Raises
     ------
     SimulationError
-        If one of them has to stop.
+        If one of them stops.
     """
     first = [start() for start in starts]
     steps = max(min(most, *map(count_steps, first)), 1)
@@ -78,7 +78,7 @@ def step_costs(
 
 
 def _stepping(first: World, start: Callable[[], World]) -> Callable[[], Step]:
-    """Return what gives the steps of one world after the other; some take long to build."""
+    """Return a maker of steps that uses the given first world, as some take long to build."""
     worlds = chain([first], (start() for _ in count()))
     return lambda: next(worlds).step
 
