@@ -1,1 +1,1 @@
-"""What helps: found before a run, and tried after one that had to stop."""
+"""Advice: faults found before a run, and remedies tried after one that had to stop."""

@@ -1,4 +1,4 @@
-"""What speaks against a level before it runs: steps that are too long, bodies that overlap."""
+"""Faults of a level found before it runs: steps that are too long, bodies that overlap."""
 
 from math import inf
 
@@ -28,12 +28,12 @@ on the rate."""
 def refusal(level: Level, *, advised: bool = False) -> SimulationError | None:
     """Return why a level cannot run at its rate, with the defaults or at the ends of its ranges.
 
-    None if it can; of several reasons the one that asks for the highest rate, or that no rate
-    mends. Asked is what springs and drags need, and whether bodies overlap at the start. What only
-    the first step shows, such as joints that contradict each other, is not known yet. A level that
-    asks for an accuracy has no rate: it may have any.
+    None if it can; of several reasons, the one that needs the highest rate, or that no rate can
+    mend. The checks are the rates that springs and drags need, and overlaps at the start. Faults
+    that only the first step reveals, such as contradictory joints, are not found. A level that asks
+    for an accuracy may have any rate.
 
-    Where a higher rate should help, and somebody wants to be advised, that is tried.
+    If `advised`, and a higher rate should help, that rate is tried.
     """
     parts = len(level.bodies) + len(level.joints)
     most = min(max(MOST_PARTS // parts, FEWEST), MAX_CORNERS)
@@ -51,7 +51,7 @@ def refusal(level: Level, *, advised: bool = False) -> SimulationError | None:
 
 
 def _concerned(level: Level) -> frozenset[str]:
-    """Return the parameters on which it depends whether a level is refused."""
+    """Return the parameters that can affect whether a level is refused."""
     said = (vars(part).items() for part in (level.effects, *level.bodies.values()))
     still = not bounds_the_rate(level)
     parts = [value for items in said for name, value in items if not (still and name in IN_MOTION)]
@@ -64,13 +64,13 @@ def _refused(level: Level, values: Values) -> SimulationError | None:
     if stepping.accuracy is not None:
         stepping = stepping.at(HIGHEST_RATE)
     try:
-        with np.errstate(all="ignore"):  # what is not finite is told by name
+        with np.errstate(all="ignore"):  # non-finite values are reported by name
             make_scene(level, values, stepping)
     except SimulationError as error:
         return error
     except JointFailure as error:
         return SimulationError(error.joint, 0.0, error.reason)
-    except Exception as error:  # noqa: BLE001 (whatever it is, whoever checks gets an answer)
+    except Exception as error:  # noqa: BLE001 (any error is reported)
         return BreakdownError(error, 0.0)
     return None
 
@@ -80,7 +80,7 @@ def _needed(error: SimulationError) -> float:
 
 
 def _placed(level: Level, values: Values, error: SimulationError) -> tuple[Values, SimulationError]:
-    """Return the parameters that an error takes, and the error with these and its place."""
+    """Return an error with its place, and the parameters that cause it, as few as possible."""
     for name, default in level.defaults.items():
         tamer = {**values, name: default}
         same = _refused(level, tamer)

@@ -1,8 +1,8 @@
 """Remedies for a run that had to stop, each tried before it is suggested.
 
-The run itself only says what it suspects. The window and the commands ask here for a remedy before
+The run itself only reports a suspicion. The window and the commands ask here for a remedy before
 they show why it stopped. Each remedy is tried in a world of its own, from the start to well beyond
-the stop. All of them together have a bounded time and number of steps.
+the stop, within a limited time for all and a limited number of steps each.
 """
 
 from collections.abc import Iterator
@@ -34,18 +34,18 @@ FINER = 4
 """The rate of a trial where no rate is known, as a multiple of the present one."""
 
 PAST = 1.5
-"""How many times as far as the failed run a trial must come to count as success."""
+"""The time that a trial must reach to count as success, as a multiple of the failed run's."""
 
 
 class Advice(NamedTuple):
-    """What was found.
+    """The outcome of the trials.
 
     Attributes
     ----------
     text
-        In words; empty if nothing is known.
+        The advice in words; empty if there is none.
     rate
-        The one that holds, if one was found [Hz].
+        The rate that holds, if one was found [Hz].
     """
 
     text: Message
@@ -54,7 +54,7 @@ class Advice(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class _Trial:
-    """How a remedy did."""
+    """The outcome of the trial of a remedy."""
 
     description: Message
     rate: float | None
@@ -86,16 +86,16 @@ def tried(
     stepping: Stepping,
     duration: float | None = None,
 ) -> SimulationError:
-    """Return the same error with the remedies that worked.
+    """Return an error with advice from the trials of remedies.
 
     Parameters
     ----------
     error
-        Why the run stopped.
+        The error with which the run stopped.
     level, values, stepping
-        The run.
+        The level, its parameters, and the stepping.
     duration
-        How long it should have been [s]; as the level says if left out.
+        The intended duration [s]; that of the level if left out.
     """
     if isinstance(error, BreakdownError):
         return error
@@ -113,7 +113,7 @@ def advise(
     duration: float | None = None,
     seconds: float = SECONDS,
 ) -> Advice:
-    """Try remedies for some time [s], and return those that work; for the others, see `tried`."""
+    """Try remedies for some time [s], and return advice; for the other parameters, see `tried`."""
     if stepping.accuracy is not None:
         return Advice(NOTHING)
     end = level.duration(values) if duration is None else duration
@@ -123,7 +123,7 @@ def advise(
     others = list(_others(level, stepping))
     for i, (description, changed, with_, rate) in enumerate((*rates, *others)):
         left = len(rates) + len(others) - i
-        share = (deadline - process_time()) / left * 2  # what stops early leaves more to the others
+        share = (deadline - process_time()) / left * 2  # early stops leave more time to the others
         until = min(deadline, process_time() + share)
         trial = attempt(description, changed or level, with_, rate, until=until)
         if trial is None:
@@ -142,12 +142,12 @@ def advise(
 def findings(
     error: SimulationError, level: Level, values: Values, stepping: Stepping, duration: float
 ) -> Iterator[Advice]:
-    """Yield the advice, as work for another process; for the parameters, see `tried`."""
+    """Yield advice, as work for another process; for the parameters, see `tried`."""
     yield advise(error, level, values, stepping, duration)
 
 
 def _found(failed: list[_Trial], trial: _Trial) -> Message:
-    """Say what helps, and that higher rates did not, if some were tried."""
+    """Return the remedy that helps, and the higher rates that did not, if any were tried."""
     rates = [Message("{rate:,.0f}", rate=trial.rate) for trial in failed if trial.rate]
     if not rates:
         return Message("tried: {outcome}", outcome=trial.outcome)
@@ -159,7 +159,7 @@ def _found(failed: list[_Trial], trial: _Trial) -> Message:
 
 
 def leaning(level: Level, values: Values, stepping: Stepping) -> str:
-    """Say that a level's outcome is not determined by its start, and what helps."""
+    """Return the warning that a pile may lean because its contact forces were not settled."""
     text = "sweeps of the solver did not settle what rests at the start, so it may lean or fall"
     try:
         build(solved_directly(level), values, stepping)
@@ -169,7 +169,7 @@ def leaning(level: Level, values: Values, stepping: Stepping) -> str:
 
 
 def solved_directly(level: Level) -> Level:
-    """Return a level with contact whose contacts are solved directly."""
+    """Return a level with the direct solver for its contacts."""
     contact = level.effects.contact
     assert contact
     direct = contact.model_copy(update={"solver": "direct"})
@@ -191,7 +191,7 @@ def _finer(error: SimulationError, stepping: Stepping) -> Iterator[Remedy]:
 
 
 def _others(level: Level, stepping: Stepping) -> Iterator[Remedy]:
-    """Yield what else may help, in the words of a level."""
+    """Yield the remedies other than a higher rate, in the words of a level."""
     if stepping.is_stock:
         other = stepping.model_copy(update={"scheme": "leapfrog"})
         yield Message("with the scheme 'leapfrog'"), None, other, None
@@ -220,7 +220,7 @@ def _attempt(
     end: float,
     until: float,
 ) -> _Trial | None:
-    """Run a remedy to the end, or as far as it comes; None if that proves nothing."""
+    """Run a remedy as far as it goes; None if that proves nothing."""
     try:
         world = build(level, values, stepping)
     except SandboxError:
@@ -236,7 +236,7 @@ def _attempt(
 
 
 def _run(world: World, steps: int, until: float) -> bool:
-    """Observe a number of steps, if time is left; return whether it was."""
+    """Take a number of observed steps; return whether the time was enough."""
     for _ in range(steps):
         world.advance()
         if process_time() > until:

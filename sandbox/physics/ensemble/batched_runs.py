@@ -1,9 +1,9 @@
-"""Many runs in one batch of arrays, for scenes with gravity and exact joints where nothing touches.
+"""Many runs in one batch of arrays, for scenes with gravity and exact joints but no contacts.
 
-Each run starts as a world of its own, with its first kick. From there on all step together: the
-drift and the kick are pymunk's own arithmetic, the joints those of `ManyJoints`, and what is
-measured is measured by each world's own `Meter`. On x86-64 each ends in the bits of the same run
-alone. A run that would be stopped, or is close to it, is taken out and run alone.
+Each run starts as a world of its own, with its first kick. From there on all runs step together:
+drifts and kicks use the same arithmetic as pymunk, joints are solved by `ManyJoints`, and each
+world has its own `Meter`. On x86-64 each run ends with the same bits as if run alone. A run that
+would be stopped, or is close to it, is taken out and run alone.
 """
 
 from collections.abc import Callable, Mapping, Sequence
@@ -23,11 +23,11 @@ from sandbox.physics.state.snapshot import Snapshot
 from sandbox.physics.stepping.world import World
 
 CHUNK = 500
-"""The steps between two looks at the measurements."""
+"""The steps between two checks of the measurements."""
 
 DOUBTED = 0.25
-"""The share of its energy that a run may gain before it is run alone. The watchdog stops it at a
-gain of this, or more."""
+"""The relative gain of energy above which a run is taken out and run alone. The watchdog stops runs
+at a gain of this, or more."""
 
 _UNKNOWN = ("tension", "push", "torque", "normal", "friction", "contact.normal", "contact.friction")
 """Quantities that only a world of its own can measure."""
@@ -37,7 +37,7 @@ Stop = Callable[[Mapping[str, Array], Array, World], int | None]
 
 
 def suits(level: Level, stepping: Stepping, names: Sequence[str]) -> bool:
-    """Whether runs of a level may share a batch, as far as its text shows.
+    """Return whether runs of a level may share a batch, judging by its text.
 
     Parameters
     ----------
@@ -58,7 +58,7 @@ def _known(name: Quantity) -> bool:
 
 
 def accepts(world: World) -> bool:
-    """Whether a world may be one of many: all its joints are lengths that are solved together."""
+    """Return whether a world may be in a batch: all its joints are lengths, solved together."""
     joints = world.scene.joints
     others = joints.strings or joints.own or joints.springs or joints.wires
     return not others and (joints.together is None or joints.together.plain)
@@ -66,14 +66,14 @@ def accepts(world: World) -> bool:
 
 @dataclass(slots=True)
 class Flown:
-    """How a run ended.
+    """The outcome of a run.
 
     Attributes
     ----------
     trace
         The recorded run; None if it must be run alone.
     stopped
-        Whether a condition has ended it.
+        Whether a condition ended it.
     """
 
     trace: Trace | None
@@ -81,18 +81,18 @@ class Flown:
 
 
 class Flight:
-    """N worlds of one level, right after their start, that are stepped together.
+    """Steps N worlds of one level together, from right after their start.
 
     Parameters
     ----------
     worlds
-        All accepted, with the same bodies and joints and the same step.
+        The worlds, all accepted, with the same bodies and joints and the same step.
     names
         The quantities to record.
     steps
-        How many steps each takes.
+        The number of steps of each.
     stop
-        What ends a run before.
+        A condition that ends a run early.
     """
 
     def __init__(
@@ -118,9 +118,9 @@ class Flight:
         self._energies = _Energies(worlds)
 
     def fly(self) -> list[Flown]:
-        """Take all to their ends."""
+        """Run all worlds to their ends."""
         taken = 0
-        with np.errstate(all="ignore"):  # what is not finite is left to be run alone
+        with np.errstate(all="ignore"):  # runs with non-finite values are run alone
             while len(self._flying):
                 count = int(min(CHUNK, self._steps[self._flying].max() - taken))
                 doubted = self._chunk(taken, count) if count else None
@@ -129,7 +129,7 @@ class Flight:
         return [flown or Flown(None, stopped=False) for flown in self._found]
 
     def _chunk(self, taken: int, count: int) -> Booleans:
-        """Take some steps, measure them, and return which runs must be run alone."""
+        """Take a number of steps, measure them, and return which runs must be run alone: (N,)."""
         shape = len(self._flying), count, self._place.shape[1], 3
         place, velocity, acceleration = np.empty(shape), np.empty(shape), np.empty(shape)
         doubted = np.zeros(len(self._flying), dtype=bool)
@@ -158,7 +158,7 @@ class Flight:
         return doubted
 
     def _sort_out(self, taken: int, doubted: Booleans | None) -> None:
-        """Record the runs that are over, and keep the others."""
+        """Store the runs that are over, and keep the others."""
         going = np.ones(len(self._flying), dtype=bool)
         for at, run in enumerate(self._flying):
             if doubted is not None and doubted[at]:
@@ -174,7 +174,7 @@ class Flight:
             self._joints.keep(going)
 
     def _ended(self, run: int, taken: int) -> Flown | None:
-        """Return how a run has ended; None if it has not."""
+        """Return the outcome of a run; None if it has not ended."""
         parts, world = self._columns[run], self._worlds[run]
         if self._stop and len(parts) > 1:
             last = parts[-1]
@@ -200,7 +200,7 @@ class Flight:
 
 
 class _Energies:
-    """Looks whether runs have gained energy; all of it is kinetic, or gravity's."""
+    """Checks whether runs have gained energy, kinetic and that of gravity."""
 
     def __init__(self, worlds: Sequence[World]) -> None:
         self._mass = np.array([world.scene.mass for world in worlds])
@@ -209,7 +209,7 @@ class _Energies:
         self._least, self._lowest = np.full(len(worlds), np.inf), np.full(len(worlds), np.inf)
 
     def doubt(self, runs: Integers, place: Array, velocity: Array) -> Booleans:
-        """Return which of some runs must be run alone, from (N, T, n, 3) of each: (N,)."""
+        """Return which runs must be run alone, (N,), given arrays (N, T, n, 3)."""
         mass, moment = self._mass[runs, None], self._moment[runs, None]
         fall = np.einsum("ntbc,nc->ntb", place[..., :2], self._gravity[runs])
         stored = -(mass * fall).sum(axis=-1)
@@ -230,7 +230,7 @@ def _gravity(world: World) -> tuple[float, float]:
 def _measured(
     meter: Meter, t: Array, place: Array, velocity: Array, acceleration: Array
 ) -> dict[str, Array]:
-    """Return what a meter makes of some instants of one run: (T, n, 3) each."""
+    """Return the quantities at T instants of one run, given arrays (T, n, 3)."""
     nothing = np.zeros(place.shape[:2])
     none = np.zeros((len(t), 0))
     return meter(

@@ -1,8 +1,8 @@
-"""Unexplained energy in scenes whose energy may grow for a reason.
+"""Detects unexplained energy in scenes whose energy may grow for a reason.
 
 Only the ledger knows the reason, and it costs more than a step. So the books are opened when a step
-changes the kinetic energy by much, as every step does in a run that blows up. They are closed when
-steps no longer do so. The step with which it began is booked as well.
+changes the kinetic energy by much, as every step does in a run that blows up, and closed when steps
+no longer do so. The first such step is booked as well.
 """
 
 from math import isfinite
@@ -15,22 +15,22 @@ from sandbox.physics.state.motion import kinetic_energy
 from sandbox.physics.state.snapshot import Snapshot
 
 MUCH = 0.1
-"""The share of the most kinetic energy so far by which a step changes it, if that is much."""
+"""The change of kinetic energy in a step, as a share of its maximum so far, that counts as much."""
 
 
 class Audit:
-    """Looks at every observed step of a run.
+    """Checks every observed step of a run.
 
     Parameters
     ----------
     run
-        Which, such as a world.
+        The run, such as a world.
     least
-        An energy that is nothing beside the scene [J].
+        An energy that is negligible in the scene [J].
     swing
-        By how much the scheme lets energy swing.
+        The relative oscillation of energy that the scheme allows.
     always
-        Whether the books stay open: what grows slowly, swing by swing, does so in no row of steps.
+        Whether the books stay open, to detect slow growth, oscillation by oscillation.
     """
 
     def __init__(
@@ -43,22 +43,22 @@ class Audit:
         self._run, self._least, self._swing, self._always = run, least, swing, always
         self._kinetic, self._most = 0.0, least
         self._books: Ledger | None = None
-        self._lifted = 0.0  # before they were opened
-        self._had = self._lowest = 0.0  # when they were opened: the energy; what was stored since
+        self._lifted = 0.0  # before the books were opened
+        self._had = self._lowest = 0.0  # energy at their opening; least stored since
 
     def look(self, now: Snapshot, before: Array, lifted: float) -> float:
-        """Return how much energy has come from nowhere in a row of steps that change much [J].
+        """Return the unexplained energy in a row of steps that change much [J].
 
-        0 if it is no more than the scene could have, not finite if it is more than a number holds.
+        It is 0 within the allowed oscillation, and not finite if the kinetic energy is not.
 
         Parameters
         ----------
         now
             The state.
         before
-            (n, 3), the velocities that the last kick began with [m/s, rad/s].
+            (n, 3), the velocities at the beginning of the last kick [m/s, rad/s].
         lifted
-            What taking back overlaps has put in since the start [J].
+            The energy from the correction of overlaps since the start [J].
         """
         scene = self._run.scene
         kinetic = float(kinetic_energy(scene.mass, scene.moment, now).sum())
@@ -82,7 +82,7 @@ class Audit:
         self._lowest = min(self._lowest, _stored(balance))
         put_in = sum(max(work, 0.0) for work in balance.work.values())
         there_was = self._had - self._lowest + put_in + lifted + self._least
-        given = sum(max(-loss, 0.0) for loss in balance.loss.values())  # by what can only take
+        given = sum(max(-loss, 0.0) for loss in balance.loss.values())  # where only losses belong
         gained = balance.unexplained - lifted + given
         return gained if gained > there_was * self._swing else 0.0
 

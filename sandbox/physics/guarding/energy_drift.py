@@ -1,8 +1,8 @@
-"""Unexplained energy in scenes to which nothing gives any.
+"""Detects unexplained energy in scenes without energy input.
 
-There energy can grow for two reasons only: the steps are too coarse, or the correction of overlaps
-has lifted a body. The second can be seen: the body has not gone where its velocity led in the
-drift. So the books stay open at no cost, and what they do not explain has no cause.
+There, energy can grow for two reasons only: the steps are too coarse, or the correction of overlaps
+has lifted a body. The latter is visible: the displacement of the body is not its velocity times the
+drift. So the energy can be checked at no cost, and any other growth is unexplained.
 """
 
 from typing import TYPE_CHECKING
@@ -21,40 +21,40 @@ if TYPE_CHECKING:
     from sandbox.physics.forces.spring import SpringForce, SpringRows
 
 UNNOTICED = 1e-2
-"""The share of its thickness by which a body may rise: so far the heaviest piles still rock."""
+"""The share of its thickness by which a body may rise; the heaviest piles rock by as much."""
 
 MOVED = 1e-12
-"""The share of a place, or of a metre, by which a body must have been moved to be looked at."""
+"""The least displacement that is checked, as a share of the position or of a metre."""
 
 FALLS = 2.0
-"""How many steps' fall a body may bounce with where it should rest."""
+"""The speed with which a body may bounce where it should rest, in steps of free fall."""
 
 ROUNDING = 1e-6
-"""The share of the energy that there was at first which is nothing beside it."""
+"""The share of the initial energy that is negligible."""
 
 
 class Gains:
-    """Looks for energy from nowhere; n bodies.
+    """Detects energy without a cause; n bodies.
 
     Parameters
     ----------
     scene
-        What moves.
+        The scene.
     start
-        Its state at the start.
+        The state at the start.
     thickness
-        (n,), how thick the bodies are; 0 of what has no thickness to speak of [m].
+        (n,), the thickness of the bodies; 0 for lines [m].
     swing
-        By how much leapfrog lets the energy of a spring swing.
+        The relative oscillation of a spring's energy with leapfrog.
     rate
-        Steps a second [Hz].
+        The steps per second [Hz].
 
     Attributes
     ----------
     least
-        An energy that is nothing beside the scene [J].
+        An energy that is negligible in the scene [J].
     lifted
-        What taking back overlaps has put in so far [J].
+        The energy from the correction of overlaps so far [J].
     """
 
     def __init__(
@@ -78,16 +78,16 @@ class Gains:
         strength = np.hypot(*acceleration[:, :2].T)
         rise = strength * UNNOTICED * thickness + (FALLS * strength * self._dt) ** 2 / 2
         self.least = float(scene.mass @ rise) + ROUNDING * abs(energy - self._lowest)
-        shift = MOVED * (1 + np.abs(start.position).max(initial=0.0))  # no joint knows better
+        shift = MOVED * (1 + np.abs(start.position).max(initial=0.0))  # the precision of joints
         self.least += float(scene.mass.sum()) * (shift * rate) ** 2 / 2
         self._coarse = float(scene.mass @ strength) * _extent(scene, start, thickness)
-        if scene.joints.own:  # pymunk's own joints give way, and what takes that back lifts, too
+        if scene.joints.own:  # pymunk's own joints drift, and their correction lifts bodies, too
             self.least += self._coarse
         self._still = float(shift * shift)
         self.lifted = 0.0
 
     def energies(self, now: Snapshot) -> tuple[float, float]:
-        """Return the whole energy and what is stored of it [J]."""
+        """Return the total energy and the potential energy [J]."""
         stored = sum(float(law.potential_energy(now).sum()) for law in self._stores)
         if self._springs:
             stored += self._springs.stored(now)
@@ -96,23 +96,23 @@ class Gains:
         ) + stored, stored
 
     def follow(self, now: Snapshot, contacts: Contacts, before: Array | None) -> None:
-        """Take note of what taking back overlaps has lifted since the last observation.
+        """Add the energy from the correction of overlaps since the last observation.
 
         Parameters
         ----------
         now, contacts
             The observation.
         before
-            (n, 3), the velocities of the last drift [m/s, rad/s]; None if it had several.
+            (n, 3), the velocities of the last drift [m/s, rad/s]; None if there were several.
         """
         last, self._last = self._last, now
         if before is None or not len(contacts.bodies):
             return
-        if now.t - last.t > 1.5 * self._dt:  # of the steps between nothing is known
+        if now.t - last.t > 1.5 * self._dt:  # the steps between are unknown
             self.lifted, self._coarse = self.lifted + self._coarse, 0.0
             return
         way = now.position - last.position - before[:, :2] * self._dt
-        if np.vdot(way, way) <= self._still:  # looked at in each step: a tenth of what follows
+        if np.vdot(way, way) <= self._still:  # checked in each step: a tenth of the rest
             return
         touching = np.zeros(len(self._scene.mass), dtype=bool)
         touching[contacts.bodies] = True
@@ -120,10 +120,10 @@ class Gains:
         self.lifted += max(float(self._scene.mass @ np.where(touching, against, 0.0)), 0.0)
 
     def look(self, now: Snapshot) -> float:
-        """Return how much has come from nowhere [J].
+        """Return the unexplained energy [J].
 
-        0 if it is no more than the scene could have. What it could have is the least that it had in
-        two looks, for a jerk can hide energy from one.
+        It is 0 within the allowed oscillation. The reference is the least energy that two
+        observations in a row did not exceed, as a jerk can hide energy from one.
         """
         energy, stored = self.energies(now)
         self._lowest = min(self._lowest, stored)
@@ -150,7 +150,7 @@ def _rows(springs: "Sequence[SpringForce]") -> "SpringRows":
 
 
 def _extent(scene: Scene, start: Snapshot, thickness: Array) -> float:
-    """Return how wide a scene is: taking back overlaps lifts nothing higher [m]."""
+    """Return the width of a scene, the most that the correction of overlaps can lift [m]."""
     if not (moving := scene.mass > 0).any():
         return 0.0
     return float(np.ptp(start.position[moving], axis=0).max() + thickness.max())

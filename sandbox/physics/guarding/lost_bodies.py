@@ -16,21 +16,21 @@ from sandbox.physics.state.motion import kinetic_energy
 from sandbox.physics.state.snapshot import Snapshot
 
 MARGIN = 4
-"""How many times the rate is advised where nothing else is known."""
+"""The advised rate, as a multiple of the present one, where nothing else is known."""
 
 Cause = Callable[[int], tuple[Message, float | None]]
-"""Tells what was too strong for a body, by its row, and the rate that it needs [Hz]."""
+"""Returns the cause for a body, by its row, and the rate that it needs [Hz]."""
 
 
 class Lost:
-    """Watches bodies that nothing pulls but uniform gravity, and that nothing holds or touches.
+    """Watches bodies under uniform gravity alone, without contacts or joints.
 
     Attributes
     ----------
     good
-        The last state in which all was well.
+        The last state that passed the checks.
     doubts, trusts
-        Of no meaning here: what it stops is lost, and cannot go on.
+        Unused here: a run that it stops cannot go on.
     """
 
     def __init__(self, scene: Scene, stepping: Stepping, start: Snapshot) -> None:
@@ -46,12 +46,12 @@ class Lost:
         self,
         now: Snapshot,
         contacts: Contacts,  # noqa: ARG002 (there are none)
-        before: Array,  # noqa: ARG002 (of which nothing depends)
+        before: Array,  # noqa: ARG002 (not needed)
         *,
         disturbed: bool,  # noqa: ARG002
         cut: bool = False,  # noqa: ARG002
     ) -> None:
-        """Look at what was observed; see `Watchdog.look`."""
+        """Check an observation; see `Watchdog.look`."""
         self.good = self._last
         if not is_sound(now):
             refuse_lost(self._names, now, self._stepping.rate, self._cause, _unknown)
@@ -64,32 +64,32 @@ class Lost:
 
 
 def gives_some(scheme: str) -> Message:
-    """Return where energy comes from with a scheme of the textbooks."""
+    """Return the cause of energy growth with a textbook scheme."""
     return Message(": the scheme '{scheme}' gives some in every step", scheme=scheme)
 
 
 def is_sound(now: Snapshot) -> bool:
-    """Whether places and velocities, and their squares, are finite numbers."""
+    """Return whether positions and velocities, and their squares, are finite numbers."""
     in_plane = now.position.ravel(), now.velocity.ravel()
     values = np.concatenate((*in_plane, now.angle, now.angular_velocity))
-    return isfinite(values.dot(values))  # no sum of squares is, if one of them is not
+    return isfinite(values.dot(values))  # a sum of squares is finite only if all are
 
 
 def refuse_lost(
     names: Sequence[str], now: Snapshot, rate: float, gone_by: Cause, beyond_by: Cause
 ) -> None:
-    """Stop if a body is nowhere any more, or its energy beyond the largest number.
+    """Stop if a body's position or its energy is no longer finite.
 
     Parameters
     ----------
     names
-        Of the bodies.
+        The names of the bodies.
     now
-        A state that is not sound.
+        A state for which `is_sound` is false.
     rate
         Steps a second [Hz].
     gone_by, beyond_by
-        Tell the cause of the one and of the other.
+        Return the cause of a lost position, and of an infinite energy.
 
     Raises
     ------
@@ -116,7 +116,7 @@ def _unknown(_row: int) -> tuple[Message, float | None]:
 def refuse_beyond(
     names: Sequence[str], row: int, now: Snapshot, rate: float, cause_of: Cause = _unknown
 ) -> NoReturn:
-    """Stop, for a body's energy is beyond the largest number; see `refuse_lost`."""
+    """Stop because a body's energy is not finite; see `refuse_lost`."""
     cause, needed = cause_of(row)
     reason = Message(
         "'{name}' is so fast, so far away or so heavy that its energy is no finite number{cause}",
@@ -127,6 +127,6 @@ def refuse_beyond(
 
 
 def stop(name: str, now: Snapshot, reason: Message, needed: float | None, rate: float) -> NoReturn:
-    """Stop for a reason, and tell at which rate it should hold, if that is known [Hz]."""
+    """Stop for a reason, and advise the rate that should hold, if known [Hz]."""
     hint = NOTHING if needed is None else way_out(needed, rate)
     raise SimulationError(name, float(now.t), reason, needed, hint=hint)

@@ -1,10 +1,10 @@
 """The rate that a scene needs in its present state, from known limits.
 
 The search for an accuracy begins with the rate that the start needs. The watchdog asks which limit
-a run that went wrong had passed.
+a failed run had exceeded.
 
-Leapfrog is stable up to ω dt = 2, for springs and for what swings between taut strings alike; what
-moves further than its own width in a step may pass through what it should hit.
+Leapfrog is stable up to ω dt = 2, for springs and for transverse oscillations of taut strings
+alike. A body that moves further than its own width in a step may pass through others.
 """
 
 from collections.abc import Container, Iterator
@@ -26,14 +26,14 @@ from sandbox.physics.state.motion import Instant, Motion
 from sandbox.physics.state.snapshot import Snapshot
 
 NUDGE = 1e-3
-"""The share of a velocity by which it is changed to see how a force changes with it."""
+"""The relative change of a velocity for the numerical derivative of a force."""
 
 SPEEDS = np.geomspace(1e-9, 1e9, 361)
-"""m/s, at which it is asked whether a law holds what drives a body: 12 % apart."""
+"""m/s, 12 % apart: the speeds at which a law is compared with the forces that drive a body."""
 
 
 THIN = 4 * DIRECT_SKIN
-"""m: what is no wider is a line, with the skin on both its sides."""
+"""m, the largest width of a line, which has the skin on both sides."""
 
 
 class Need(NamedTuple):
@@ -42,9 +42,9 @@ class Need(NamedTuple):
     Attributes
     ----------
     rate
-        Which is just stable, or at which nothing is missed [Hz].
+        The rate that is just stable, or at which no impact is missed [Hz].
     subject
-        What asks for it, in words: a joint, a body or an effect.
+        What needs it, in words: a joint, a body or an effect.
     """
 
     rate: float
@@ -52,16 +52,16 @@ class Need(NamedTuple):
 
 
 def needs(scene: Scene, now: Snapshot, located: Container[str] = ()) -> list[Need]:
-    """Return what a scene asks of the rate in a state, the highest first.
+    """Return the lower bounds on the rate of a scene in a state, the highest first.
 
-    A taut string is as stiff across as its tension over its length, so a chain whose links are
-    light asks for √(T / (m l)), about. Forces that are neither springs nor tensions are not looked
-    at. Tensions and speeds change: ask again, or leave room.
+    The transverse stiffness of a taut string is its tension over its length, so a chain of light
+    links needs about √(T / (m l)). Forces other than springs and tensions are not considered.
+    Tensions and speeds change: ask again, or leave a margin.
 
     Parameters
     ----------
     scene, now
-        What moves, and how.
+        The scene, and its state.
     located
         The bodies whose impacts are located in time, so that they may be fast.
     """
@@ -76,7 +76,7 @@ def _springs(scene: Scene, now: Snapshot) -> Iterator[Need]:
 
 
 def _taut(scene: Scene, now: Snapshot) -> Iterator[Need]:
-    """Take taut joints for springs of the stiffness that they have across."""
+    """Treat taut joints as springs of their transverse stiffness."""
     joints = scene.joints
     taut: dict[str, SpringForce] = {}
     tension = dict(zip(joints.paths, now.tension.tolist(), strict=True))
@@ -92,9 +92,9 @@ def _taut(scene: Scene, now: Snapshot) -> Iterator[Need]:
 
 
 def _fast(scene: Scene, now: Snapshot, located: Container[str]) -> Iterator[Need]:
-    """Ask that bodies go no further than they are wide, unless their impacts are located.
+    """Bound the motion per step by the width of a body, unless its impacts are located.
 
-    Lines ask for nothing: they are as wide as the skin, and no rate that could be taken is enough.
+    Lines are left out: they are as wide as the skin, and no practical rate is enough.
     """
     speeds = np.hypot(*now.velocity.T).tolist()
     for (name, body), speed, moves in zip(
@@ -106,16 +106,16 @@ def _fast(scene: Scene, now: Snapshot, located: Container[str]) -> Iterator[Need
 
 
 def steepness(scene: Scene, row: int, then: Motion, nudge: float) -> Iterator[Need]:
-    """Yield what the laws ask of the rate where they change with the place of a body.
+    """Yield the rates that laws need because they change with the position of a body.
 
     Parameters
     ----------
     scene, then
-        What moves, and how.
+        The scene, and its motion.
     row
-        The body.
+        The index of the body.
     nudge
-        By how far it is displaced to see how its forces change [m].
+        The displacement for the numerical derivative of its forces [m].
     """
     for law in scene.laws:
         slope = _slope(scene, law, row, then, "position", nudge)
@@ -123,9 +123,10 @@ def steepness(scene: Scene, row: int, then: Motion, nudge: float) -> Iterator[Ne
 
 
 def slowing(scene: Scene, row: int, then: Motion) -> Iterator[Need]:
-    """Yield what the laws ask of the rate where they change with the velocity of a body.
+    """Yield the rates that laws need because they change with the velocity of a body.
 
-    It is taken as fast as it is, or as all else would drive it against the law, if that is more.
+    The speed is that of the body, or the one to which the other forces would drive it against the
+    law, if that is higher.
     """
     for law in scene.laws:
         if law.effect.sees_velocity:
@@ -136,7 +137,7 @@ def slowing(scene: Scene, row: int, then: Motion) -> Iterator[Need]:
 
 
 def _driven(scene: Scene, law: Law, row: int, motion: Instant) -> Instant:
-    """Return a motion in which a body is at least as fast as a law lets other forces drive it."""
+    """Return a motion with at least the speed at which a law balances the other forces."""
     speeds = np.zeros_like(motion.velocity)
     at_rest = _force(law, row, motion._replace(velocity=speeds))
     force = sum((_force(other, row, motion) for other in scene.laws if other is not law), at_rest)
@@ -151,9 +152,9 @@ def _driven(scene: Scene, law: Law, row: int, motion: Instant) -> Instant:
 
 
 def _slope(scene: Scene, law: Law, row: int, then: Motion, what: str, nudge: float) -> float:
-    """Return the steepest change of a body's acceleration with its place or velocity.
+    """Return the largest derivative of a body's acceleration by its position or velocity.
 
-    0 where there is none, or none that is finite [1/s², 1/s].
+    It is 0 if it is not finite [1/s², 1/s].
     """
     slope = np.empty((2, 2))
     motion = Instant.of(then)
@@ -178,7 +179,7 @@ def _force(law: Law, row: int, motion: Instant) -> Array:
 
 
 def called(scene: Scene, law: Law) -> Message:
-    """Return what declares a law, in words."""
+    """Return the spring or effect that declares a law, in words."""
     for name, spring in scene.joints.springs.items():
         if spring is law:
             return Message("the spring '{name}'", name=name)

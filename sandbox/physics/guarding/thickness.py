@@ -1,4 +1,4 @@
-"""How thick a body is: how deep in it another may be, and by how much it is nudged."""
+"""The thickness of bodies, which scales overlaps and small displacements."""
 
 from math import inf
 
@@ -12,7 +12,7 @@ from sandbox.physics.geometry.convex_decomposition import twice_area
 
 
 def thickness(body: Body, values: Values) -> float:
-    """Return how thick a body is [m]; a line has no thickness to speak of."""
+    """Return the thickness of a body [m]; infinite for a line."""
     match body.shape:
         case Disc(radius=radius) | Hoop(radius=radius):
             return 2 * radius(values)

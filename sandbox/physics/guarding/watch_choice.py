@@ -1,4 +1,4 @@
-"""What watches a run: the protocol, and the choice by what can go wrong in the level."""
+"""The watch over a run: its protocol, and its choice by what can go wrong in the level."""
 
 from functools import partial
 from typing import TYPE_CHECKING, Protocol
@@ -15,14 +15,14 @@ if TYPE_CHECKING:
 
 
 class Watch(Protocol):
-    """Looks at what is observed anyway, and changes nothing; see `Watchdog` for what it tells."""
+    """Checks observations, and changes nothing; for the attributes see `Watchdog`."""
 
     doubts: bool
     trusts: bool
 
     @property
     def good(self) -> Snapshot:
-        """The last state in which all was well, as far as was looked."""
+        """The last state that passed the checks."""
 
     def look(
         self,
@@ -33,20 +33,20 @@ class Watch(Protocol):
         disturbed: bool,
         cut: bool = False,
     ) -> None:
-        """Look at what was observed; see `Watchdog.look`."""
+        """Check an observation; see `Watchdog.look`."""
 
 
 def make_watch(run: "Recorded", now: Snapshot, contacts: Contacts, begun: Array) -> Watch:
-    """Make what watches a run from a state on, and let it look at that; see `Watchdog`.
+    """Make the watch over a run from a state on, and check that state; see `Watchdog`.
 
     Raises
     ------
     SimulationError
-        If something is wrong with it.
+        If the state fails the checks.
     """
     scene, touching = run.scene, run.level.effects.contact is not None
     watch: Watch
-    with np.errstate(all="ignore"):  # what is not finite is told by name
+    with np.errstate(all="ignore"):  # the watch reports non-finite values by name
         if touching or scene.laws or scene.turns or run.level.joints:
             watch = _watchdog(run, now, contacts)
         else:

@@ -1,4 +1,4 @@
-"""The meter: from snapshots to named quantities."""
+"""Measures named quantities from snapshots."""
 
 from collections.abc import Callable, Iterable, Mapping
 from functools import partial
@@ -21,15 +21,15 @@ Measurement = Callable[[Snapshot], Array]
 
 
 class Measured(Protocol):
-    """What quantities are measured of."""
+    """A run whose quantities are measured."""
 
     @property
     def level(self) -> Level:
-        """What says which there are."""
+        """The level, which determines the quantities that exist."""
 
     @property
     def values(self) -> Values:
-        """Its parameters."""
+        """The parameters of the level."""
 
     @property
     def scene(self) -> Scene:
@@ -42,7 +42,7 @@ class Meter:
     Parameters
     ----------
     run
-        The source of masses, moments and force laws, such as a world.
+        The run with the masses, moments and force laws, such as a world.
     names
         The quantities to measure, such as `ball.position.x`.
 
@@ -64,7 +64,7 @@ class Meter:
         self._measurements = {name: self._bind(q) for name, q in self.quantities.items()}
 
     def __call__(self, snapshot: Snapshot) -> dict[str, Array]:
-        """Return every quantity: a number for one snapshot, one for each instant of a stack.
+        """Return all quantities: a number each for one snapshot, an array for a stack.
 
         An integral over time begins with the first instant; it is 0 for one snapshot.
         """
@@ -133,7 +133,7 @@ class Meter:
 
     @property
     def _vectors_of_bodies(self) -> Mapping[str, Measurement]:
-        """Of every body: (..., n, 2)."""
+        """The vectors of every body: (..., n, 2)."""
         return {
             "position": lambda s: s.position,
             "velocity": lambda s: s.velocity,
@@ -143,7 +143,7 @@ class Meter:
 
     @property
     def _scalars_of_bodies(self) -> Mapping[str, Measurement]:
-        """Of every body: (..., n)."""
+        """The scalars of every body: (..., n)."""
         return {
             "speed": lambda s: _size(s.velocity),
             "angle": lambda s: s.angle,
@@ -159,7 +159,7 @@ class Meter:
 
     @property
     def _vectors_of_system(self) -> Mapping[str, Measurement]:
-        """Of all dynamic bodies together: (..., 2)."""
+        """The vectors of all dynamic bodies together: (..., 2)."""
         return {
             "center": self._center,
             "momentum": lambda s: self._momentum(s).sum(axis=-2),
@@ -167,7 +167,7 @@ class Meter:
 
     @property
     def _scalars_of_system(self) -> Mapping[str, Measurement]:
-        """Of all dynamic bodies together: (...,)."""
+        """The scalars of all dynamic bodies together: (...,)."""
         return {
             "kinetic_energy": lambda s: self._kinetic(s).sum(axis=-1),
             "potential_energy": lambda s: self._potential(s).sum(axis=-1),
@@ -177,7 +177,7 @@ class Meter:
         }
 
     def _center(self, s: Snapshot) -> Array:
-        """Σ m r / Σ m; not a number where no body is dynamic."""
+        """Return Σ m r / Σ m; not a number if no body is dynamic."""
         mass = self._mass * self._share(s.t)
         total = mass.sum(axis=-1, keepdims=True)
         return np.sum(mass[..., None] * s.position, axis=-2) / np.where(total > 0, total, nan)
@@ -186,7 +186,7 @@ class Meter:
         return (self._mass * self._share(s.t))[..., None] * s.velocity
 
     def _kinetic(self, s: Snapshot) -> Array:
-        """T = m v² / 2 + I ω² / 2."""
+        """Return T = m v² / 2 + I ω² / 2."""
         share = self._share(s.t)
         return kinetic_energy(self._mass * share, self._moment * share, s)
 
@@ -197,7 +197,7 @@ class Meter:
         return potential
 
     def _stored(self, s: Snapshot, effect: str) -> Array:
-        """U by the laws of one effect."""
+        """Return U from the laws of one effect."""
         stores = [law for law in self._laws if law.effect.stores(effect)]
         energies = [law.potential_energy(s) for law in stores]
         return sum(energies, np.zeros(s.position.shape[:-1]))
@@ -206,7 +206,7 @@ class Meter:
         return self._kinetic(s) + self._potential(s)
 
     def _action(self, s: Snapshot) -> Array:
-        """∫ (T − U) dt by trapezoids from step to step: second order."""
+        """Return ∫ (T − U) dt by the trapezoidal rule over the steps, of second order."""
         lagrangian = self._kinetic(s) - self._potential(s)
         action = np.zeros_like(lagrangian)
         if s.t.ndim:
@@ -215,7 +215,7 @@ class Meter:
         return action
 
     def _angular_momentum(self, s: Snapshot) -> Array:
-        """L = Σ m (x vy − y vx) + I ω, about the origin."""
+        """Return L = Σ m (x vy − y vx) + I ω, about the origin."""
         x, y = s.position[..., 0], s.position[..., 1]
         share = self._share(s.t)
         orbital = self._mass * share * (x * s.velocity[..., 1] - y * s.velocity[..., 0])
@@ -223,14 +223,14 @@ class Meter:
 
 
 def _of_point(point: Anchor, attribute: str, s: Snapshot) -> Array:
-    """Return where a point of a body is, or how fast: (..., 2)."""
+    """Return the position or velocity of a point of a body: (..., 2)."""
     place, moves, _ = point.look(s)
     found = place if attribute == "position" else moves
     return np.stack((found.real, found.imag), axis=-1)
 
 
 def _relative(row: int, other: int, attribute: str, s: Snapshot) -> Array:
-    """Return where a body is as seen from another, or how fast, along the axes of the plane."""
+    """Return the position or velocity relative to another body, in the axes of the plane."""
     of = s.velocity if attribute == "velocity" else s.position
     return of[..., row, :] - of[..., other, :]
 

@@ -19,9 +19,9 @@ def sensing(row: int, sensor: int, spec: Body, values: Values) -> Callable[[Snap
     Parameters
     ----------
     row, sensor
-        The numbers of the body and of the sensor.
+        The indices of the body and of the sensor.
     spec, values
-        What the sensor is.
+        The sensor's description, and the parameters.
     """
     shape = spec.shape
     if isinstance(shape, Disc):
@@ -32,6 +32,6 @@ def sensing(row: int, sensor: int, spec: Body, values: Values) -> Callable[[Snap
 
 
 def _inside(s: Snapshot, row: int, sensor: int) -> Plane:
-    """Return where a body is as the sensor sees it, along its own axes: (...) [m]."""
+    """Return the position of a body relative to the sensor, in its axes: (...) [m]."""
     apart = s.position[..., row, :] - s.position[..., sensor, :]
     return (apart[..., 0] + 1j * apart[..., 1]) * np.exp(-1j * s.angle[..., sensor])
