@@ -1,4 +1,4 @@
-"""The applied forces: given to bodies before each kick."""
+"""The applied forces, which bodies are given before each kick."""
 
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -24,20 +24,21 @@ class Forces:
     Attributes
     ----------
     seen
-        What the laws saw in the last kick; None if there are none, or before it.
+        The motion that the laws saw in the last kick; None without laws, or before it.
     hand
-        What takes hold of bodies; None unless one has.
+        The hand that grabs bodies; None until one has.
     turning, turned
-        (n,) [rad/s] and (n, 2) [m/s²], how the last kick turned velocities; None if nothing does.
+        (n,) [rad/s] and (n, 2) [m/s²], the rotation of velocities in the last kick, as a rate and
+        as an acceleration; None without such forces.
 
     Parameters
     ----------
     scene
-        What moves, and the laws.
+        The bodies, and the laws.
     pulling
-        Joints whose last pull acts from the start of a kick; None if there are none.
+        Joints whose last force acts from the start of a kick; None if there are none.
     leapfrog
-        Whether kicks are half a step from the velocities before them.
+        Whether the velocities before a kick are half a step old.
     """
 
     def __init__(self, scene: Scene, pulling: "ExactJoints | None", *, leapfrog: bool) -> None:
@@ -50,9 +51,9 @@ class Forces:
         self._field = np.zeros((len(self._bodies), 3))  # acceleration by gravity
         if scene.gravity:
             self._field[scene.mass > 0, :2] = scene.gravity.acceleration
-        self._wrench = np.zeros_like(self._field)  # what the laws give in the last kick
+        self._wrench = np.zeros_like(self._field)  # by the laws in the last kick
         self._inverse_mass = scene.inverse_mass
-        # (n, 3), the velocities that the last kick began with, by which those at the next are known
+        # (n, 3), velocities before the last kick, to extrapolate those at the next
         self._older: Array = np.zeros_like(self._field)
         self.hand: Hand | None = None
         self.turning: Array | None = None
@@ -61,45 +62,45 @@ class Forces:
 
     @property
     def acts(self) -> bool:
-        """Whether anything has to be given to bodies before a kick."""
+        """Whether any force has to be applied before a kick."""
         return bool(self._laws or self._turns or self._pulling)
 
     @property
     def smooth(self) -> Array:
         """The acceleration by gravity and laws in the last kick: (n, 3) [m/s², rad/s²].
 
-        Of kinematic bodies, what their levels say.
+        For kinematic bodies it is the one prescribed by the level.
         """
         return self._field + self._wrench * self._inverse_mass
 
     def carry(self, bodies: Integers, acceleration: Array) -> None:
-        """Take in the accelerations of kinematic bodies: (k, 3)."""
+        """Set the accelerations of kinematic bodies: (k, 3)."""
         self._field[bodies] = acceleration
 
     def start(self, begun: Array, after: Array) -> None:
-        """Take note of the first half kick: its velocities before and after it [m/s, rad/s]."""
+        """Note the first half kick: the velocities before and after it [m/s, rad/s]."""
         self.restart(begun + (begun - after))
 
     def restart(self, older: Array) -> None:
-        """Take the last kick to have begun with other velocities: (n, 3) [m/s, rad/s]."""
+        """Replace the velocities at the beginning of the last kick: (n, 3) [m/s, rad/s]."""
         if self._guesses:
             self._older = older
 
     def shift(self, jump: Array) -> None:
-        """Take in how velocities have jumped since the last kick began: (n, 3) [m/s, rad/s]."""
+        """Add a jump of velocities since the beginning of the last kick: (n, 3) [m/s, rad/s]."""
         if self._guesses:
             self._older = self._older + jump
 
     @contextmanager
     def tried(self) -> Iterator[None]:
-        """Let kicks be tried: what the last one before them saw and gave is known again after."""
+        """Restore the state of the last kick after trial kicks."""
         kept = self._older, self.seen, self._wrench
         self._wrench = self._wrench.copy()
         yield
         self._older, self.seen, self._wrench = kept
 
     def held(self, dt: float) -> Array:
-        """Return the accelerations in a kick of a length [s], the hand's among them: (n, 3)."""
+        """Return the accelerations in a kick of a length [s], including the hand's: (n, 3)."""
         if self.hand is None or not self.hand.hold:
             return self.smooth
         return self.smooth + self.hand.pull(self._batch.velocity(), self._inverse, dt)
@@ -122,16 +123,16 @@ class Forces:
         self._batch.set_force(wrench if kick.scale == 1 else wrench * kick.scale)
 
     def _gained(self, kick: Kick) -> Array:
-        """Return what joints and contacts gave each velocity in the last kick: (n, 2) [m/s].
+        """Return the change of velocities by joints and contacts in the last kick: (n, 2) [m/s].
 
-        Nothing is known of it in the first kick of a motion, which is not as long as a step.
+        It is unknown, and 0, in the first kick of a motion, which is shorter than a step.
         """
         if not self._guesses or kick.start is not None or kick.length != kick.clock.dt:
             return np.zeros_like(self._field[:, :2])
         return (self._batch.velocity() - self._older - self.smooth * kick.length)[:, :2]
 
     def _turn(self, reading: Reading, wrench: Array, gained: Array, length: float) -> None:
-        """Add what turns velocities in a kick of a length [s], beside all else that acts in it."""
+        """Add the forces that rotate velocities in a kick of a length [s], given all others."""
         from sandbox.physics.forces.velocity_rotation import rates, turning_acceleration
 
         self.turning = rates(self._turns, reading)
@@ -147,7 +148,7 @@ class Forces:
         """Return the motion that the laws see in a kick.
 
         pymunk's velocities are half a step old. Those at the kick are, to second order, 3/2 of them
-        less 1/2 of those another step ago.
+        less 1/2 of those one step earlier.
         """
         state = self._batch.state()
         if self._guesses:
@@ -159,7 +160,7 @@ class Forces:
         return Reading(np.asarray(kick.t), state)
 
     def _weigh(self, share: MassFlows, t: Array) -> None:
-        """Give the bodies whose mass changes that of a time [s], for the kick around it."""
+        """Set the variable masses to those at a time [s], for the kick around it."""
         now = share(t)
         for row in share.bodies:
             body = self._bodies[row]

@@ -1,6 +1,6 @@
-"""Branches: a run goes on from where it stands, with other parameters or parts.
+"""Branches: a run continues from its present state, with other parameters or parts.
 
-`state_transfer.py` says how.
+See `state_transfer.py`.
 """
 
 from functools import partial
@@ -15,17 +15,17 @@ from sandbox.physics.stepping.world import World
 
 
 def branch(world: World, values: Values) -> World:
-    """Make a world that goes on from the state of another with other parameters, in the same steps.
+    """Make a world that continues from the state of another, with other parameters.
 
-    The other one stays as it is. Of a parameter that is the same in both, nothing changes but
-    rounding, and what a solver remembers of the last step.
+    The time step stays the same, and the other world is not changed. With equal parameters the two
+    runs differ only by rounding, and by the warm start of solvers.
 
     Raises
     ------
     SandboxError
-        If a parameter that has changed cannot be while a run goes on; the message says why.
+        If a changed parameter cannot change during a run; the message says why.
     SimulationError
-        If the world cannot go on from there.
+        If the world cannot continue from there.
     """
     changed = [name for name in values if values[name] != world.values[name]]
     if changed and (why := obstacle(world.level, changed)):
@@ -37,15 +37,15 @@ def branch(world: World, values: Values) -> World:
 
 
 def alter(world: World, level: Level) -> World:
-    """Make a world that goes on, at the time of another and in its steps, from a level's start.
+    """Make a world that begins at the start of a level, at the time of another and in its steps.
 
-    The level is the state of the other one, in which something was changed. That one stays as it
-    is. What is not changed goes on as in a branch.
+    The level describes the state of the other world, with changes. The other world is not changed.
+    Parts without changes continue as in a branch.
 
     Raises
     ------
     SimulationError
-        If the world cannot go on from there.
+        If the world cannot continue from there.
     """
     rows = {name: row for row, name in enumerate(world.level.bodies)}
     begin = partial(begin_late, now=world.snapshot, steps=world.steps, rows=rows)

@@ -1,4 +1,4 @@
-"""The message for a run that had to stop, whatever stopped it."""
+"""The message for a run that had to stop, for any error."""
 
 from collections.abc import Sequence
 
@@ -17,18 +17,18 @@ from sandbox.physics.state.errors import (
 
 
 def explained(error: Exception, bodies: Sequence[str], t: float, rate: float) -> SandboxError:
-    """Return the error to raise for another one: an unforeseen one is a breakdown.
+    """Return the error to raise in place of another; an unforeseen one becomes a breakdown.
 
     Parameters
     ----------
     error
-        What was raised.
+        The error that was raised.
     bodies
-        The names of all.
+        The names of all bodies.
     t
         The time [s].
     rate
-        Steps a second [Hz].
+        The steps per second [Hz].
     """
     match error:
         case SandboxError():

@@ -1,4 +1,4 @@
-"""The hand: it takes hold of a world's bodies, and puts them elsewhere."""
+"""The hand, which grabs a world's bodies and moves them."""
 
 from collections.abc import Mapping
 from math import isfinite
@@ -14,12 +14,12 @@ from sandbox.physics.stepping.stage import Setup, Stages
 
 
 def require_leapfrog(setup: Setup, now: Snapshot) -> None:
-    """Go on with leapfrog where there were substeps: no hand pulls backwards in time.
+    """Replace substeps by leapfrog, as a hand cannot pull backwards in time.
 
     Raises
     ------
     SimulationError
-        If springs are too stiff for it.
+        If springs are too stiff for leapfrog.
     """
     scene, kicks = setup.scene, setup.kicks
     check_springs(scene.joints.springs, scene.inverse_mass, now.angle, setup.stepping.rate)
@@ -27,7 +27,7 @@ def require_leapfrog(setup: Setup, now: Snapshot) -> None:
 
 
 def grab(setup: Setup, body: str, point: XY) -> None:
-    """Take hold of a dynamic body at a point of the plane [m]."""
+    """Grab a dynamic body at a point of the plane [m]."""
     scene, forces = setup.scene, setup.forces
     if forces.hand is None:
         forces.hand = Hand(scene.space, list(scene.bodies.values()))
@@ -35,12 +35,12 @@ def grab(setup: Setup, body: str, point: XY) -> None:
 
 
 def place(setup: Setup, stages: Stages, positions: Mapping[str, XY], now: Snapshot) -> None:
-    """Put bodies elsewhere [m], with the velocities that they have now.
+    """Move bodies to positions [m], with their present velocities.
 
     Raises
     ------
     SimulationError
-        If that is where pymunk finds no pairs any more.
+        If a position is outside the grid in which pymunk finds pairs.
     """
     scene, t = setup.scene, setup.kicks.clock.after(0)
     for name, position in positions.items():

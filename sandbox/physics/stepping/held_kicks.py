@@ -1,6 +1,6 @@
-"""Kicks of bodies that are held in place: the first kick, and those that have to be found first.
+"""Kicks of bodies that are held in place: the first kick of a run, and kicks at events.
 
-Where bodies touch, each is repeated until contacts and strings have come to terms (`settling.py`).
+If there are contacts, each is repeated until contacts and strings have converged (`settling.py`).
 """
 
 from collections.abc import Callable, Iterator
@@ -18,23 +18,23 @@ if TYPE_CHECKING:
 
 
 class HeldKicks:
-    """Kicks the bodies of a scene that are held where they are; n of them.
+    """Kicks the n bodies of a scene while they are held in place.
 
     Parameters
     ----------
     scene
-        What moves.
+        The scene.
     finish
-        Does what belongs after a kick of pymunk's, and raises what has gone wrong in it.
+        Completes a kick of pymunk's, and raises errors from it.
     touching
-        Whether there are contacts at all: without any, nothing has to settle.
+        Whether the scene has contacts; without any, kicks are not repeated.
     placed
-        Whether contacts are solved for the places after the drift, not for velocities.
+        Whether contacts are solved for the positions after the drift, not for velocities.
 
     Attributes
     ----------
     settling
-        What repeats them; None where nothing has to settle.
+        Repeats the kicks; None without contacts.
     """
 
     def __init__(
@@ -47,7 +47,7 @@ class HeldKicks:
 
     @contextmanager
     def held(self) -> Iterator[None]:
-        """Hold all bodies where they are, whatever is stepped."""
+        """Hold all bodies in place while pymunk steps."""
         if self._holding:
             yield
             return
@@ -64,14 +64,14 @@ class HeldKicks:
             self._holding = False
 
     def kick(self, kick: Kick, smooth: Array) -> Array:
-        """Kick bodies that are held, and return their velocities after it: (n, 3).
+        """Kick the held bodies, and return their velocities after it: (n, 3).
 
         Parameters
         ----------
         kick
-            Which, with the velocities at its start.
+            The kick, with the velocities at its start.
         smooth
-            (n, 3), about how strong gravity and force laws are [m/s², rad/s²].
+            (n, 3), the approximate accelerations by gravity and force laws [m/s², rad/s²].
         """
         start = kick.start
         assert start is not None

@@ -1,9 +1,9 @@
-"""The start of a run: the state there, and the first half kick.
+"""The start of a run: the initial state, and the first half kick.
 
-pymunk's step drifts the positions with the velocities of the step before, then kicks the
-velocities. Started naively it is first order: free fall is late by half a step. Given half a kick
-before the first step, the same loop is leapfrog (Störmer-Verlet): second order, symplectic, and
-exact where accelerations are constant. Positions then live on the steps and pymunk's velocities
+pymunk's step drifts the positions with the velocities of the previous step, then kicks the
+velocities. Started naively it is of first order: free fall is late by half a step. With half a kick
+before the first step, the same loop is leapfrog (Störmer-Verlet): of second order, symplectic, and
+exact for constant accelerations. Positions are then known at the steps and pymunk's velocities
 half-way between; the velocity *at* a step is the mean of the two around it.
 """
 
@@ -16,7 +16,7 @@ from sandbox.physics.stepping.stage import Setup, Stages
 
 
 def start(setup: Setup, stages: Stages, observer: Observer) -> Observation:
-    """Observe the state from which a run goes on; for leapfrog, also give the first half kick."""
+    """Return the observed initial state of a run; for leapfrog, also take the first half kick."""
     scene, kicks = setup.scene, setup.kicks
     velocity = scene.batch.velocity()
     if setup.leapfrog:
@@ -45,7 +45,7 @@ def _half_kick(setup: Setup, stages: Stages, observer: Observer, velocity: Array
             _, acceleration = joints.motion(velocity, forces.smooth)
         snapshot = observer.snapshot(state, velocity, acceleration, contacts, lasts)
         if setup.level.effects.contact and not scene.direct:
-            # what pymunk remembers for the next step are impulses: leave it a whole step's
+            # pymunk's warm start are impulses: leave it those of a whole step
             kicks.settle(0, velocity, kicks.clock.dt, kicks.clock.dt)
             scene.batch.set_velocity(after)
     scene.joints.time(kicks.clock.dt, kicks.clock.dt)

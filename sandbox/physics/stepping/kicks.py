@@ -1,7 +1,7 @@
-"""The drifts and kicks of a scene: pymunk's own step, and Python's part in it.
+"""The drifts and kicks of a scene: pymunk's own step, and the Python calls in it.
 
-pymunk's step drifts the positions with the velocities of the step before, then kicks the
-velocities. Whatever acts in a kick is told which kick it is: see `Kick`.
+pymunk's step drifts the positions with the velocities of the previous step, then kicks the
+velocities. Every call in a kick gets the kick as its argument: see `Kick`.
 """
 
 from collections.abc import Callable, Iterator, Sequence
@@ -30,26 +30,26 @@ class Kicks:
     Parameters
     ----------
     scene, forces
-        What moves, and what acts on it.
+        The bodies, and the forces on them.
     dt
         The time step [s].
     touching
-        Whether bodies touch each other at all.
+        Whether the level has contacts.
 
     Attributes
     ----------
     clock
-        Counts the steps; who takes one counts it first.
+        Counts the steps; the caller counts a step before taking it.
     forces
-        What acts on the scene.
+        The forces on the scene.
     take
-        Takes the last drift of a step, and its kick.
+        Takes the last drift of a step and its kick.
     parts
-        The drifts and kicks of which a step is made; see `compose`.
+        The drifts and kicks of a step; see `compose`.
     trail
-        After each of these but the last, places and velocities: (n, 6) each; None unless kept.
+        Positions and velocities after each part but the last: (n, 6) each; None unless kept.
     settling
-        What lets contacts come to terms where bodies are held; None without any.
+        Repeats kicks of held bodies until contacts converge; None without contacts.
     """
 
     def __init__(self, scene: Scene, forces: Forces, dt: float, *, touching: bool) -> None:
@@ -64,7 +64,7 @@ class Kicks:
         self.compose([once(dt)])
 
     def compose(self, parts: Sequence[Substep]) -> None:
-        """Take steps from now on that are made of these drifts and kicks."""
+        """Compose all further steps of these drifts and kicks."""
         self.parts, self._last = parts, parts[-1]
         self._kicks = [
             Kick(self.clock, part.ahead, part.kick, part.following, scale=part.scale)
@@ -75,7 +75,7 @@ class Kicks:
             self._joints.together.parts = len(parts)
 
     def call(self, in_kick: Sequence[Work], after_kick: Sequence[Work]) -> None:
-        """Call Python in every kick from now on: before pymunk kicks, and after its solver."""
+        """Call Python in all further kicks: before pymunk's kick, and after its solver."""
         bodies = self._scene.bodies.values()
         dynamic = next((b for b in bodies if b.body_type == pymunk.Body.DYNAMIC), None)
         if dynamic is not None and (in_kick or after_kick):
@@ -85,13 +85,13 @@ class Kicks:
             self.take = self._calling(self._hook)
 
     def _quietly(self) -> Callable[[], None]:
-        """Return pymunk's own step, in which Python is never called."""
+        """Return pymunk's own step, without Python calls."""
         return partial(self._drift_and_kick, self._last.drift)
 
     def _calling(self, hook: "Hook") -> Callable[[], None]:
-        """Return what takes the last drift of a step and its kick, in which Python is called.
+        """Return a function that takes the last drift of a step and its kick, with Python calls.
 
-        It raises what has failed in it.
+        It raises errors from these calls.
         """
         last, drift_and_kick = self._last, self._drift_and_kick
         kick = replace(self._kicks[-1], ahead=0)
@@ -116,7 +116,7 @@ class Kicks:
         self._turn_to(self._last, self._kicks[-1])
 
     def _turn_to(self, part: Substep, kick: Kick) -> None:
-        """Let the next kick be that of a part of a step."""
+        """Prepare the kick of a part of a step."""
         self._joints.time(part.kick, part.following)
         if gravity := self._scene.gravity:
             x, y = gravity.acceleration
@@ -125,12 +125,12 @@ class Kicks:
             self._hook.kick = kick
 
     def held(self) -> AbstractContextManager[None]:
-        """Hold all bodies where they are, between two steps; see `settle`."""
+        """Hold all bodies in place, between two steps; see `settle`."""
         return self._held.held()
 
     @contextmanager
     def tried(self) -> Iterator[None]:
-        """Hold all bodies to try kicks, of which nothing is left after."""
+        """Hold all bodies for trial kicks, which leave no trace."""
         with self.forces.tried(), self._held.held():
             yield
         self._joints.time(self.clock.dt, self.clock.dt)
@@ -138,19 +138,19 @@ class Kicks:
     def settle(
         self, ahead: float, start: Array, length: float, drift: float, *, at_step: bool = False
     ) -> Array:
-        """Kick bodies that are held until nothing changes, and return their velocities: (n, 3).
+        """Kick the held bodies until convergence, and return their velocities: (n, 3).
 
         Parameters
         ----------
         ahead
-            When: so many steps after the last.
+            The time since the last step, in steps.
         start
             (n, 3), the velocities before the kick [m/s, rad/s].
         length, drift
-            How long it is, and the drift that would follow [s].
+            The lengths of the kick and of the drift that would follow [s].
         at_step
-            Whether the velocities before it are those right there, as at a step, and not half a
-            kick old. So they are at the last step.
+            Whether the velocities before the kick are those at its time, as at a step, and not half
+            a kick old. They are if `ahead` is 0.
         """
         ends, at_step = drift / self.clock.dt, at_step or ahead == 0
         kick = Kick(self.clock, ahead, length, drift, ends, start=start, at_step=at_step)
@@ -160,37 +160,37 @@ class Kicks:
         return self._held.kick(kick, self.forces.smooth)
 
     def begin(self, length: float, start: Array) -> Array:
-        """Take the first kick, of half the last of a step's, and return the velocities after it."""
+        """Take the first kick, half the last kick of a step; return the velocities after it."""
         if gravity := self._scene.gravity:
             self._space.gravity = gravity.acceleration
         return self.settle(0, start, length, self._last.following)
 
     def keep_trail(self) -> None:
         """Keep the trail of every step from now on."""
-        if self.trail is None:  # others may keep books, too
+        if self.trail is None:  # another ledger may keep it already
             self.trail = []
 
     def finish(self) -> None:
-        """Do what belongs after a kick of pymunk's, and raise what went wrong in it."""
+        """Complete a kick of pymunk's, and raise errors from it."""
         if self._hook:
             self._hook.finish()
 
     @property
     def composed(self) -> bool:
-        """Whether a step is made of several drifts and kicks."""
+        """Whether a step has several drifts and kicks."""
         return len(self.parts) > 1
 
     @property
     def calls(self) -> int:
-        """How often pymunk's steps call Python in a step."""
+        """The number of Python calls in the kicks of a step."""
         return (self._hook.count if self._hook else 0) * len(self.parts)
 
     def time_calls(self) -> None:
-        """Take the time of these calls from now on."""
+        """Measure the time of these calls from now on."""
         if self._hook:
             self._hook.timed()
 
     @property
     def seconds(self) -> float:
-        """What they have taken since they are timed [s]."""
+        """The time of these calls since `time_calls` [s]."""
         return self._hook.seconds if self._hook else 0.0

@@ -1,4 +1,4 @@
-"""Making the world of a level at a chosen rate, or saying why there is none."""
+"""Makes the world of a level at a chosen rate, or explains why that fails."""
 
 import numpy as np
 
@@ -10,25 +10,25 @@ from sandbox.physics.stepping.world import World
 
 
 def make_world(level: Level, values: Values, stepping: Stepping, begin: Begin = None) -> World:
-    """Make the world of a level at a rate that is chosen.
+    """Make the world of a level at a chosen rate.
 
     Parameters
     ----------
     level, values
-        What to simulate, and its parameters.
+        The level, and its parameters.
     stepping
-        How time advances; no accuracy, which `build` finds a setting for.
+        How time advances, without an accuracy, for which `build` finds a setting.
     begin
-        Puts it where it begins, if that is not the start.
+        Sets the initial state, if that is not the level's start.
 
     Raises
     ------
     SimulationError
         If the world cannot even start.
     SchemeError
-        If the scheme is not for such a level.
+        If the scheme does not suit the level.
     ValueError
-        If an accuracy is asked for.
+        If an accuracy is requested.
     """
     if stepping.accuracy is not None:
         raise ValueError("an accuracy is asked for, and no rate is chosen")
@@ -37,9 +37,9 @@ def make_world(level: Level, values: Values, stepping: Stepping, begin: Begin = 
             from sandbox.physics.scene.schemes import require
 
             require(level, stepping.scheme)
-        with np.errstate(all="ignore"):  # what is not finite is told by name
+        with np.errstate(all="ignore"):  # non-finite values are reported by name
             return World(level, values, stepping, begin)
-    except Exception as error:  # whatever it is, whoever builds gets an answer
+    except Exception as error:  # any error is explained
         from sandbox.physics.stepping.failures import explained
 
         explanation = explained(error, list(level.bodies), 0.0, stepping.rate)

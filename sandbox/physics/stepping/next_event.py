@@ -1,7 +1,6 @@
-"""The next event: which of a scene's events comes first in a part of a drift.
+"""Finds the event that comes first in a part of a drift.
 
-A force that is only known at steps, such as that of a rod, is taken to change within a drift as it
-did in the last.
+A force that is only known at steps, such as that of a rod, is extrapolated from the last drift.
 """
 
 from collections.abc import Callable, Mapping
@@ -17,18 +16,18 @@ from sandbox.physics.state.snapshot import Snapshot
 from sandbox.physics.stepping.stage import Setup
 
 Value = Callable[[str, float], float]
-"""Tells a quantity so long after the beginning of a part [s]."""
+"""Returns a quantity, by name, at a time after the start of a part [s]."""
 
 
 class Waiting:
-    """Finds what happens in a drift; j joints.
+    """Finds the events in a drift; j joints.
 
     Parameters
     ----------
     setup
-        Of what runs.
+        The setup of the run.
     pending
-        What is still to happen, by name; remove what has happened.
+        The events still to happen, by name; the caller removes those that have happened.
     """
 
     def __init__(self, setup: Setup, pending: Mapping[str, Happening]) -> None:
@@ -40,16 +39,16 @@ class Waiting:
         self.begin()
 
     def begin(self) -> None:
-        """Take up a motion of which nothing is known yet."""
+        """Start from a motion without history."""
         self._was: dict[str, float] = {}
         self._pulled: tuple[Array, Array] | None = None  # tensions and torques at the last step
 
     def note(self) -> None:
-        """Take note of the forces in the last part of a drift, from which the next one begins."""
+        """Note the forces in the last part of a drift, for the extrapolation in the next."""
         self._pulled = self._pulls()
 
     def first(self, part: Part) -> tuple[str, float] | None:
-        """Return what happens first in a part, and how long after its beginning [s]."""
+        """Return the first event in a part, and the time from its start [s]; None if none."""
         forces = self._pulls()
         last = forces if self._pulled is None else self._pulled
         growth = [(now - then) / self._dt for now, then in zip(forces, last, strict=True)]
@@ -74,7 +73,7 @@ class Waiting:
         return first, waits[first][0]
 
     def _wait(self, name: str, waited: Crossing, part: Part, value: Value) -> float | None:
-        """Return how long it takes until a quantity crosses its value; None if not in this part."""
+        """Return the time until a quantity crosses its value [s]; None if not in this part."""
         latest = part.lasts - NEAR * self._dt
         if waited.quantity == "t":
             wait = max(waited.value - part.t, 0.0)
@@ -90,12 +89,12 @@ class Waiting:
         return wait if wait <= latest else None
 
     def _pulls(self) -> tuple[Array, Array]:
-        """Return the tensions and torques of the joints that are solved: (j,) each [N, N m]."""
+        """Return the tensions and torques of the joints: (j,) each [N, N m]."""
         joints = self._scene.joints
         return joints.tensions(), joints.torque()
 
     def _snapshot(self, part: Part, time: float, growth: list[Array]) -> Snapshot:
-        """Return the state so long after the beginning of a part; forces grow as they did."""
+        """Return the state at a time after the start of a part, with extrapolated forces."""
         motion, none = part.at(time), np.zeros(len(part.place))
         tension, torque = self._pulls()
         return Snapshot(

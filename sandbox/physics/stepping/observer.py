@@ -1,8 +1,8 @@
 """The observer: the state at a step, from the velocities half a kick before and after it.
 
 The velocity at a step is the mean of the two, and the acceleration their difference over the kick.
-Where bodies collide there is no such mean (see `post_impact_velocity` and `sequential_impacts`).
-Where a step has several kicks, the joints give velocity and acceleration (see `rattle`).
+For bodies that collide the mean is wrong (see `post_impact_velocity` and `sequential_impacts`). If
+a step has several kicks, the joints determine velocity and acceleration (see `rattle`).
 """
 
 from typing import TYPE_CHECKING, NamedTuple
@@ -20,18 +20,18 @@ if TYPE_CHECKING:
 
 
 class Observation(NamedTuple):
-    """What was seen at a step; n bodies.
+    """The observed state at a step; n bodies.
 
     Attributes
     ----------
     steps
-        How many were taken.
+        The number of steps taken.
     snapshot, contacts
-        The state, and who touched whom.
+        The state, and the contacts.
     begun
-        (n, 3), the velocities that the last kick began with [m/s, rad/s].
+        (n, 3), the velocities at the beginning of the last kick [m/s, rad/s].
     after
-        (n, 3), those that it ended with; None where the run has just begun.
+        (n, 3), the velocities at its end; None at the start of a run.
     """
 
     steps: int
@@ -47,9 +47,9 @@ class Observer:
     Parameters
     ----------
     setup
-        What runs.
+        The setup of the run.
     stages
-        What else may know of contacts and impacts.
+        The stages, which may report contacts and impacts.
     """
 
     def __init__(self, setup: Setup, stages: Stages) -> None:
@@ -63,16 +63,16 @@ class Observer:
         self._untouched.setflags(write=False)
 
     def observe(self, begun: Array) -> Observation:
-        """Return the state at the step that was just taken.
+        """Return the state at the last step.
 
         Parameters
         ----------
         begun
-            (n, 3), the velocities half a kick before it [m/s, rad/s].
+            (n, 3), the velocities half a kick before the step [m/s, rad/s].
         """
         state = self._scene.batch.state()
         contacts, direct = self.contacts(), self._scene.direct
-        if direct and direct.kicked is not None:  # what comes down has changed them since
+        if direct and direct.kicked is not None:  # landing bodies have changed them since
             state[:, 3:] = direct.kicked
         rates = self._rates(state, begun, contacts)
         if (impacts := self._stages.impacts) and (found := impacts()):
@@ -83,7 +83,7 @@ class Observer:
         return Observation(self._kicks.clock.steps, snapshot, contacts, begun, state[:, 3:])
 
     def velocity(self, seen: Observation) -> Array:
-        """Return how fast bodies are between this step and the next: (n, 3) [m/s, rad/s]."""
+        """Return the velocities between the last step and the next: (n, 3) [m/s, rad/s]."""
         if direct := self._scene.direct:
             return direct.velocity()
         if seen.after is None or seen.steps != self._kicks.clock.steps:
@@ -91,7 +91,7 @@ class Observer:
         return seen.after
 
     def record(self, seen: Observation) -> "StepRecord":
-        """Return what books must know of the step that was last observed."""
+        """Return the record of the last observed step, for books."""
         from sandbox.physics.energy.step_record import StepRecord
 
         forces, kicks = self._forces, self._kicks
@@ -114,7 +114,7 @@ class Observer:
         return record
 
     def contacts(self) -> Contacts:
-        """Return who touched whom in the last kick."""
+        """Return the contacts of the last kick."""
         if not self._touching:
             return NO_CONTACTS
         touches = self._scene.joints.touches
@@ -127,11 +127,11 @@ class Observer:
         Parameters
         ----------
         state
-            (n, 6), places at the step, and velocities half a kick after it.
+            (n, 6), positions at the step, and velocities half a kick after it.
         before
             (n, 3), the velocities half a kick before it [m/s, rad/s].
         contacts
-            Of the kick.
+            The contacts of the kick.
         """
         after, parts = state[:, 3:], self._kicks.parts
         acceleration = (after - before) / parts[-1].kick
@@ -156,7 +156,7 @@ class Observer:
     def _take_impacts(
         self, state: Array, before: Array, contacts: Contacts, rates: tuple[Array, Array]
     ) -> None:
-        """Put right the velocities and accelerations of what pymunk has let collide in a kick."""
+        """Correct the velocities and accelerations of bodies that collided in pymunk's kick."""
         from sandbox.physics.contacts.post_impact_velocity import impacts
 
         (velocity, acceleration), after = rates, state[:, 3:]
@@ -181,13 +181,13 @@ class Observer:
         Parameters
         ----------
         state
-            (n, 6), of which places count.
+            (n, 6), of which the positions are used.
         velocity, acceleration
-            (n, 3), at the step.
+            (n, 3), the velocities and accelerations at the step.
         contacts
-            Of the kick around it.
+            The contacts of the kick around the step.
         kick
-            How long that was [s].
+            The length of that kick [s].
         """
         normal = friction = self._untouched
         if len(contacts.bodies):

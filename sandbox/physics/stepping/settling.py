@@ -1,7 +1,7 @@
-"""Kicks that are repeated until contacts and strings have come to terms.
+"""Kicks that are repeated until contacts and strings have converged.
 
-pymunk solves contacts, and strings after them, in turn: one kick leaves them a little at odds. So
-each begins with the same velocities, and from the impulses found before.
+pymunk solves contacts and then strings, in turn, so one kick leaves a small residual. Each
+repetition begins with the same velocities, and with the impulses of the one before.
 """
 
 from collections.abc import Callable, Sequence
@@ -16,35 +16,35 @@ from sandbox.physics.state.cancellation import cancellation_point
 from sandbox.physics.state.kick import Kick
 
 MAX_KICKS = 500
-"""How often a kick is repeated at the most."""
+"""The most repetitions of a kick."""
 
 PATIENCE = 50
-"""After how many kicks that settle nothing each is given twice as many sweeps of the solver."""
+"""The number of kicks without convergence after which the sweeps of the solver are doubled."""
 
 UNSETTLED = 1000
-"""How many times the rounding velocities must still change for that."""
+"""The change of velocities that counts as not converged, as a multiple of rounding."""
 
 LULL = 10
-"""For how many kicks what changes must not halve, to be taken for rounding that goes in circles."""
+"""The number of kicks in which a small change that does not halve counts as cyclic rounding."""
 
 MAX_SWEEPS = 5000
-"""How many sweeps a kick may then have, times the pairs in contact: it bounds the time it takes."""
+"""The most sweeps of such a kick times the pairs in contact, which bounds its time."""
 
 
 class Settling:
-    """Repeats kicks of the bodies of a scene, which are held where they are; n of them.
+    """Repeats kicks of the n bodies of a scene, which are held in place.
 
     Parameters
     ----------
     scene
-        What moves.
+        The scene.
     placed
-        Whether contacts are solved for the places after the drift, not for velocities.
+        Whether contacts are solved for the positions after the drift, not for velocities.
 
     Attributes
     ----------
     unsettled
-        Whether contacts and strings had not come to terms when they were repeated last.
+        Whether contacts and strings did not converge in the last repetition.
     """
 
     def __init__(self, scene: Scene, *, placed: bool) -> None:
@@ -53,12 +53,12 @@ class Settling:
         self.unsettled = False
 
     def repeat(self, once: Callable[[], Array], kick: Kick, smooth: Array) -> Array:
-        """Take a kick again and again, and return the velocities after the last: (n, 3).
+        """Repeat a kick, and return the velocities after the last one: (n, 3).
 
         Parameters
         ----------
         once
-            Takes it, from the same velocities each time, and returns those after it.
+            Takes the kick, from the same velocities each time, and returns those after it.
         kick, smooth
             As for `HeldKicks.kick`.
         """
@@ -79,7 +79,7 @@ class Settling:
         return after
 
     def _tolerances(self, kick: Kick, smooth: Array) -> tuple[float, float]:
-        """Return how much velocities change by rounding, and how much where they may circle."""
+        """Return the changes of velocities due to rounding, and due to cyclic rounding."""
         assert kick.start is not None
         pulled = kick.length * np.abs(smooth).max(initial=0.0)
         close = 1e-15 * float(pulled or np.abs(kick.start).max(initial=0.0))
@@ -93,6 +93,6 @@ class Settling:
 
 
 def _circles(changes: Sequence[float], near: float) -> bool:
-    """Whether what still changes is near rounding, and has ceased to grow less."""
+    """Return whether the changes are near rounding, and no longer decrease."""
     before, now = changes[:LULL], changes[LULL:]
     return len(now) == LULL and max(now) <= near and min(now) >= min(before) / 2

@@ -1,22 +1,22 @@
 """The contract of a stage: a part of a step that only some levels need.
 
-A step is a drift and a kick. Whatever else a level declares takes part in it as a *stage*: it says
-at which moments it acts, and leaves the others out. In the order of a step, these are
+A step is a drift and a kick. All other things that a level declares take part in it as a *stage*,
+which names the moments at which it acts. In the order of a step, these are
 
-    before_drift    between two kicks: it may change places and velocities, and must then tell the
-                    forces by how much velocities jumped (`Forces.shift`, `Forces.restart`)
-    in_kick         after pymunk's drift, before it kicks: it may give forces, and change velocities
+    before_drift    between two kicks: it may change positions and velocities, and must then pass
+                    the jump of the velocities to the forces (`Forces.shift`, `Forces.restart`)
+    in_kick         after pymunk's drift, before its kick: it may add forces, and change velocities
     after_kick      after pymunk's solver: it may change velocities
-    after_step      when the step is counted
+    after_step      after the step is counted
 
-and beside the steps
+and outside the steps
 
-    started         the first kick was found
-    refit           somebody has put bodies elsewhere, from where the run goes on
+    started         after the first kick was found
+    refit           after bodies were moved by hand, from where the run continues
 
-A stage in a kick also acts in those of bodies that are held where they are, again and again until
-nothing changes, and gives the same each time. It never looks at the world, and at another stage
-only through what the scene has for both.
+A stage in a kick also acts in kicks of bodies that are held in place, which are repeated until they
+converge, and must do the same each time. It never accesses the world, and other stages only through
+the scene.
 """
 
 from collections.abc import Callable, Sequence
@@ -38,7 +38,7 @@ Act = Callable[[], None]
 
 
 class Setup(NamedTuple):
-    """What a stage is made of: the level, its scene, its forces, and its kicks."""
+    """The inputs of a stage: the level, its parameters, and its scene, forces and kicks."""
 
     level: Level
     values: Values
@@ -49,39 +49,39 @@ class Setup(NamedTuple):
 
     @property
     def leapfrog(self) -> bool:
-        """Whether velocities are half a step from places; else it is stock pymunk."""
+        """Whether velocities are half a step from positions; else it is stock pymunk."""
         return not self.stepping.is_stock
 
 
 Begin = Callable[[Setup], None] | None
-"""Puts a scene where its run begins, if that is not the level's start."""
+"""Sets the initial state of a scene, if that is not the level's start."""
 
 
 class Stage(NamedTuple):
-    """The moments at which a stage acts, and what it tells; see the contract above.
+    """The moments at which a stage acts, and its outputs; see the contract above.
 
     Attributes
     ----------
     before_drift, after_step
-        Act without being told anything.
+        Act without arguments.
     in_kick, after_kick
-        Act in the kick that they are told.
+        Act in the kick that they are given.
     started
         Takes the velocities before the first kick and the accelerations in it, (n, 3) each [m/s,
-        rad/s, m/s², rad/s²]; returns those right at the start if it knows them better.
+        rad/s, m/s², rad/s²]; returns the accelerations at the start if it knows them better.
     refit
         Takes the time [s].
     contacts
-        Returns the contacts of the last kick, if pymunk does not have them.
+        Returns the contacts of the last kick, if they are not pymunk's.
     impacts
-        Returns the impacts at their own times in the last drift.
+        Returns the located impacts in the last drift.
     begun
-        Returns the velocities that the last kick began with, if not those of the step before it:
-        (n, 3) [m/s, rad/s].
+        Returns the velocities at the beginning of the last kick, if they are not those after the
+        step before it: (n, 3) [m/s, rad/s].
     record
-        Adds to the record of a step what the stage did in it.
+        Adds the actions of the stage in a step to its record.
     calls
-        How often a step calls Python for it, but for what acts in kicks.
+        The number of Python calls in a step for it, outside kicks.
     """
 
     before_drift: Act | None = None
@@ -98,16 +98,16 @@ class Stage(NamedTuple):
 
 
 class Stages:
-    """The stages of a world, one after the other at each moment.
+    """The stages of a world, in order at each moment.
 
     Attributes
     ----------
     before_drift, after_step
-        What acts then; most levels have nothing.
+        The calls at these moments; most levels have none.
     started, refit, contacts, impacts, begun, record
         See `Stage`.
     calls
-        How often a step calls Python for all of them, but for what acts in kicks.
+        The number of Python calls in a step for all of them, outside kicks.
     """
 
     def __init__(self, stages: Sequence[Stage], kicks: Kicks) -> None:
@@ -129,9 +129,9 @@ class Stages:
 def set_up(
     level: Level, values: Values, stepping: Stepping, scene: Scene, begin: Begin = None
 ) -> Setup:
-    """Return what the stages of a world are made of."""
+    """Return the inputs of the stages of a world."""
     contact = level.effects.contact is not None
-    # joints take turns with contacts: there their last pull acts from the start of a kick
+    # joints alternate with contacts: there a kick begins with their last force
     pulling = scene.joints.together if contact and scene.direct is None else None
     forces = Forces(scene, pulling, leapfrog=not stepping.is_stock)
     kicks = Kicks(scene, forces, 1 / stepping.rate, touching=contact)

@@ -1,10 +1,10 @@
-"""Handing a state to a new world, which goes on with other parameters or parts.
+"""Transfers a state to a new world, which continues with other parameters or parts.
 
-What is handed on is the state *at* the step: places, angles, and the velocities there, the mean of
-those half a kick before and after. From there the new world is started like any other, with half a
-kick of its own forces (see `initial_state.py`). Leapfrog's velocities are half a step ahead: those
-of the old world have half a kick of the old forces in them, and would be wrong by Δa h/2. The warm
-start of solvers, and whether a contact sticks, are computed again.
+The state is that *at* the step: positions, angles, and the velocities there, the mean of those half
+a kick before and after. From it the new world is started like any other, with half a kick of its
+own forces (see `initial_state.py`). Leapfrog's velocities are half a step ahead: those of the old
+world contain half a kick of the old forces, and would be wrong by Δa h/2. The warm start of
+solvers, and whether a contact sticks, are computed again.
 """
 
 from collections.abc import Mapping
@@ -19,18 +19,19 @@ from sandbox.physics.stepping.stage import Setup
 
 
 def take_over(setup: Setup, now: Snapshot, steps: int, before: Scene) -> None:
-    """Put a scene that has not begun into a state.
+    """Put a scene that has not started into a state.
 
     Parameters
     ----------
     setup
-        Of the new world, before its stages are made.
+        The setup of the new world, before its stages are made.
     now
-        The state of the old one.
+        The state of the old world.
     steps
-        How many it has taken: time goes on from there.
+        The number of steps that the old world has taken, from which time continues.
     before
-        That of the old one: what has been welded, tied, cut or switched since its start stays so.
+        The scene of the old world; bodies and joints that it has welded, tied, cut or switched stay
+        so.
     """
     setup.scene.batch.set_state(_states(now))
     _weld(setup, before)
@@ -39,18 +40,18 @@ def take_over(setup: Setup, now: Snapshot, steps: int, before: Scene) -> None:
 
 
 def begin_late(setup: Setup, now: Snapshot, steps: int, rows: Mapping[str, int]) -> None:
-    """Let a scene begin as its level says, but at a later step.
+    """Let a scene begin at its level's start, but at a later step.
 
     Parameters
     ----------
     setup
-        Of the new world, before its stages are made.
+        The setup of the new world, before its stages are made.
     now
-        The state of the old one.
+        The state of the old world.
     steps
-        How many it has taken: time goes on from there.
+        The number of steps that the old world has taken, from which time continues.
     rows
-        The rows of its bodies there: those that follow formulas of the time are where these say.
+        The rows of the old world's bodies; those that follow formulas of time keep their state.
     """
     batch, before = setup.scene.batch, _states(now)
     state = np.column_stack((batch.state()[:, :3], batch.velocity()))
@@ -66,7 +67,7 @@ def _states(now: Snapshot) -> Array:
 
 
 def _begin_at(setup: Setup, steps: int) -> None:
-    """Let time go on from a step, with the bodies where they are now."""
+    """Let time continue from a step, with the bodies at their present positions."""
     scene, clock = setup.scene, setup.kicks.clock
     clock.steps = steps
     for body in scene.bodies.values():
@@ -78,7 +79,7 @@ def _begin_at(setup: Setup, steps: int) -> None:
 
 
 def _happen(setup: Setup, before: Scene, steps: int) -> None:
-    """Tie, cut and switch what events have tied, cut and switched before."""
+    """Tie, cut and switch what events had tied, cut and switched in the old world."""
     scene = setup.scene
     scene.happened.update(before.happened)
     _catch(scene, before, steps * setup.kicks.clock.dt)
@@ -91,7 +92,7 @@ def _happen(setup: Setup, before: Scene, steps: int) -> None:
 
 
 def _catch(scene: Scene, before: Scene, now: float) -> None:
-    """Tie what events have tied before, where it is now; that was no impact."""
+    """Tie what events had tied, at the present positions and without an impact."""
     latches, old = scene.joints.latches, before.joints.latches
     if latches is None or old is None:
         return
@@ -102,7 +103,7 @@ def _catch(scene: Scene, before: Scene, now: float) -> None:
 
 
 def _weld(setup: Setup, before: Scene) -> None:
-    """Weld those bodies, where they are, that have stuck to each other before."""
+    """Weld the bodies that had stuck to each other, at their present positions."""
     joints, names = setup.scene.joints, list(setup.scene.bodies)
     for a, b in before.joints.joined[len(joints.joined) :].tolist():
         if joints.solids and joints.weld and joints.solids.join(names[a], names[b]):

@@ -1,7 +1,8 @@
 """The limit on computing time: stops a run whose steps take too long to wait for.
 
-Most work is counted, and refused, before a step is taken; this limit is for what cannot be counted.
-A step is broken off at a cancellation point; where it has none, the run ends after the step.
+Most excessive work is counted and refused before a step is taken; this limit is for work that
+cannot be counted. A step is aborted at a cancellation point; if it has none, the run ends after the
+step.
 """
 
 from contextlib import AbstractContextManager
@@ -14,20 +15,20 @@ from sandbox.physics.state.snapshot import Snapshot
 from sandbox.physics.stepping.world import World
 
 LONGEST = 30.0
-"""s, that a step may take."""
+"""s, the longest time of a step."""
 
 HINT = Message("let it have fewer bodies that touch or are joined, or fewer 'iterations'")
 
 
 class Patience:
-    """Is lost where a step computes for too long, or two in a row take too long.
+    """The patience with a run: lost if one step computes too long, or two in a row take too long.
 
-    A single one may have been delayed by the machine, or because the process was suspended.
+    A single step may have been delayed by the machine, or because the process was suspended.
 
     Parameters
     ----------
     longest
-        How long a step may take [s].
+        The longest time of a step [s].
     """
 
     def __init__(self, longest: float = LONGEST) -> None:
@@ -37,22 +38,22 @@ class Patience:
         self._computed: float | None = None  # at the first cancellation point of the step [s]
 
     def lost(self, seconds: float) -> bool:
-        """Take note of how long a step took [s], and return whether it was one too many."""
+        """Note the time of a step [s], and return whether it is the second long one in a row."""
         before, self._took = self._took, seconds
         return min(before, seconds) > self._longest
 
     def within_steps(self) -> AbstractContextManager[None]:
-        """Let it be lost in the midst of a step, too: to be entered once, around many steps."""
+        """Return a context, around many steps, in which it can also be lost within a step."""
         return cancellable(self._look)
 
     def advance(self, world: World) -> Snapshot:
-        """Let a world take a step, and return the state there.
+        """Take a step of a world, and return the state after it.
 
         Raises
         ------
         SimulationError
-            If the run had to stop; if this step has computed for too long, or is the second in a
-            row that has taken too long.
+            If the run had to stop; if this step has computed too long, or is the second in a row to
+            take too long.
         """
         self._started, self._computed, self._world = perf_counter(), None, world
         snapshot = world.advance()
@@ -71,7 +72,7 @@ class Patience:
 
 
 def _spent(t: float, took: float, longest: float) -> SimulationError:
-    """Return the message for a step that took too long, and for the limit [s]."""
+    """Return the error for a step that took too long, given its time and the limit [s]."""
     message = Message(
         "a step takes {took:.0f} s, and {longest:g} s are the most", took=took, longest=longest
     )

@@ -1,7 +1,7 @@
-"""The world: a level that runs, step by step.
+"""The world: a running level, step by step.
 
-A step is a drift and a kick (`kicks.py`). What only some levels call for takes part in it as a
-stage: `stage.py` says how, and `stages/register.py` lists them.
+A step is a drift and a kick (`kicks.py`). Parts that only some levels need are stages: for their
+contract see `stage.py`, for a list `stages/register.py`.
 """
 
 from collections.abc import Mapping
@@ -32,13 +32,13 @@ class World:
     Attributes
     ----------
     level, values, stepping
-        What it was built from.
+        The level, its parameters, and the stepping.
     scene
-        The masses and laws of what moves.
+        The bodies, masses, laws and joints.
     kicks
-        Takes the drifts and kicks of a step, counts steps, and times what is called in them.
+        Takes the drifts and kicks of a step, counts steps, and times the calls in them.
     disturbed
-        Whether the run was touched on its way, so that no formula for it holds any more.
+        Whether the run was disturbed by hand, so that no closed form holds for it any more.
     """
 
     def __init__(self, level: Level, values: Values, stepping: Stepping, begin: Begin) -> None:
@@ -58,7 +58,7 @@ class World:
 
     @property
     def steps(self) -> int:
-        """How many steps were taken; the time is `steps * dt`."""
+        """The number of steps taken; the time is `steps * dt`."""
         return self.kicks.clock.steps
 
     @property
@@ -68,42 +68,42 @@ class World:
 
     @property
     def snapshot(self) -> Snapshot:
-        """The state when it was last observed."""
+        """The last observed state."""
         return self._seen.snapshot
 
     @property
     def contacts(self) -> Contacts:
-        """Who touched whom when it was last observed."""
+        """The contacts at the last observation."""
         return self._seen.contacts
 
     @property
     def last(self) -> "StepRecord":
-        """What books must know of the last step that was observed."""
+        """The record of the last observed step, for books."""
         return self._observer.record(self._seen)
 
     def keep_trail(self) -> None:
-        """Keep the states between the parts of a step from now on, for books."""
+        """Keep the states between the parts of all further steps, for books."""
         self.kicks.keep_trail()
 
     @property
     def impacts(self) -> list[tuple[Pair, float]]:
-        """Who hit whom between the last two steps, and when [s], where that is located."""
+        """The located impacts between the last two steps: the pair, and the time [s]."""
         located = self._stages.impacts() if self._stages.impacts else []
         names, t = list(self.scene.bodies), self.kicks.clock.after(-1)
         return [(frozenset(names[b] for b in i.bodies), t + i.time) for i in located]
 
     @property
     def hooks(self) -> int:
-        """How often a step calls Python, if each pair that needs it has one contact."""
+        """The number of Python calls in a step, if each pair that needs calls has one contact."""
         return self.kicks.calls + self._stages.calls + self.scene.pair_callbacks
 
     def step(self) -> None:
-        """Take one step without looking at it: nothing but pymunk's own step is paid for.
+        """Take one step without observing it, at the cost of pymunk's own step alone.
 
         Raises
         ------
         SimulationError
-            If a joint cannot be kept.
+            If a joint cannot be satisfied.
         """
         kicks, stages = self.kicks, self._stages
         try:
@@ -113,17 +113,17 @@ class World:
             kicks.take()
             for act in stages.after_step:
                 act()
-        except Exception as error:  # noqa: BLE001 (whatever it is, whoever steps gets an answer)
+        except Exception as error:  # noqa: BLE001 (any error is explained)
             self._stop(error)
 
     def advance(self, steps: int = 1) -> Snapshot:
-        """Take one or more steps, observe the last, and return the state there.
+        """Take one or more steps, observe the last one, and return its state.
 
         Raises
         ------
         SimulationError
-            If a joint cannot be kept, or a body is nowhere any more. The last good state stays in
-            `snapshot`.
+            If a joint cannot be satisfied, or the watchdog stops the run. The last good state stays
+            in `snapshot`.
         ValueError
             If there are no steps to take.
         """
@@ -132,7 +132,7 @@ class World:
         if steps < 1:
             raise ValueError(f"steps is {steps}, but must be at least 1")
         try:
-            with np.errstate(all="ignore"):  # what is not finite is told by name
+            with np.errstate(all="ignore"):  # the watchdog reports non-finite values by name
                 for _ in range(steps - 1):
                     self.step()
                 before = self._observer.velocity(self._seen)
@@ -144,22 +144,22 @@ class World:
 
     @property
     def doubted(self) -> bool:
-        """Whether the run has stopped and could go on: it is not lost, but not to be trusted."""
+        """Whether the run has stopped but could go on, with results that cannot be trusted."""
         return self._ended is not None and self._watch.doubts
 
     def go_on(self) -> None:
-        """Go on with a run that is `doubted`, whatever it shows, as pymunk would."""
+        """Continue a run that is `doubted`, as pymunk would."""
         assert self.doubted
         self._watch.doubts, self._watch.trusts = False, True
         self._ended, self.disturbed = None, True
 
     def _start(self) -> None:
-        """Observe the state from which the run goes on, and take the first half kick."""
+        """Observe the initial state, and take the first half kick."""
         self._seen = seen = start(self._setup, self._stages, self._observer)
         self._watch = make_watch(self, seen.snapshot, seen.contacts, seen.begun)
 
     def _observe(self, begun: Array) -> None:
-        """Take up the state, and let the watchdog look at it."""
+        """Observe the state, and let the watchdog check it."""
         stages = self._stages
         try:
             self._seen = seen = self._observer.observe(stages.begun() if stages.begun else begun)
@@ -170,7 +170,7 @@ class World:
             raise
 
     def _stop(self, error: Exception) -> NoReturn:
-        """Raise the error with its explanation; the world has then ended."""
+        """End the world, and raise the error with its explanation."""
         from sandbox.physics.stepping.failures import explained
 
         self._ended = explained(error, list(self.scene.bodies), self.t, self.stepping.rate)
@@ -178,16 +178,16 @@ class World:
         raise self._ended from cause
 
     def recall(self, snapshot: Snapshot) -> None:
-        """Show a state that was observed before; a world that does takes no step any more."""
+        """Show an earlier observed state; the world must take no step after that."""
         self._seen = self._seen._replace(snapshot=snapshot)
 
     def grab(self, body: str, point: tuple[float, float]) -> None:
-        """Take hold of a dynamic body at a point of the plane [m], as with a stiff spring.
+        """Grab a dynamic body at a point of the plane [m], as with a stiff spring.
 
         Raises
         ------
         SimulationError
-            If the scene cannot go on with leapfrog, which a hand needs.
+            If the scene cannot continue with leapfrog, which a hand needs.
         """
         from sandbox.physics.stepping import hand
 
@@ -198,24 +198,24 @@ class World:
         self.disturbed = True
 
     def drag(self, point: tuple[float, float]) -> None:
-        """Pull the body that is held towards a point of the plane [m]."""
+        """Pull the grabbed body towards a point of the plane [m]."""
         if hand := self._setup.forces.hand:
             hand.drag(point)
 
     def release(self) -> None:
-        """Let go of the body that is held."""
+        """Let go of the grabbed body."""
         if hand := self._setup.forces.hand:
             hand.release()
 
     def place(self, positions: Mapping[str, tuple[float, float]]) -> Snapshot:
-        """Put bodies elsewhere [m] with the velocities they have; strings are cut to fit.
+        """Move bodies to positions [m] with their present velocities; strings adapt their lengths.
 
-        Returns the new state, from which the run goes on as if it had started there.
+        Return the new state, from which the run continues as if it had started there.
 
         Raises
         ------
         SimulationError
-            If it cannot go on from there.
+            If it cannot continue from there.
         """
         from sandbox.physics.stepping import hand
 

@@ -1,1 +1,1 @@
-"""What only some levels call for in a step, one stage a file; `register.py` lists them."""
+"""The parts of a step that only some levels need, one stage per file; see `register.py`."""

@@ -1,14 +1,15 @@
-"""The stage of events that act: each takes effect at its own time within a drift.
+"""The stage of acting events: each takes effect at its own time within a drift.
 
-See `events/drift_events.py`. From then on the bodies are held and kicked for half of what is left
-of the drift, by all that still acts, so that exact joints hold at its end. pymunk is then handed
-the places and the velocities of a straight drift that leads there. Euler's schemes know no
-velocities at a step, and are no better than a step: there events act at the step that finds them.
+See `events/drift_events.py`. At the event the bodies are held in place and kicked for half of the
+remaining drift, with the forces that act from there on, so that exact joints hold at its end.
+pymunk is then given the positions and velocities of a straight drift with the same end. Euler's
+schemes have no velocities at the steps, and errors of a step in time anyway: there, events act at
+the step that finds them.
 
-A joint that breaks is an event like others, which waits for its force. Where several bear too much
-at once, the one that is furthest beyond what it bears goes first, and may take the load off the
-rest. For a blow see `events/joint_breaking.py`. What is tied, and what bounces off a stop, changes
-velocities at once, in a *jolt*: see `events/joint_impacts.py`.
+A joint that breaks is an event like others, which waits for its force. If several joints are
+overloaded at once, the most overloaded one breaks first, and may relieve the rest. For a blow see
+`events/joint_breaking.py`. Tying a joint, or a bounce off a stop, changes velocities at once, in a
+*jolt*: see `events/joint_impacts.py`.
 """
 
 from collections.abc import Callable, Iterator, Sequence
@@ -32,10 +33,10 @@ from sandbox.physics.stepping.next_event import Waiting
 from sandbox.physics.stepping.stage import Setup, Stage
 
 Act = Callable[[float], None]
-"""Does what happens at a time [s]."""
+"""Performs an event at a time [s]."""
 
 MOST = 1000
-"""How much may happen in one step, one after the other."""
+"""The most events in one step."""
 
 
 def make(setup: Setup) -> Stage:
@@ -51,7 +52,7 @@ def make(setup: Setup) -> Stage:
 
 
 class Acting:
-    """Waits for what happens in a level, and does what that says; n bodies."""
+    """Waits for the events of a level, and performs them; n bodies."""
 
     def __init__(self, setup: Setup) -> None:
         level, scene = setup.level, setup.scene
@@ -65,23 +66,23 @@ class Acting:
         self._bounces = Bounces.of(scene, level, setup.values, self._borne, self._dt)
         self._laws = (*((scene.gravity,) if scene.gravity else ()), *scene.laws)
         self._fixed = scene.mass == 0
-        self._past: tuple[Pulls, Pulls] | None = None  # in the last kick, and in that before it
+        self._past: tuple[Pulls, Pulls] | None = None  # in the last kick and the one before
         self._parts: list[Part] = []
         self._jolts: list[Jolt] = []
         self._switched = 0.0
         self.start(scene.batch.velocity(), np.zeros_like(scene.inertia))
 
     def start(self, begun: Array, acceleration: Array) -> None:
-        """Take up a motion: the velocities and accelerations at its start, (n, 3) each."""
+        """Start from a motion: velocities and accelerations at its start, (n, 3) each."""
         self._begun = begun - acceleration * (self._dt / 2)
         self._waiting.begin()
 
     def begun(self) -> Array:
-        """Return the velocities that the last kick began with: (n, 3) [m/s, rad/s]."""
+        """Return the velocities at the beginning of the last kick: (n, 3) [m/s, rad/s]."""
         return self._begun
 
     def record(self, step: StepRecord) -> StepRecord:
-        """Add what happened in the drift of a step."""
+        """Add the events in the drift of a step to its record."""
         if not self._parts:
             return step
         if self._leapfrog:
@@ -91,7 +92,7 @@ class Acting:
         return step._replace(acted=done._replace(jolts=tuple(self._jolts)))
 
     def look(self) -> None:
-        """Let happen what does in the coming drift."""
+        """Perform the events of the coming drift."""
         state, self._parts, self._switched = self._scene.batch.state(), [], 0.0
         self._jolts = []
         before, self._begun = self._begun, state[:, 3:]
@@ -107,7 +108,7 @@ class Acting:
             self._go_on(parts[-1], state)
 
     def _whole(self, state: Array, before: Array) -> Part:
-        """Return the coming drift, of states (n, 6), if nothing happens in it."""
+        """Return the coming drift without events, given states (n, 6)."""
         after, smooth = state[:, 3:], self._forces.smooth
         acceleration = (after - before) / self._dt
         struck = self._struck() | self._jerked()
@@ -118,7 +119,7 @@ class Acting:
         return Part(self._kicks.clock.after(0), lasts, state[:, :3], velocity, acceleration, smooth)
 
     def _struck(self) -> Booleans:
-        """Return whose velocities an impact has changed in the last kick: (n,)."""
+        """Return the bodies whose velocities an impact changed in the last kick: (n,)."""
         if self._scene.direct:
             return self._scene.direct.last.struck
         struck = np.zeros(len(self._fixed), dtype=bool)
@@ -128,7 +129,7 @@ class Acting:
         return struck
 
     def _jerked(self) -> Booleans:
-        """Return whose velocities a rope has changed that is being caught: (n,)."""
+        """Return the bodies whose velocities a rope that becomes taut changed: (n,)."""
         scene, moves = self._scene, ~self._fixed
         pulls = pulls_of(scene.joints, len(moves))
         before = self._past or (pulls, pulls)
@@ -161,7 +162,7 @@ class Acting:
         yield from self._halves(part) if self._jolts and self._leapfrog else (part,)
 
     def _until(self, part: Part, wait: float) -> Sequence[Part]:
-        """Return what leads to a jolt: to its end, the force that acts there; see `_halves`."""
+        """Return the parts up to a jolt, with the force there at their end; see `_halves`."""
         if not (self._leapfrog and wait):
             return (part._replace(lasts=wait),)
         left = part.lasts - wait
@@ -169,13 +170,13 @@ class Acting:
         return _in_halves(part._replace(lasts=wait), acceleration, self._forces.smooth)
 
     def _ahead(self, left: float) -> float:
-        """Return how much of a step has passed where so much of a drift is left [s]."""
+        """Return the share of a step that has passed, given the time left of a drift [s]."""
         return 1 - left / self._dt if self._leapfrog else 0.0
 
     def _happen(self, part: Part, left: float, act: Act) -> Part:
-        """Let something happen at the end of a part; return what is left of the drift from there.
+        """Perform an event at the end of a part; return the rest of the drift.
 
-        That is so long [s].
+        Its length is `left` [s].
         """
         scene, ahead = self._scene, self._ahead(left)
         place, velocity = part.state(part.lasts)
@@ -197,9 +198,9 @@ class Acting:
         return Part(t, left, place, velocity, acceleration, self._forces.smooth)
 
     def _halves(self, part: Part) -> tuple[Part, Part]:
-        """Return the halves of the last part of a drift with jolts; the end has its own force.
+        """Return the halves of the last part of a drift with jolts, with the force at its end.
 
-        So what is left of a drift after a jolt is a step of leapfrog by itself, and as good as one.
+        So the rest of a drift after a jolt is a leapfrog step by itself, and as accurate.
         """
         place, _ = part.state(part.lasts)
         _, middle = part.state(part.lasts / 2)
@@ -210,20 +211,20 @@ class Acting:
     def _tried(
         self, part: Part, ahead: float, state: tuple[Array, Array], lasts: tuple[float, float]
     ) -> Array:
-        """Return the accelerations in a kick that is only tried: (n, 3) [m/s², rad/s²].
+        """Return the accelerations in a trial kick: (n, 3) [m/s², rad/s²].
 
-        Those of the part are taken for what an impact, or a rope that is caught, stops in it.
+        Bodies that an impact, or a rope that becomes taut, stops in it keep those of the part.
 
         Parameters
         ----------
         part
-            Of the drift.
+            The part of the drift.
         ahead
-            When: so many steps after the last.
+            The time of the kick since the last step, in steps.
         state
-            (n, 3) each, places and velocities then [m, rad, m/s, rad/s].
+            (n, 3) each, positions and velocities at that time [m, rad, m/s, rad/s].
         lasts
-            How long the kick lasts, and the drift after it [s].
+            The lengths of the kick and of the drift after it [s].
         """
         joints, count = self._scene.joints, len(self._fixed)
         before = pulls_of(joints, count)
@@ -237,7 +238,7 @@ class Acting:
         return np.where((wild | self._fixed)[:, None], part.acceleration, found)
 
     def _throw(self, name: str, happening: Happening, t: float) -> None:
-        """Cut, tie, switch and reverse what is said, at a time [s]."""
+        """Cut, tie, switch and reverse what an event names, at a time [s]."""
         scene, (_, cut, tie, on, off, reverse) = self._scene, happening
         scene.happened[name] = t
         for joint in cut:
@@ -256,13 +257,13 @@ class Acting:
             scene.joints.together.calm()
 
     def _bounce(self, side: int, part: Part, wait: float, t: float) -> None:
-        """Let what meets a side of a stop bounce off it, so long after the beginning of a part."""
+        """Let a body bounce off a side of a stop, a time `wait` [s] after the start of a part."""
         assert self._bounces
         rests = self._bounces.rests(side, part, wait)
         self._jolts.append(self._bounces.bounce(side, t, rests=rests))
 
     def _go_on(self, last: Part, state: Array) -> None:
-        """Hand pymunk a straight drift to where the last part leads; states are (n, 6)."""
+        """Give pymunk a straight drift to the end of the last part; states are (n, 6)."""
         scene, dt = self._scene, self._dt
         if not self._leapfrog:
             self._begun = last.velocity
@@ -271,7 +272,7 @@ class Acting:
         begun = velocity - last.acceleration * (dt / 2)
         place = end - begun * dt
         begun[self._fixed], place[self._fixed] = state[self._fixed, 3:], state[self._fixed, :3]
-        if self._touching and not scene.direct:  # what pymunk is to remember are whole impulses
+        if self._touching and not scene.direct:  # pymunk's warm start needs whole impulses
             with self._kicks.held():
                 self._kicks.settle(1.0, begun, dt, dt)
         scene.joints.time(dt, dt)
@@ -281,14 +282,14 @@ class Acting:
 
 
 def _in_halves(part: Part, acceleration: Array, smooth: Array) -> tuple[Part, Part]:
-    """Return the halves of a part that comes to the same place with another force in the second.
+    """Return the halves of a part with the same end and another force in the second half.
 
     Parameters
     ----------
     part
-        With the force of its beginning.
+        The part, with the force at its start.
     acceleration, smooth
-        (n, 3), those at its end: all of it, and what gravity and laws give [m/s², rad/s²].
+        (n, 3), the total accelerations at its end, and those by gravity and laws [m/s², rad/s²].
     """
     half, (place, _) = part.lasts / 2, part.state(part.lasts)
     _, middle = part.state(half)

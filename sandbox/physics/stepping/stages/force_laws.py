@@ -1,4 +1,4 @@
-"""The stage of force laws: all that act are added up in one call before each kick."""
+"""The stage of force laws: all forces are added up in one call before each kick."""
 
 from functools import partial
 
@@ -7,7 +7,7 @@ from sandbox.physics.stepping.stage import Setup, Stage
 
 
 def make(setup: Setup) -> Stage:
-    """Make the stage; explicit Euler takes the forces from before the drift."""
+    """Make the stage; explicit Euler uses the forces before the drift."""
     if setup.stepping.scheme == "explicit-euler" and setup.scene.laws:
         clock = setup.kicks.clock
         kick = Kick(clock, 0, clock.dt, clock.dt)

@@ -1,4 +1,4 @@
-"""The stage of fourth order: a step of several drifts and kicks, some backwards in time."""
+"""The stage of the fourth-order scheme: several drifts and kicks, some backwards in time."""
 
 from sandbox.model.expressions import Array
 from sandbox.physics.scene.composition_schemes import fourth_order, substeps
@@ -6,13 +6,13 @@ from sandbox.physics.stepping.stage import Setup, Stage
 
 
 def make(setup: Setup) -> Stage:
-    """Make the stage: all drifts and kicks of a step but the last, which any step has."""
+    """Make the stage: all drifts and kicks of a step but the last, which every step has."""
     parts = Leading(setup)
     return Stage(before_drift=parts.take, begun=parts.begun)
 
 
 class Leading:
-    """Takes all drifts and kicks of a step but the last, as long as there are several."""
+    """Takes all drifts and kicks of a step but the last."""
 
     def __init__(self, setup: Setup) -> None:
         self._kicks, self._batch = setup.kicks, setup.scene.batch
@@ -21,10 +21,10 @@ class Leading:
         self._begun = self._batch.velocity()
 
     def take(self) -> None:
-        """Take them, and note how fast bodies are then."""
+        """Take them, and keep the velocities after them."""
         self._kicks.lead()
         self._begun = self._batch.velocity()
 
     def begun(self) -> Array:
-        """Return the velocities that the last kick began with: (n, 3) [m/s, rad/s]."""
+        """Return the velocities at the beginning of the last kick: (n, 3) [m/s, rad/s]."""
         return self._begun

@@ -1,4 +1,4 @@
-"""The stage that stops bodies from leaving the grid in which pymunk looks for pairs."""
+"""The stage that stops a run if a body leaves the grid in which pymunk finds pairs."""
 
 from math import hypot
 
@@ -11,10 +11,10 @@ from sandbox.physics.stepping.kicks import Kicks
 from sandbox.physics.stepping.stage import Setup, Stage
 
 LOOK = 16
-"""Steps between two looks at how far out bodies are."""
+"""The steps between two checks far from the bounds."""
 
 FASTER = 1e4
-"""How many times as far as now, or as fast, none is after so many steps of impacts and springs."""
+"""The growth of distances and speeds that impacts and springs cannot reach in so many steps."""
 
 
 def make(setup: Setup) -> Stage:
@@ -33,43 +33,43 @@ def beyond(name: str, scene: Scene, t: float) -> SimulationError:
 
 
 class Fence:
-    """Looks whether all bodies of a scene stay within its grid, beyond which pymunk never returns.
+    """Checks that all bodies of a scene stay within its grid, beyond which pymunk never returns.
 
     Parameters
     ----------
     scene, kicks
-        Of a crowd, for which pairs are found in a grid.
+        The scene, with so many bodies that pairs are found in a grid, and its kicks.
     """
 
     def __init__(self, scene: Scene, kicks: Kicks) -> None:
         self._scene, self._kicks = scene, kicks
-        self._look_again = 0  # at which step
+        self._look_again = 0  # the step of the next check
 
     def look(self) -> None:
-        """Stop if somebody would leave the grid in the coming drift.
+        """Stop if a body would leave the grid in the coming drift.
 
         Raises
         ------
         SimulationError
-            If so.
+            If one would.
         """
         kicks = self._kicks
         if name := self._leaver(kicks.clock.steps, kicks.clock.dt):
             raise beyond(name, self._scene, kicks.clock.after(0))
 
     def _leaver(self, step: int, drift: float) -> str | None:
-        """Return who would leave it in a drift [s] after so many steps."""
+        """Return a body that would leave the grid in a drift of a length [s] at a step."""
         if step < self._look_again:
             return None
         extent, reach, field = self._scene.batch.extent(), self._scene.reach, self._scene.gravity
         gains = hypot(*field.acceleration) if field else 0.0
-        if not self._scene.hooked and (extent + gains) * FASTER < reach:  # laws may do anything
+        if not self._scene.hooked and (extent + gains) * FASTER < reach:  # laws are unbounded
             self._look_again = step + LOOK
             return None
         return None if extent * (1 + drift) < reach else self._outermost(drift)
 
     def _outermost(self, drift: float) -> str | None:
         state, reach = self._scene.batch.state(), self._scene.reach
-        with np.errstate(all="ignore"):  # what is not a number is told later, by name
+        with np.errstate(all="ignore"):  # NaN is reported later, by name
             beyond = (np.abs(state[:, :2] + state[:, 3:5] * drift) >= reach).any(axis=1)
         return list(self._scene.bodies)[int(beyond.argmax())] if beyond.any() else None

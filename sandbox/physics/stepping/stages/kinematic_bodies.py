@@ -1,8 +1,8 @@
-"""The stage of kinematic bodies, which follow formulas of time.
+"""The stage of kinematic bodies that follow formulas of time.
 
-The direct solver of contacts starts from the velocities before a kick and the accelerations in it.
-So for it the motion of these bodies is told as an acceleration before the kick, and their
-velocities are set after pymunk's solver.
+The direct solver starts from the velocities before a kick and the accelerations in it. So it gets
+the motion of these bodies as an acceleration before the kick, and their velocities are set after
+pymunk's solver.
 """
 
 from sandbox.physics.engine.kinematic_bodies import Motions
@@ -11,7 +11,7 @@ from sandbox.physics.stepping.stage import Setup, Stage
 
 
 def make(setup: Setup) -> Stage:
-    """Make the stage; between two steps, as at an impact, such bodies go on as they are."""
+    """Make the stage; between two steps, as at an impact, such bodies keep their velocities."""
     clock, forces, scene = setup.kicks.clock, setup.forces, setup.scene
     motions = Motions(setup.level.bodies, setup.values, scene.batch, clock.dt)
 

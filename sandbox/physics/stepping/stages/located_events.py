@@ -1,7 +1,7 @@
-"""The stage of located impacts and ends of slipping, at which drifts are cut.
+"""The stage of located impacts and located ends of slipping, at which drifts are cut.
 
-See `events/located_impacts.py` and `events/slip_ends.py`. An impact in a drift changes what slips,
-so where there is one, slipping is left to the kick after it.
+See `events/located_impacts.py` and `events/slip_ends.py`. An impact in a drift changes the slips,
+so the end of slipping is then left to the kick after it.
 """
 
 from functools import partial
@@ -34,21 +34,21 @@ def make(setup: Setup) -> Stage:
 
 
 class Cuts:
-    """Lets impacts, or else ends of slipping, cut the coming drift."""
+    """Cuts the coming drift at impacts, or else at ends of slipping."""
 
     def __init__(self, setup: Setup, located: "Located | None", stops: "Stops | None") -> None:
         self._forces, self._scene, self._dt = setup.forces, setup.scene, setup.kicks.clock.dt
         self._located, self._stops = located, stops
 
     def start(self, begun: Array, acceleration: Array) -> Array | None:
-        """Take up a motion; return its accelerations right at the start if they are known."""
+        """Start from a motion; return the accelerations right at the start if they are known."""
         known = self._stops.start(begun, acceleration) if self._stops else None
         if self._located:
             self._located.begin(begun, acceleration if known is None else known)
         return known
 
     def cut(self) -> None:
-        """Let what would touch in the coming drift collide there, or slipping end."""
+        """Let bodies collide, or slipping end, in the coming drift."""
         if located := self._located:
             self._collide(located)
         if stops := self._stops:
@@ -71,13 +71,13 @@ class Cuts:
         return (self._stops and self._stops.kicked) or self._scene.batch.contacts()
 
     def begun(self) -> Array:
-        """Return the velocities that the last kick began with: (n, 3) [m/s, rad/s]."""
+        """Return the velocities at the beginning of the last kick: (n, 3) [m/s, rad/s]."""
         cutting = self._stops or self._located
         assert cutting
         return cutting.begun
 
     def record(self, step: StepRecord) -> StepRecord:
-        """Add what impacts, and the ends of slipping, did in the drift of a step."""
+        """Add the impacts and the ends of slipping in the drift of a step to its record."""
         collided = self._located.last if self._located else None
         return step._replace(
             over=len(collided.impacts) if collided else 0,

@@ -1,4 +1,4 @@
-"""One-way surfaces: where the bodies are at the end of each step; see `contacts/one_way.py`."""
+"""The stage of one-way surfaces: notes positions after each step; see `contacts/one_way.py`."""
 
 from sandbox.model.expressions import Array
 from sandbox.physics.stepping.stage import Setup, Stage

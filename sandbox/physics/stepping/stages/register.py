@@ -1,6 +1,6 @@
-"""The register of stages: what calls for each, and what makes it.
+"""The register of stages: the condition for each, and its maker.
 
-A stage is imported where a level calls for it: what a scene does not need is not even loaded.
+A stage is imported only if a level needs it.
 """
 
 from collections.abc import Callable, Iterator, Mapping
@@ -13,14 +13,14 @@ _ROOM = __name__.rpartition(".")[0]
 
 
 def declared(setup: Setup) -> Iterator[Stage]:
-    """Yield the stages that a level calls for, in the order in which they act."""
+    """Yield the stages that a level needs, in the order in which they act."""
     for wanted, make in STAGES.values():
         if wanted(setup):
             yield make(setup)
 
 
 def _by(module: str) -> Callable[[Setup], Stage]:
-    """Return what makes a stage: the function `make` of a module of this folder."""
+    """Return a maker that calls the function `make` of a module of this folder."""
 
     def make(setup: Setup) -> Stage:
         made: Stage = import_module(f"{_ROOM}.{module}").make(setup)
@@ -51,4 +51,4 @@ STAGES: Mapping[str, tuple[Callable[[Setup], bool], Callable[[Setup], Stage]]] =
     "fourth order": (lambda s: s.stepping.scheme == "fourth-order", _by("fourth_order")),
     "the bounds of a crowd's grid": (lambda s: isfinite(s.scene.reach), _by("grid_bounds")),
 }
-"""What calls for each stage, and what makes it."""
+"""The condition for each stage, and its maker."""

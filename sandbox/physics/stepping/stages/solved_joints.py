@@ -1,4 +1,4 @@
-"""The stage of joints that are not pymunk's: exact joints are solved after its kick."""
+"""The stage of joints other than pymunk's; exact joints are solved after its kick."""
 
 from collections.abc import Sequence
 from functools import partial
@@ -11,7 +11,7 @@ from sandbox.physics.stepping.stage import Setup, Stage
 
 
 def make(setup: Setup) -> Stage:
-    """Make the stage; contacts that are solved directly take the exact joints with them."""
+    """Make the stage; the direct solver of contacts solves the exact joints, too."""
     scene = setup.scene
     joints, touching = scene.joints, setup.level.effects.contact is not None
     before = [string.warm_start for string in joints.strings.values()] if touching else []
@@ -22,14 +22,14 @@ def make(setup: Setup) -> Stage:
 
 
 def _solvers(joints: Joints, *, alone: bool) -> list[Work]:
-    """Return what must run after pymunk's solver.
+    """Return the calls after pymunk's solver.
 
     Parameters
     ----------
     joints
-        Of the scene.
+        The joints of the scene.
     alone
-        Whether the exact joints are solved without contacts, and therefore here.
+        Whether the exact joints are solved here, apart from contacts.
     """
     work: list[Work] = [string.solve for string in joints.strings.values()]
     if joints.touches:
@@ -40,7 +40,7 @@ def _solvers(joints: Joints, *, alone: bool) -> list[Work]:
 
 
 def bearing(setup: Setup, solve: Work) -> Work:
-    """Return what solves joints, so that those break that a blow goes through and that can."""
+    """Return a solver of joints in which blows break joints, if any have a breaking force."""
     borne, together = loads(setup.level.joints, setup.values), setup.scene.joints.together
     if not (borne and together):
         return solve
@@ -50,7 +50,7 @@ def bearing(setup: Setup, solve: Work) -> Work:
 
 
 def _all(work: Sequence[Work]) -> Work | None:
-    """Return one call of all; None if there are none."""
+    """Return one call of all items; None if there are none."""
     if len(work) < 2:
         return work[0] if work else None
     return partial(_each, work)
