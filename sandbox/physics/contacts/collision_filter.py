@@ -1,7 +1,8 @@
 """Pairs of bodies that never collide, whatever their shapes do.
 
-pymunk leaves out pairs between which a constraint says so, before it looks at their shapes: nothing
-is called, and nothing is made of a contact. The constraint is a motor without strength.
+pymunk skips pairs that are connected by a constraint with `collide_bodies` off, before it checks
+their shapes: no callback is called, and no contact is made. The constraint is a motor without
+force.
 """
 
 from collections.abc import Iterable, Mapping
@@ -12,7 +13,7 @@ import pymunk
 def keep_apart(
     space: pymunk.Space, bodies: Mapping[str, pymunk.Body], pairs: Iterable[tuple[str, str]]
 ) -> list[pymunk.Constraint]:
-    """Let pairs of bodies not meet, of which one is dynamic at least; return what sees to it."""
+    """Exclude collisions of pairs, each with a dynamic body; return the constraints for it."""
     bars: list[pymunk.Constraint] = []
     for a, b in pairs:
         bar = pymunk.SimpleMotor(bodies[a], bodies[b], 0.0)
@@ -23,7 +24,7 @@ def keep_apart(
 
 
 def meets(one: pymunk.Body, other: pymunk.Body) -> bool:
-    """Whether two bodies may touch each other."""
+    """Return whether two bodies may touch each other."""
     return not any(
         not bar.collide_bodies and (bar.a is other or bar.b is other) for bar in one.constraints
     )

@@ -1,4 +1,4 @@
-"""Contacts at the present positions, asked of pymunk between two of its steps."""
+"""Contacts at the present positions, found by pymunk between two of its steps."""
 
 from collections import Counter
 from collections.abc import Collection, Iterator, Sequence
@@ -16,22 +16,22 @@ if TYPE_CHECKING:
     from sandbox.physics.contacts.one_way import Gates
 
 Points = tuple[complex, complex]
-"""Where two shapes touch, on the surface of each [m]."""
+"""The contact point of two shapes, on the surface of each [m]."""
 
 
 class Touched(NamedTuple):
-    """What a shape touches.
+    """A contact of a shape.
 
     Attributes
     ----------
     body
-        pymunk's.
+        The other body, of pymunk.
     normal
-        The unit vector to it.
+        The unit normal towards it.
     points
-        Where they touch, one or two; the shape's own surface first.
+        One or two contact points; the shape's own surface first.
     depth
-        By how much they overlap where they do so most [m].
+        The largest overlap [m].
     """
 
     body: pymunk.Body
@@ -46,7 +46,7 @@ def touched(
     hollows: Hollows | None,
     gates: "Gates | None" = None,
 ) -> Iterator[Touched]:
-    """Yield what a shape touches, other shapes of its own body as well."""
+    """Yield the contacts of a shape, those with other shapes of its own body as well."""
     for hit in space.shape_query(shape):
         found = hit.contact_point_set
         if hit.shape is None or hit.shape.body is None or not found.points:
@@ -62,24 +62,24 @@ def touched(
         elif verdict:
             both = [(complex(*p.point_a), complex(*p.point_b)) for p in found.points]
             normal = complex(*found.normal)
-            # pymunk's own distance has the wrong sign where it looks at the other shape first
+            # pymunk's own distance has the wrong sign if it takes the other shape first
             depth = max(dot(here - there, normal) for here, there in both)
             yield Touched(hit.shape.body, normal, both, depth)
 
 
 class Query:
-    """Finds the contacts of bodies that were moved by hand; n bodies.
+    """Finds the contacts of bodies that were moved outside pymunk's step; n bodies.
 
     Parameters
     ----------
     space
-        In which they are.
+        The space of the bodies.
     bodies
-        All of them, in order.
+        All bodies, in order.
     hollows
-        What is hollow among them; None if nothing is.
+        The hollow bodies; None if there are none.
     gates
-        What lets them through one way; None if nothing does.
+        The one-way surfaces; None if there are none.
 
     Attributes
     ----------
@@ -98,19 +98,19 @@ class Query:
         self._rows = {body: row for row, body in enumerate(bodies)}
 
     def more(self, known: Contacts, moved: Collection[int], least: float) -> Contacts:
-        """Return contacts, and those that bodies have since they were moved.
+        """Return known contacts, updated for bodies that were moved.
 
-        Two bodies that touch at more shapes than they did, or are deep in each other at more
-        points, are taken as they are found now; the others keep what is known of them.
+        Pairs that now touch with more shapes, or overlap deeply at more points, get new contacts;
+        the others keep the known ones.
 
         Parameters
         ----------
         known
-            The contacts where the bodies were before.
+            The contacts at the earlier positions.
         moved
-            The rows of those that were moved.
+            The rows of the moved bodies.
         least
-            How deep counts as deep [m].
+            The least overlap that counts as deep [m].
         """
         found: dict[tuple[int, int], list[Touched]] = {}
         for row, other, contact in self._found(moved):
@@ -131,7 +131,7 @@ class Query:
         return rest.and_(contacts_of(new)).in_order()
 
     def _found(self, moved: Collection[int]) -> Iterator[tuple[int, int, Touched]]:
-        """Yield the rows of two bodies that touch, the lower first, and how."""
+        """Yield the rows of two bodies that touch, the lower first, and their contact."""
         for row in moved:
             self._space.reindex_shapes_for_body(self.bodies[row])
         for row in moved:
@@ -140,24 +140,24 @@ class Query:
                     other = self._rows[found.body]
                     if row < other:
                         yield row, other, found
-                    elif other < row and other not in moved:  # or it has found it itself
+                    elif other < row and other not in moved:  # else it is found from the other body
                         back = [(there, here) for here, there in found.points]
                         yield other, row, found._replace(normal=-found.normal, points=back)
 
 
 def pairs_of(contacts: Contacts) -> list[tuple[int, int]]:
-    """Return the bodies of each contact, the lower number first."""
+    """Return the bodies of each contact, the lower index first."""
     return [(a, b) if a < b else (b, a) for a, b in contacts.bodies.tolist()]
 
 
 def _deep(contacts: Sequence[Touched], least: float) -> int:
-    """Return at how many points shapes are so deep in each other [m]."""
+    """Return the number of points with more than the least overlap [m]."""
     pairs = ((contact.normal, *point) for contact in contacts for point in contact.points)
     return sum(dot(here - there, normal) > least for normal, here, there in pairs)
 
 
 def contacts_of(found: dict[tuple[int, int], list[Touched]]) -> Contacts:
-    """Return contacts as a step has them, without impulses."""
+    """Return contacts in the form of a step's, without impulses."""
     rows = [(pair, contact) for pair, contacts in found.items() for contact in contacts]
     count = len(rows)
     points, depths = np.zeros((count, 2), dtype=complex), np.zeros((count, 2))

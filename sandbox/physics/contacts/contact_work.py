@@ -1,4 +1,4 @@
-"""A kick as the ledger books it, and the work that contacts did in it."""
+"""A kick as the ledger books it, and the work of contacts in it."""
 
 from typing import NamedTuple
 
@@ -11,20 +11,20 @@ from sandbox.physics.state.motion import Motion
 
 
 class Kick(NamedTuple):
-    """What a kick is booked with; n bodies.
+    """The data of a kick for the books; n bodies.
 
     Attributes
     ----------
     t, length
-        When it was, and how long [s].
+        The time and length of the kick [s].
     seen
-        What the force laws see in it.
+        The motion that the force laws see in it.
     place
-        (n, 2), where the bodies were [m].
+        (n, 2), the positions of the bodies [m].
     mean
         (n, 3), the mean of their velocities before and after [m/s, rad/s].
     inertia
-        (n, 3), their masses, masses and moments; 0 for what nothing moves [kg, kg m²].
+        (n, 3), their masses, masses and moments; 0 for immovable bodies [kg, kg m²].
     """
 
     t: float
@@ -47,9 +47,10 @@ def pressed(contacts: Contacts, row: int) -> Array:
 
 
 def completed(contacts: Contacts, impulse: Array) -> Contacts:
-    """Return contacts with the whole impulse where a body has but one, not pymunk's share of it.
+    """Return contacts with the total impulse for bodies that have only one contact.
 
-    Friction that breaks loose within a step is taken down after pymunk has solved it.
+    pymunk's own value differs if friction breaks loose within a step, as it is then reduced after
+    the solve.
     """
     counts = np.bincount(contacts.bodies.ravel(), minlength=len(impulse))
     whole = contacts.impulse.copy()
@@ -61,18 +62,18 @@ def completed(contacts: Contacts, impulse: Array) -> Contacts:
 
 
 def couples(contacts: Contacts, impulse: Array, place: Array, inertia: Array) -> Array:
-    """Return the torque of each contact on its second body, about its middle: (k,) [N m s].
+    """Return the angular impulse of contacts on their second bodies, about their middle: (k,).
 
-    A side that presses on a side does so more at one end than at the other. How much follows from
-    what the bodies lack that turn freely; of contacts that could give it all in several ways each
-    gives as little as it can.
+    The pressure of one side on another is larger at one end. The difference follows from the
+    missing angular impulse [N m s] of the bodies that rotate freely; if it is not unique, the
+    least-norm solution is taken.
 
     Parameters
     ----------
     contacts, place, inertia
         As for `rubbing`.
     impulse
-        (n, 3), of all contacts on each body.
+        (n, 3), the impulse of all contacts on each body.
     """
     found = np.zeros(len(contacts.bodies))
     sides = np.flatnonzero(contacts.touches == 2)
@@ -98,18 +99,18 @@ def rubbing(
     running: Array,
     turned: Array | float = 0.0,
 ) -> tuple[float, dict[str, float]]:
-    """Return the work of friction, and what kinematic bodies and belts put in [J].
+    """Return the work of friction, and the energy from kinematic bodies and belts [J].
 
     Parameters
     ----------
     contacts
-        Those of a kick.
+        The contacts of a kick.
     place, mean, inertia
         As in a `Kick`.
     running
-        (n, 2), how fast the bodies' surfaces run [m/s].
+        (n, 2), the velocities of the bodies' running surfaces [m/s].
     turned
-        (k,), the torques of the contacts on their second bodies; see `couples`.
+        (k,), the angular impulses of the contacts on their second bodies; see `couples`.
     """
     along = np.stack((-contacts.direction[:, 1], contacts.direction[:, 0]), axis=1)
     friction = np.sum(contacts.impulse * along, axis=1)[:, None] * along
@@ -130,7 +131,7 @@ def rubbing(
 
 
 def _middles(contacts: Contacts) -> Array:
-    """Return the middle of where each pair touches: (k, 2) [m]."""
+    """Return the middle of each contact: (k, 2) [m]."""
     second = np.where(contacts.touches == 2, 1, 0)
     both = contacts.points[np.arange(len(second)), second]
     middles: Array = (contacts.points[:, 0] + both) / 2

@@ -1,4 +1,4 @@
-"""Feelers: small discs that find where the corners of bodies touch hollow shapes."""
+"""Feelers: small discs that detect contacts between corners and hollow shapes."""
 
 from collections.abc import Sequence
 from typing import NamedTuple
@@ -11,28 +11,28 @@ from sandbox.model.shapes import Curve, Polyline, Segment
 from sandbox.physics.geometry.distance import FEELER
 
 HOLLOW = 1 << 30
-"""The category of the sides of arcs, and of curves, which feelers meet."""
+"""The category of arcs and curves, which collide with feelers."""
 
 ORDINARY = pymunk.ShapeFilter(categories=0xFFFFFFFF & ~(HOLLOW | FEELER))
 
 FELT = 0.5
-"""The share of its length by which what touches an arc from inside may be too deep in it, and a
-corner still find it; of an arc the share of its radius."""
+"""The greatest overlap with an arc from inside at which a feeler still detects the contact, as a
+share of the shape's length, or of the radius of an arc."""
 
 
 class Made(NamedTuple):
-    """A body that may be touched.
+    """A body with contact shapes.
 
     Attributes
     ----------
     row
         Its index.
     spec
-        What the level says of it.
+        The body's description in the level.
     body
-        pymunk's.
+        The body in pymunk.
     shapes
-        With which it touches others.
+        Its contact shapes.
     points
         The corners of its shape, relative to it [m].
     """
@@ -50,7 +50,7 @@ class Made(NamedTuple):
 
 
 def half_of(body: Made, values: Values, skin: float) -> float:
-    """Return how far the sides of a line are from its middle [m]."""
+    """Return half the thickness of a line, with the skin [m]."""
     shape = body.spec.shape
     assert isinstance(shape, Segment | Polyline | Curve)
     return shape.thickness(values) / 2 + skin
@@ -64,7 +64,7 @@ def make_feeler(shape: pymunk.Shape, corner: complex, reach: float) -> pymunk.Ci
 
 
 def disc_like(shape: pymunk.Shape, center: complex, radius: float) -> pymunk.Circle:
-    """Return a disc that rubs and bounces as another shape of the same body."""
+    """Return a disc with the friction and restitution of another shape of the same body."""
     disc = pymunk.Circle(shape.body, radius, (center.real, center.imag))
     disc.friction, disc.elasticity = shape.friction, shape.elasticity
     disc.collision_type, disc.filter = shape.collision_type, ORDINARY

@@ -1,8 +1,8 @@
-"""Corners that should touch at the start, but fall short by the rounding of polygons.
+"""Closes gaps at corners that should touch at the start, due to the rounding of polygons.
 
-The inset of polygons rounds their corners off: one that stands on a floor by its corner, as a
-ladder does, would be out of touch by some 1e-9 m, and fall freely in the first step; the sharper
-the corner, the further.
+The inset of polygons rounds their corners off: a polygon that stands on a floor by its corner, as a
+ladder does, would have a gap of some 1e-9 m, and fall freely in the first step. The gap is larger
+at sharper corners.
 """
 
 from collections.abc import Iterator
@@ -12,11 +12,11 @@ import pymunk
 from sandbox.physics.contacts.shapes import SKIN
 
 REACH = 1e-7
-"""m, by which a corner may fall short: one of 20° does so by 9.5e-8 at the most."""
+"""m, the largest gap at a corner that is closed; a corner of 20° has at most 9.5e-8."""
 
 
 def reach_out(space: pymunk.Space) -> None:
-    """Let polygons that fall short of what they touch stand as much prouder."""
+    """Enlarge the radius of polygons by their gaps."""
     short: dict[pymunk.Poly, float] = {}
     for body in space.bodies:
         for shape in body.shapes if body.body_type == pymunk.Body.DYNAMIC else ():
@@ -27,7 +27,7 @@ def reach_out(space: pymunk.Space) -> None:
 
 
 def _gaps(space: pymunk.Space, shape: pymunk.Shape) -> Iterator[tuple[pymunk.Poly, float]]:
-    """Yield by how much a shape falls short of others [m], and which polygon can give way."""
+    """Yield the polygons to enlarge for a shape, with their gaps [m]."""
     if not isinstance(shape, pymunk.Poly | pymunk.Circle):
         return
     own = shape.radius

@@ -1,4 +1,4 @@
-"""The refusal of bodies that collide again and again in one moment."""
+"""The error for bodies that collide endlessly at one instant."""
 
 from sandbox.model.message import Message
 
@@ -8,13 +8,13 @@ OFTEN = Message(
 )
 
 
-class EndlessImpacts(Exception):  # noqa: N818 (whoever knows the names and the time tells it)
-    """Bodies that collide in one moment more often than can be followed.
+class EndlessImpacts(Exception):  # noqa: N818 (it is converted into an error)
+    """Bodies collide at one instant more often than can be followed.
 
     Attributes
     ----------
     body
-        The index of one of them; the reason may name it, as {body}.
+        The index of one of the bodies; the reason may name it, as {body}.
     """
 
     def __init__(self, body: int, reason: Message = OFTEN, **values: object) -> None:
@@ -22,5 +22,5 @@ class EndlessImpacts(Exception):  # noqa: N818 (whoever knows the names and the 
         super().__init__(reason)
 
     def told(self, body: str) -> Message:
-        """Return what is wrong, with the name of the body."""
+        """Return the reason, with the name of the body."""
         return self._reason.filled(body=f"'{body}'", **self._values)

@@ -1,10 +1,10 @@
 """Contacts of arcs, hoops and curves: pymunk finds them, and the exact geometry corrects them.
 
-Whatever is within a circle overlaps it, so pymunk finds it in every step. Before it solves, a
-callback puts the exact contact in place of its own, or takes it away. What has corners touches an
-arc from inside, or a curve, with these: each gets a small disc, a feeler, that meets nothing else.
+Any body within a circle overlaps it, so pymunk finds a contact in every step. Before pymunk solves
+it, a callback replaces it by the exact contact, or removes it. Polygons touch an arc from inside,
+or a curve, with their corners: each corner gets a small disc, a feeler, that meets nothing else.
 
-A hoop in which no other body of the level has room remains a disc, and costs nothing.
+A hoop in which no other body of the level fits remains a disc, at no extra cost.
 """
 
 from cmath import rect
@@ -20,34 +20,34 @@ from sandbox.physics.geometry.arcs import Piece, Placed, Touch, Verdict, way_alo
 from sandbox.physics.geometry.curves import verdict
 
 Shapes = tuple[int, int]
-"""Two of pymunk's, by their addresses."""
+"""Two shapes of pymunk, by their addresses."""
 
 HIT = 3.0
-"""From how many times the approach of what follows an arc on something hits it. What comes from a
-straight way on does so with up to twice that."""
+"""The approach velocity that counts as an impact, as a multiple of that of a body that follows the
+arc. A body that comes from a straight line onto the arc has up to twice that."""
 
 SLOWEST = 1e-12
-"""m/s, from which what follows a curve outside comes or goes, and does not rest on it."""
+"""m/s, the least normal velocity of a body on the outside of a curve that does not rest on it."""
 
 
 class Hollows:
-    """The arcs and curves of a scene, and the hoops that may have something in them.
+    """The arcs and curves of a scene, and the hoops that may contain bodies.
 
     Parameters
     ----------
     pairs
-        The pairs of bodies that may touch in another way than pymunk has it: their names, in order,
-        and their indices.
+        The pairs of bodies whose contacts may differ from pymunk's: their names, in order, and
+        their indices.
     drift
-        How long the drift after a kick lasts [s]; None if nothing shall follow arcs more exactly
-        than pymunk lets it.
+        The length of the drift after a kick [s]; None if bodies need not follow arcs more exactly
+        than with pymunk.
     enclosures
-        Keeps apart what hoops lie between.
+        Excludes contacts between bodies that hoops separate.
 
     Attributes
     ----------
     pairs
-        The names of the same.
+        The names of these pairs.
     enclosures
         As above.
     """
@@ -61,20 +61,20 @@ class Hollows:
         self.pairs, self._drift, self.enclosures = frozenset(pairs), drift, enclosures
         self._rows = frozenset(pairs.values())
         self._pieces: dict[int, Piece] = {}
-        self._shapes: list[pymunk.Shape] = []  # or pymunk would let go of them
+        self._shapes: list[pymunk.Shape] = []  # keeps pymunk's shapes alive
         self._touching: dict[Shapes, Touch | None] = {}
         self._along: dict[Shapes, float] = {}
 
     def know(self, shape: pymunk.Shape, piece: Piece) -> None:
-        """Take up a shape as it is seen by arcs."""
+        """Register a shape with its exact geometry."""
         self._shapes.append(shape)
         self._pieces[address(shape)] = piece
 
     def correct(self, arbiter: pymunk.Arbiter) -> bool:
-        """Correct a contact before it is solved, and tell whether there is one."""
+        """Correct a contact before it is solved, and return whether there is one."""
         meeting = Meeting(arbiter)
         one, other = meeting.shapes
-        pair = min(one, other), max(one, other)  # pymunk may exchange them from step to step
+        pair = min(one, other), max(one, other)  # pymunk may swap them from step to step
         found = self._judge((one, other), *meeting.places())
         if found is False:
             self._touching.pop(pair, None)
@@ -90,13 +90,13 @@ class Hollows:
         return True
 
     def leave(self, arbiter: pymunk.Arbiter) -> None:
-        """Forget a contact that somebody else has taken away."""
+        """Forget a contact that was removed elsewhere."""
         one, other = Meeting(arbiter).shapes
         self._touching.pop((min(one, other), max(one, other)), None)
         self._along.pop((min(one, other), max(one, other)), None)
 
     def sides(self, shape: pymunk.Shape, touch: Touch) -> tuple[complex, complex, complex]:
-        """Return the normal from a shape to the other of a touch, and where each is touched [m]."""
+        """Return the normal from a shape of a contact to the other, and the point on each [m]."""
         return self._sides(address(shape), touch)
 
     def _sides(self, shape: int, touch: Touch) -> tuple[complex, complex, complex]:
@@ -105,12 +105,13 @@ class Hollows:
         return -touch.normal, touch.on_other, touch.on_arc
 
     def follow(self, arbiter: pymunk.Arbiter) -> None:
-        """Let what touches an arc from inside, or a curve, follow it, as far as it does not bounce.
+        """Make a body that touches an arc from inside, or a curve, follow it, unless it bounces.
 
-        pymunk would leave it the velocity along the arc where it is, which leads out of the arc:
-        each step would take (v dt / r)² of v². What comes faster than from a straight way on into
-        the arc, which is twice as fast as along it, hits it. From outside of a curve it is let come
-        back to it in the same manner: as fast as it must to be as far from it after the drift.
+        pymunk would leave it the velocity along the tangent, which leads out of the arc: each step
+        would lose the share (v dt / r)² of v². A body hits the arc if it approaches faster than
+        from a straight line onto the arc, which is twice as fast as along it. On the outside of a
+        curve it is made to return in the same way: with the velocity for which its distance is the
+        same after the drift.
         """
         meeting = Meeting(arbiter)
         one, other = meeting.shapes
@@ -133,7 +134,7 @@ class Hollows:
             meeting.bounce(max(share, meeting.restitution) if hits else share)
 
     def impacts(self, contacts: Contacts) -> Contacts:
-        """Return those contacts that may be impacts: what follows an arc does not hit it."""
+        """Return the contacts that may be impacts: those of bodies that do not follow an arc."""
         follow = {
             frozenset(self._pieces[shape].body for shape in pair)
             for pair in self._along
@@ -143,7 +144,7 @@ class Hollows:
         return contacts if all(rows) else Contacts._make(field[rows] for field in contacts)
 
     def judge(self, one: pymunk.Shape, other: pymunk.Shape) -> Verdict:
-        """Return how two shapes touch that overlap to pymunk, where their bodies are now."""
+        """Return the exact contact of two shapes that overlap in pymunk, at present positions."""
         at, there = (
             (complex(*body.position), complex(*body.rotation_vector))
             for body in (one.body, other.body)
@@ -154,10 +155,10 @@ class Hollows:
         return rows not in self._rows or self._judge(shapes, at, there)
 
     def inside(self, state: Array) -> Iterator[Touch]:
-        """Yield what touches an arc from inside, or a curve; see `Batch.state`.
+        """Yield the contacts with arcs from inside and with curves, given a `Batch.state`.
 
-        Right after a step these are the contacts that pymunk has just solved, for it looks for them
-        where the bodies are then.
+        Right after a step these are the contacts that pymunk has just solved, as it finds them at
+        these positions.
         """
         for shapes, known in self._touching.items():
             if known:

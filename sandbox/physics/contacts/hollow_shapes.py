@@ -1,4 +1,4 @@
-"""Making hollow shapes in pymunk: arcs, curves and hoops, and the feelers of the other bodies."""
+"""Makes hollow shapes in pymunk: arcs, curves and hoops, and the feelers of other bodies."""
 
 from cmath import rect
 from collections.abc import Iterator, Mapping, Sequence
@@ -53,14 +53,14 @@ def make_hollow(
     shapes
         The shapes of all bodies, in the level's order.
     skin
-        How far flat surfaces stand proud [m].
+        The thickness of the contact skin on flat surfaces [m].
     drift
         See `Hollows`.
 
     Raises
     ------
     SimulationError
-        If something starts in a hoop that can only be touched from outside.
+        If a body starts in a hoop that can only be touched from outside.
     """
     hollow = ArcShape | Hoop | CurveShape
     if not any(isinstance(body.shape, hollow) for body in level.bodies.values()):
@@ -106,7 +106,7 @@ def _made(row: int, spec: Body, values: Values, shapes: Sequence[pymunk.Shape]) 
 
 
 def _pairs(level: Level, values: Values, made: Mapping[str, Made]) -> list[tuple[str, str]]:
-    """Return which bodies, the first of them, may be touched from inside, and by which."""
+    """Return the pairs of a body that may be touched from inside, and the body that may do so."""
     found = []
     effects = level.effects
     sticky = {frozenset(p.bodies) for p in effects.sticking.pairs} if effects.sticking else set()
@@ -129,21 +129,21 @@ def _pairs(level: Level, values: Values, made: Mapping[str, Made]) -> list[tuple
 
 
 def _has_room(radius: float, body: Made) -> bool:
-    """Whether a body may be within a hoop; none may that is wider, in the axes of either."""
+    """Return whether a body fits into a hoop, by the bounding box along its own axes."""
     low = np.min([_box(shape)[0] for shape in body.shapes], axis=0)
     high = np.max([_box(shape)[1] for shape in body.shapes], axis=0)
     return bool((high - low).max() < 2 * radius)
 
 
 def _box(shape: pymunk.Shape) -> tuple[list[float], list[float]]:
-    """Return the corners of a box around a shape, along the axes of its body [m]."""
+    """Return the corners of the bounding box of a shape, along the axes of its body [m]."""
     points, radius = core_of(shape), shape.radius
     x, y = [p.real for p in points], [p.imag for p in points]
     return [min(x) - radius, min(y) - radius], [max(x) + radius, max(y) + radius]
 
 
 def _refuse_within(name: str, hollow: Made, radius: float, other: str, body: Made) -> None:
-    """Refuse what starts in a hoop, where first touches from inside would have to be found."""
+    """Refuse a body that starts in a hoop, as first contacts from inside are not located."""
     if abs(complex(*hollow.body.position) - complex(*body.body.position)) < radius:
         rule = Message(
             "'{other}' starts in the hoop '{name}': where 'contact' locates impacts, or the two"
@@ -161,11 +161,11 @@ def line_of(row: int, spec: Body, values: Values, skin: float) -> Arc | Course:
     Parameters
     ----------
     row, spec
-        The body's index, and what the level says of it.
+        The body's index, and its description in the level.
     values
-        Of the parameters.
+        The values of the parameters.
     skin
-        How far surfaces stand proud [m].
+        The thickness of the contact skin [m].
     """
     shape = spec.shape
     if isinstance(shape, CurveShape):
@@ -195,7 +195,7 @@ def _pieces(
     pairs: Sequence[tuple[str, str]],
     skin: float,
 ) -> Iterator[tuple[pymunk.Shape, Piece]]:
-    """Yield the shapes that there are, as arcs and curves see them."""
+    """Yield the existing shapes with their exact geometry."""
     for name, body in made.items():
         line = lines.get(name)
         for shape in body.shapes if line else ():
@@ -219,9 +219,9 @@ def _radius(shape: pymunk.Shape) -> float:
 
 
 def _cores(body: Made) -> list[list[complex]]:
-    """Return the cores of a body's shapes; those of polygons as they are, not as pymunk has them.
+    """Return the cores of a body's shapes; of polygons, the exact corners.
 
-    pymunk's stand back a little behind their radius.
+    Those in pymunk are slightly smaller, because of their radius.
     """
     match body.spec.shape:
         case Box():
@@ -235,7 +235,7 @@ def _cores(body: Made) -> list[list[complex]]:
 def _feelers(
     made: Mapping[str, Made], pairs: Sequence[tuple[str, str]], skin: float
 ) -> Iterator[tuple[pymunk.Shape, Piece]]:
-    """Yield a small disc for each corner that may touch an arc from inside."""
+    """Yield a feeler for each corner that may touch an arc from inside."""
     for other in dict.fromkeys(other for _, other in pairs):
         body = made[other]
         if isinstance(body.spec.shape, Disc | Hoop | ArcShape | CurveShape):

@@ -1,4 +1,4 @@
-"""The velocities of points of bodies, and the Jacobian of touching pairs."""
+"""The velocities of points of bodies, and the Jacobian of contacts."""
 
 import numpy as np
 
@@ -7,14 +7,14 @@ from sandbox.physics.engine.batch import Integers
 
 
 def point_velocity(rate: Array, arm: Array) -> Array:
-    """Return v + ω × r of points of bodies, or so much of an acceleration: (..., 2) [m/s].
+    """Return v + ω × r of points of bodies, or the same of accelerations: (..., 2) [m/s].
 
     Parameters
     ----------
     rate
-        (..., 3), of the bodies [m/s, rad/s].
+        (..., 3), the velocities of the bodies [m/s, rad/s].
     arm
-        (..., 2), from their centres to the points [m].
+        (..., 2), the lever arms from their centres to the points [m].
     """
     across = np.empty(arm.shape)
     np.negative(arm[..., 1], out=across[..., 0])
@@ -24,14 +24,14 @@ def point_velocity(rate: Array, arm: Array) -> Array:
 
 
 def pair_jacobian(arm: Array, way: Array) -> Array:
-    """Return how velocities move the second of two bodies over the first along a way: (k, 2, 3).
+    """Return the Jacobian of the relative velocity of two bodies along a direction: (k, 2, 3).
 
     Parameters
     ----------
     arm
-        (k, 2, 2), from the centre of each body to where they touch [m].
+        (k, 2, 2), the lever arms from the centre of each body to the contact point [m].
     way
-        (k, 2), unit vectors: the normals, or what runs along the surfaces.
+        (k, 2), unit vectors: the normals or the tangents.
     """
     jacobian = np.empty((len(way), 2, 3))
     jacobian[:, :, :2] = way[:, None]
@@ -41,7 +41,7 @@ def pair_jacobian(arm: Array, way: Array) -> Array:
 
 
 def over_bodies(jacobian: Array, bodies: Integers, count: int) -> Array:
-    """Return the Jacobian of pairs, (k, 2, 3), with a place for every body: (k, n, 3)."""
+    """Return the Jacobian of pairs, (k, 2, 3), expanded to all bodies: (k, n, 3)."""
     whole = np.zeros((len(bodies), count, 3))
     whole[np.arange(len(bodies))[:, None], bodies] = jacobian
     return whole

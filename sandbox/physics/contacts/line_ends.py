@@ -1,7 +1,7 @@
 """The ends of arcs and curves: rounded, or joined to another static line.
 
-Where the end of a static arc or curve meets that of another static line of the same thickness, the
-two know each other, as the segments of a polyline do: no ball trips where they join.
+If the end of a static arc or curve meets that of another static line of the same thickness, the two
+are neighbours, as the segments of a polyline are: no ball trips over the joint.
 """
 
 from cmath import rect
@@ -19,26 +19,26 @@ from sandbox.physics.geometry.distance import dot
 from sandbox.physics.geometry.plane_curve import Course
 
 MET = 1e-6
-"""m, how near to each other lines end that go on into each other."""
+"""m, the largest distance between the ends of lines that continue each other."""
 
 TANGENT = 1e-6
-"""One less the cosine between lines that go on into each other without a corner."""
+"""One less the cosine of the largest angle between lines that join without a corner."""
 
 
 class _End(NamedTuple):
-    """Where a line, an arc or a curve ends."""
+    """An end of a line, an arc or a curve."""
 
     place: complex  # in the plane
-    onwards: complex  # the unit vector in which it would go on
+    onwards: complex  # the unit vector in which it would continue
     half: float  # half its thickness
     made: Made
-    first: bool  # whether it begins there
+    first: bool  # whether it is the first end
 
 
 def make_ends(
     made: Mapping[str, Made], lines: Mapping[str, Arc | Course], values: Values, skin: float
 ) -> Iterator[tuple[pymunk.Shape, Piece]]:
-    """Yield the round ends of arcs and curves, with feelers, unless another line goes on there."""
+    """Yield the round ends of arcs and curves, with feelers, unless another line joins there."""
     straight = [end for body in made.values() for end in _line_ends(body, values, skin)]
     rounds = [
         (end, line)
@@ -65,14 +65,14 @@ def make_ends(
 
 
 def _meets(end: _End, other: _End) -> bool:
-    """Whether two lines that never move go on into each other."""
+    """Return whether two static lines join at these ends."""
     still = end.made.spec.type == other.made.spec.type == "static"
     near = abs(end.place - other.place) <= MET and abs(end.half - other.half) <= MET
     return still and near and other is not end
 
 
 def _round_ends(body: Made, line: Arc | Course, values: Values, skin: float) -> Iterator[_End]:
-    """Yield the ends of an arc or curve; what goes all the way round has none."""
+    """Yield the ends of an arc or curve; a closed one has none."""
     shape = body.spec.shape
     place, turned = complex(*body.body.position), complex(*body.body.rotation_vector)
     if isinstance(line, Course):
@@ -100,7 +100,7 @@ def _line_ends(body: Made, values: Values, skin: float) -> Iterator[_End]:
 
 
 def _join(line: Made, ends: Sequence[_End], arcs: Sequence[_End]) -> None:
-    """Tell the segments at the ends of a line in which directions arcs and curves go on."""
+    """Give the end segments of a line the directions of the arcs and curves that join there."""
     points, turned = line.points, complex(*line.body.rotation_vector)
     corners = [points[0], *points, points[-1]]
     joined = False

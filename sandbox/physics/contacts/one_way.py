@@ -1,14 +1,15 @@
-"""Surfaces that let bodies through from one side, and hold them from the other.
+"""Surfaces that let bodies pass from one side, and hold them from the other.
 
-What counts is where a body was when it was last clear of the line. If it was on the side to which
-the line lets through, it is held. Otherwise it passes, and feels nothing until it is clear again,
-whatever becomes of its velocity on the way. So a body that is half way through is never pushed out,
-neither forwards nor back. The side is read at the end of the step before the first touch, at the
-point of the body that is nearest to the line. What overlaps a line at the start passes.
+What counts is the side on which a body last was clear of the line. If that is the side to which the
+line lets bodies pass, the body is held. Otherwise it passes without contact until it is clear
+again, whatever its velocity does on the way. So a body that is half way through is never pushed
+out, neither forwards nor back. The side is determined at the end of the step before the first
+contact, at the point of the body that is closest to the line. A body that overlaps a line at the
+start passes.
 
-A fast body may be held, and yet have its middle behind the line at the next step. pymunk would push
-it out on the wrong side, so it passes, too, like a body that goes through a wall in one step. Where
-that may happen, its impacts are to be located.
+A fast body that should be held may have its centre behind the line at the next step. pymunk would
+push it out on the wrong side, so it passes, too, like a body that tunnels through a wall in one
+step. If that may happen, its impacts should be located.
 """
 
 from cmath import nan, rect
@@ -34,15 +35,15 @@ from sandbox.physics.geometry.distance import dot, plain
 from sandbox.physics.geometry.sides import Curved, Line, Round, Straight, side
 
 Pair = tuple[int, int]
-"""The rows of a one-way surface and of a body that may meet it."""
+"""The rows of a one-way surface and of a body that may touch it."""
 
 
 class _Gate(NamedTuple):
     """A one-way surface, along the axes of its body."""
 
     line: Line
-    half: float  # of its thickness [m]
-    hand: int  # the side on which it holds: 1 its left, −1 its right
+    half: float  # half its thickness [m]
+    hand: int  # the side on which it holds bodies: 1 left, −1 right
 
 
 class _Part(NamedTuple):
@@ -58,18 +59,18 @@ class Gates:
     Parameters
     ----------
     level, values
-        What the scene was made from.
+        The level and the parameters of the scene.
     bodies
-        pymunk's, with all their shapes.
+        The bodies in pymunk, with all their shapes.
     skin
-        How far surfaces stand proud [m].
+        The thickness of the contact skin [m].
 
     Attributes
     ----------
     pairs
-        The names of the pairs that such a surface may let through, each in order.
+        The pairs of such a surface and a body that may touch it: their names, in order.
     reversed
-        The surfaces that let through the other way than at the start.
+        The surfaces that are reversed compared with the start.
     """
 
     def __init__(
@@ -93,22 +94,22 @@ class Gates:
         self._rows = {address(s): row for row, b in enumerate(self._bodies) for s in b.shapes}
         self._row_of = {body: row for row, body in enumerate(self._bodies)}
         self._parts = [_parts(level.bodies[n], bodies[n], values, skin) for n in names]
-        self._held: dict[Pair, tuple[bool, int]] = {}  # and the step in which they touched last
+        self._held: dict[Pair, tuple[bool, int]] = {}  # whether held; step of last touch
         self._before: list[Placed] | None = None
         self._steps = 0
 
     def note(self) -> None:
-        """Take note of where the bodies are at the end of a step."""
+        """Note the positions of the bodies at the end of a step."""
         self._before = [_placed(body) for body in self._bodies]
         self._steps += 1
 
     def forget(self) -> None:
-        """Forget who was let through: bodies were put elsewhere."""
+        """Forget which bodies are held, after bodies were moved by hand."""
         self._held.clear()
         self._before = None
 
     def reverse(self, names: Collection[str]) -> None:
-        """Let some surfaces let through the other way; what is in one then passes."""
+        """Reverse some surfaces; bodies that overlap one then pass."""
         self.reversed ^= frozenset(names)
         for row in [row for row in self._gates if self._names[row] in names]:
             self._gates[row] = self._gates[row]._replace(hand=-self._gates[row].hand)
@@ -116,12 +117,12 @@ class Gates:
                 self._held[pair] = False, self._held[pair][1]
 
     def admit(self, arbiter: pymunk.Arbiter, *, accept: bool) -> bool:
-        """Tell whether a contact that pymunk has found is one, and take it away if not.
+        """Return whether a contact that pymunk has found is valid, and remove it if not.
 
         Parameters
         ----------
         accept
-            Whether to tell pymunk, too, if it is one; else somebody has.
+            Whether to accept a valid contact in pymunk, unless that was done elsewhere.
         """
         meeting = Meeting(arbiter)
         one, other = (self._rows[shape] for shape in meeting.shapes)
@@ -137,12 +138,12 @@ class Gates:
         return True
 
     def lets(self, one: pymunk.Body, other: pymunk.Body) -> bool:
-        """Whether one of two bodies lets the other through, by where they were at the last step."""
+        """Return whether one of two bodies lets the other pass, by positions at the last step."""
         a, b = self._row_of[one], self._row_of[other]
         return any(not self._known(pair) for pair in ((a, b), (b, a)) if pair[0] in self._gates)
 
     def lets_at(self, one: int, other: int, at: Placed, there: Placed) -> bool:
-        """Whether one of two bodies, by their rows, lets the other through from where they are."""
+        """Return whether one of two bodies, by row, lets the other pass from given positions."""
         for pair, places in (((one, other), (at, there)), ((other, one), (there, at))):
             if pair[0] in self._gates:
                 seen = self._side(pair, *places)
@@ -151,13 +152,13 @@ class Gates:
         return False
 
     def _touching(self, pair: Pair) -> bool:
-        """Return whether two are held that touch in this step, and remember it."""
+        """Return whether a pair that touches in this step is held, and remember it."""
         held = self._known(pair)
         self._held[pair] = held, self._steps
         return held
 
     def _known(self, pair: Pair) -> bool:
-        """Return whether two are held, by the last touch if they touched in the step before."""
+        """Return whether a pair is held; if it touched in the step before, as it was then."""
         held, touched = self._held.get(pair, (False, -2))
         if touched >= self._steps - 1:
             return held
@@ -165,7 +166,7 @@ class Gates:
         return self._side(pair, before[pair[0]], before[pair[1]]) == self._gates[pair[0]].hand
 
     def _side(self, pair: Pair, at: Placed, there: Placed) -> int:
-        """Return on which side of a gate a body is; 0 if it is in it, or beyond its end."""
+        """Return the side of a gate on which a body is; 0 if it overlaps it or is past its end."""
         gate = self._gates[pair[0]]
         way, turn = (there[0] - at[0]) / at[1], there[1] / at[1]
         seen = [
@@ -175,7 +176,7 @@ class Gates:
         return min(seen, key=itemgetter(1))[0] if all(hand for hand, _ in seen) else 0
 
     def _is_right(self, gate: _Gate, row: int, meeting: Meeting, sign: int) -> bool:
-        """Whether a contact pushes what it holds to the side on which it is held."""
+        """Return whether a contact pushes the body to the side on which it is held."""
         at, turned = _placed(self._bodies[row])
         left = gate.line.beside((meeting.point - at) / turned).left * turned
         return gate.hand * sign * dot(meeting.normal, left) > 0
@@ -183,7 +184,7 @@ class Gates:
 
 def _placed(body: pymunk.Body) -> Placed:
     turned = rect(1, body.angle) if isfinite(body.angle) else complex(nan, nan)
-    return complex(*body.position), turned  # one that is nowhere is told of after the step
+    return complex(*body.position), turned  # non-finite positions are reported after the step
 
 
 def _gate(spec: Body, row: int, values: Values, skin: float) -> _Gate:
@@ -200,7 +201,7 @@ def _gate(spec: Body, row: int, values: Values, skin: float) -> _Gate:
 
 
 def _parts(spec: Body, body: pymunk.Body, values: Values, skin: float) -> list[_Part]:
-    """Return the convex parts of a body; lines that bend are so many short ones."""
+    """Return the convex parts of a body; curved lines become many short segments."""
     if isinstance(spec.shape, ArcShape | Curve):
         points = [complex(*point) for point in local_points(spec, values)]
         half = spec.shape.thickness(values) / 2 + skin

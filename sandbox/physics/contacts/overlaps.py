@@ -1,7 +1,7 @@
-"""Bodies that overlap at the start, which is a mistake in the level.
+"""The check for bodies that overlap at the start, which is a mistake in the level.
 
-What takes overlaps back would throw them apart, or leave them in each other. So a level in which
-bodies overlap says that it wants it, or is refused.
+The correction of overlaps would throw them apart, or leave them overlapping. So a level with
+overlaps must allow them explicitly, or is refused.
 """
 
 from collections.abc import Iterator, Mapping
@@ -22,10 +22,10 @@ if TYPE_CHECKING:
     from sandbox.physics.contacts.one_way import Gates
 
 TOUCHING = 1e-6
-"""m, by which what touches may overlap: skins of 1e-9 m, and decimals that somebody left out."""
+"""m, the overlap of touching bodies that is allowed: skins of 1e-9 m, and rounded decimals."""
 
 ENOUGH = 1000
-"""How many overlaps are looked at for the worst: in one place, each body overlaps all others."""
+"""The most overlaps among which the worst is found, as a heap of n bodies has n² / 2."""
 
 
 def refuse_overlaps(
@@ -36,14 +36,14 @@ def refuse_overlaps(
     hollows: Hollows | None,
     gates: "Gates | None",
 ) -> None:
-    """Refuse bodies that overlap by more than what is left alone; the worst is told.
+    """Refuse bodies that overlap by more than is allowed; the error names the worst pair.
 
-    Those that never collide, for they are welded or neither moves, do not overlap.
+    Bodies that never collide, because they are welded or neither moves, are left out.
 
     Raises
     ------
     SimulationError
-        If two do.
+        If two bodies overlap.
     """
     least = max(TOUCHING, slop_of(space, contact, values))
     found = max(islice(_pairs(space, bodies, least, hollows, gates), ENOUGH), default=None)
@@ -66,9 +66,9 @@ def _pairs(
     hollows: Hollows | None,
     gates: "Gates | None",
 ) -> Iterator[tuple[float, str, str]]:
-    """Yield by how much two bodies overlap that do so by more than the least [m], and their names.
+    """Yield the overlaps of more than `least` [m], and the names of the two bodies.
 
-    These are in order.
+    The names are in order.
     """
     names = {body: name for name, body in bodies.items()}
     for name, body in bodies.items():

@@ -1,4 +1,4 @@
-"""The coefficients of pairs: the level's own, or else the products of the bodies'."""
+"""The coefficients of pairs: those that the level gives, or else products of the bodies'."""
 
 from typing import Literal
 
@@ -31,7 +31,7 @@ def own_coefficient(body: Body, values: Values, kind: Rub) -> float:
 
 
 def own_static_coefficient(body: Body, values: Values) -> float:
-    """Return the same of static friction, which is kinetic friction where a level says no more."""
+    """Return a body's factor of static friction; that of kinetic friction if the level has none."""
     if body.static_friction is None:
         return own_coefficient(body, values, "friction")
     return body.static_friction(values)

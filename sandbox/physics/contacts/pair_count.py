@@ -1,7 +1,7 @@
-"""How many pairs of bodies may come close, estimated and limited before anything is made.
+"""The limit to pairs of bodies in reach of each other, checked before a space is filled.
 
-pymunk keeps 1 kB for each pair that touches and goes over all of them in each sweep of its solver:
-2,000 discs in one place are two million pairs, which took 30 s and 2.7 GB.
+pymunk needs 1 kB for each touching pair and visits all of them in each sweep of its solver: 2,000
+discs in one place are two million pairs, which took 30 s and 2.7 GB.
 """
 
 from collections.abc import Iterator, Mapping, Sequence
@@ -16,30 +16,30 @@ from sandbox.physics.engine.batch import Booleans, Integers
 from sandbox.physics.state.errors import SimulationError
 
 MOST_PAIRS = 60_000
-"""Pairs that a step can carry, each gone over once: it takes a tenth of a second."""
+"""The most pairs of a step with no sweeps, which takes a tenth of a second."""
 
 SWEEPS = 100
-"""How many sweeps of the solver over a pair take as long as finding it."""
+"""The sweeps of the solver over a pair that take as long as finding it."""
 
 MOST_DIRECT = 1000
-"""Pairs that can be solved directly: together, they make one dense system."""
+"""The most pairs for the direct solver, in which they form one dense system."""
 
 BLOCK = 1_000_000
-"""How many pairs are looked at in one go."""
+"""The number of pairs checked at once."""
 
 
 def most_pairs(iterations: int, *, direct: bool) -> int:
-    """Return how many pairs may be in reach, with so many sweeps of the solver."""
+    """Return the most pairs that may be in reach, given the sweeps of the solver."""
     return MOST_DIRECT if direct else int(MOST_PAIRS / (1 + iterations / SWEEPS))
 
 
 def refuse_crowd(shapes: Mapping[str, Sequence[pymunk.Shape]], most: int) -> None:
-    """Refuse bodies with more pairs than that, before their shapes join a space.
+    """Refuse bodies with too many pairs, before their shapes are added to a space.
 
     Raises
     ------
     SimulationError
-        If the boxes around more pairs of bodies meet; the body that is in most of them is told.
+        If the bounding boxes of more than `most` pairs overlap; it names the body with the most.
     """
     rows = np.repeat(np.arange(len(shapes)), [len(made) for made in shapes.values()])
     if len(rows) * (len(rows) - 1) // 2 <= most:
@@ -62,7 +62,7 @@ def _moves(shape: pymunk.Shape) -> bool:
 
 
 def crowded(name: str, most: int) -> Message:
-    """Return why so many pairs are refused, of which a body is in most."""
+    """Return the reason for refusing so many pairs; `name` is the body in most of them."""
     return Message(
         "more than {most:,} pairs of bodies are within reach of each other, which no step can"
         " carry; '{name}' is in most of them: spread the bodies out",
@@ -72,10 +72,10 @@ def crowded(name: str, most: int) -> Message:
 
 
 def _meeting(boxes: Array, rows: Integers, moves: Booleans) -> Iterator[tuple[Integers, Integers]]:
-    """Yield which boxes meet, of different bodies that do not both stand still, block by block.
+    """Yield the pairs of overlapping boxes of different bodies, not both static, in blocks.
 
-    They are sorted along the axis on which fewer meet; then each is held against those that begin
-    before it ends.
+    The boxes are sorted along the axis with fewer overlaps; each is compared with those that begin
+    before it ends (sweep and prune).
     """
     low, high = boxes[:, :2], boxes[:, 2:]
     orders = [np.argsort(low[:, axis], kind="stable") for axis in (0, 1)]
@@ -94,12 +94,12 @@ def _meeting(boxes: Array, rows: Integers, moves: Booleans) -> Iterator[tuple[In
 
 
 def _following(low: Array, high: Array) -> Integers:
-    """Return how many of those that come after each, (k,), begin before it ends."""
+    """Return the number of intervals after each, (k,), that begin before it ends."""
     return np.asarray(np.searchsorted(low, high, side="right") - np.arange(len(low)) - 1)
 
 
 def _blocks(count: Sequence[int] | Integers) -> Iterator[tuple[int, int]]:
-    """Yield from where to where about as many are counted as are looked at in one go."""
+    """Yield ranges, start and stop, each with about `BLOCK` pairs."""
     ends = np.cumsum(count)
     start = 0
     while start < len(ends):

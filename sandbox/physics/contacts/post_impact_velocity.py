@@ -1,9 +1,9 @@
-"""The velocity of bodies at a step in which they collide.
+"""The velocity of bodies at a step with an impact.
 
-Elsewhere the velocity at a step is the mean of those half a step before and after. An impact has no
-such mean: what counts is the velocity right after it, from which the body then goes on for half a
-step. So that half step is taken back, with the acceleration of what goes on: gravity and the force
-laws, less what the ground under the body holds up.
+Normally the velocity at a step is the mean of those half a step before and after. At an impact it
+is the velocity right after the impact, from which the body then continues for half a step. So that
+half step is taken back, with the acceleration after the impact: by gravity and the force laws, less
+the part that the ground under the body supports.
 """
 
 import numpy as np
@@ -13,10 +13,11 @@ from sandbox.physics.contacts.kinematics import point_velocity
 from sandbox.physics.engine.batch import NO_CONTACTS, Booleans, Contacts, Integers
 
 NEGLIGIBLE = 1e-3
-"""Bodies part if they do so with more than this share of what forces add in a step."""
+"""The separation speed above which bodies do not rest, as a share of the change by forces in a
+step."""
 
 MAX_HEIGHT = 10
-"""How many bodies on top of each other are known to be held up by the ground."""
+"""The most bodies on top of each other that count as supported by the ground."""
 
 
 def impacts(
@@ -29,27 +30,27 @@ def impacts(
     mass: Array,
     dt: float,
 ) -> tuple[Integers, Array]:
-    """Return which bodies an impact reached, and their accelerations from there on.
+    """Return the bodies that an impact reached, and their accelerations after it.
 
-    An impact goes on to everything that touches what it hit. A pair that meets with no more speed
-    than forces give it in a step is not hit but met: a ball that rolls from one segment of a
-    floor to the next. What friction and strings do from there on is left out: a velocity is off by
-    half a step of it.
+    An impact spreads to all bodies in contact with those that it hit. A pair that approaches with
+    no more speed than forces add in a step has no impact: a ball may roll from one segment of a
+    floor to the next. Friction and strings after the impact are left out: the velocity has an error
+    of half a step of their effect.
 
     Parameters
     ----------
     contacts
-        Of the step.
+        The contacts of the step.
     solid
-        (s, 2), pairs of bodies that are parts of one solid.
+        (s, 2), pairs of bodies that are welded together.
     place
-        (n, 3), where the bodies are [m, rad].
+        (n, 3), the positions of the bodies [m, rad].
     before, after
         (n, 3), the velocities half a step before and after [m/s, rad/s].
     smooth
         (n, 3), the accelerations by gravity and force laws [m/s², rad/s²].
     mass
-        (n,), 0 for bodies that nothing moves [kg].
+        (n,), 0 for immovable bodies [kg].
     dt
         The time step [s].
     """
@@ -57,7 +58,7 @@ def impacts(
     gain, parting, meeting = rates_apart(contacts, arms, np.stack((smooth, after, before)))
     adds = np.abs(gain) * dt
     hits = meeting < -adds
-    hits &= contacts.first[:, None] | (parting > adds)  # the next corner of what touches already
+    hits &= contacts.first[:, None] | (parting > adds)  # a further corner of a touching pair
     struck = np.asarray(hits.any(axis=1))
     if not struck.any():
         return np.flatnonzero(struck), smooth[:0]
@@ -67,9 +68,9 @@ def impacts(
 
 
 def touching(contacts: Contacts, place: Array) -> Array:
-    """Return where pairs touch, from the centre of each: (k, 2 points, 2 bodies, 2) [m].
+    """Return the lever arms of contact points: (k, 2 points, 2 bodies, 2) [m].
 
-    Where they touch at one point only, that counts twice.
+    A single contact point is repeated.
     """
     second = np.where(contacts.touches[:, None] > 1, contacts.points[:, 1], contacts.points[:, 0])
     points = np.stack((contacts.points[:, 0], second), axis=1)
@@ -78,16 +79,16 @@ def touching(contacts: Contacts, place: Array) -> Array:
 
 
 def rates_apart(contacts: Contacts, arms: Array, rate: Array) -> Array:
-    """Return how fast velocities, or accelerations, take pairs apart where they touch: (..., k, 2).
+    """Return the rates of separation at contact points: (..., k, 2).
 
     Parameters
     ----------
     contacts
-        k pairs.
+        The k contacts.
     arms
-        (k, 2, 2, 2), as `touching` tells them [m].
+        (k, 2, 2, 2), the lever arms from `touching` [m].
     rate
-        (..., n, 3), of the bodies [m/s, rad/s].
+        (..., n, 3), the velocities, or accelerations, of the bodies [m/s, rad/s].
     """
     moves = point_velocity(rate[..., contacts.bodies, :][..., None, :, :], arms)
     apart = moves[..., 1, :] - moves[..., 0, :]
@@ -98,18 +99,18 @@ def rates_apart(contacts: Contacts, arms: Array, rate: Array) -> Array:
 def reached(
     bodies: Integers, struck: Booleans, moving: Booleans, linked: Integers = NO_CONTACTS.bodies
 ) -> Booleans:
-    """Return which bodies touch, directly or through others that move, what was struck: (n,).
+    """Return the bodies connected to struck pairs, directly or through movable bodies: (n,).
 
     Parameters
     ----------
     bodies
         (k, 2), the pairs that touch.
     struck
-        (k,), which of them are struck.
+        (k,), the struck pairs.
     moving
-        (n,), which bodies can move.
+        (n,), the bodies that can move.
     linked
-        (m, 2), pairs that hang together, whether they touch or not.
+        (m, 2), pairs that are connected without a contact.
     """
     pairs = np.concatenate((bodies, linked))
     pairs = pairs[moving[pairs].all(axis=1)]
@@ -124,7 +125,7 @@ def reached(
 
 
 def _held_up(contacts: Contacts, rests: Booleans, smooth: Array, fixed: Booleans) -> Array:
-    """Return the accelerations less what presses on the ground, or on what the ground holds up."""
+    """Return the accelerations less the components that the ground supports, also indirectly."""
     body, other = contacts.bodies[rests].ravel(), contacts.bodies[rests][:, ::-1].ravel()
     outwards = np.stack([-contacts.direction[rests], contacts.direction[rests]], axis=1)
     outwards = outwards.reshape(-1, 2)

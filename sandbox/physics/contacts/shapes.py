@@ -1,4 +1,4 @@
-"""The shapes of bodies in pymunk, and how pymunk treats their contacts."""
+"""The shapes of bodies in pymunk, and pymunk's settings for their contacts."""
 
 from itertools import pairwise
 
@@ -30,41 +30,42 @@ from sandbox.physics.geometry.distance import smallest
 from sandbox.physics.geometry.plane_curve import Stretch
 
 SKIN = 1e-9
-"""m, how far flat surfaces stand proud. To pymunk, touching exactly is not touching: a block that
-is placed on a surface would fall freely for half a step. Discs keep their radius, for rolling."""
+"""m, the thickness of the skin on flat surfaces. To pymunk, bodies with zero distance do not touch:
+a block placed on a surface would fall freely for half a step. Discs keep their radius, for
+rolling."""
 
 DIRECT_SKIN = 1e-8
-"""m, the same where contacts are solved directly. A corner falls short of a side by 4e-9 m, for the
-inset of polygons rounds it off; it is in touch all the same."""
+"""m, the same for the direct solver. It is thick enough for corners to touch although the inset of
+polygons rounds them off by 4e-9 m."""
 
 INSET = 1e-8
-"""m, how much smaller the core of a polygon is, which has this as its radius. Each body's differs a
-little: between boxes that are as wide as each other, and stand in line but for the last digit,
-pymunk now and then finds a sideways normal and throws them apart."""
+"""m, the inset of the core of a polygon, which has this as its radius. Each body's differs a
+little: between boxes of equal width that are aligned up to rounding, pymunk occasionally finds a
+sideways normal and throws them apart."""
 
 SHARPEST = 1e-8
-"""One plus the cosine between the normals of a corner's sides, below which it is not inset."""
+"""One plus the cosine between the normals of a corner's sides below which there is no inset."""
 
 GOLDEN = 0.6180339887498949
-"""Its multiples, less their whole part, stay clear of each other."""
+"""The golden ratio less 1; the fractional parts of its multiples are well spaced."""
 
 CORRECTION = 0.2
-"""The share of an overlap that a step takes back, where the level has nothing else to say."""
+"""The share of an overlap that is corrected in a step, unless the level gives another."""
 
 SLOP = 1e-6
-"""m, the overlap that is left alone, where the level has nothing else to say."""
+"""m, the overlap that is not corrected, unless the level gives another."""
 
 PILE_SLOP = 0.005
-"""The same in piles, of the width of the narrowest body that moves. With a tenth of it, stacks of 8
-and more boxes are stirred by what takes overlaps back, and never rest."""
+"""The same in piles, as a share of the width of the narrowest movable body. With a tenth of it, the
+correction of overlaps keeps stirring stacks of 8 and more boxes, and they never rest."""
 
 
 def skip_ids(space: pymunk.Space, level: Level) -> None:
-    """Use up the ids of shapes that are as small as the numbers of corners.
+    """Use up the ids of shapes that are as small as the indices of corners.
 
-    pymunk knows a contact again by a hash of the two shapes' ids and corners. While both numbers
-    come from the same small range, the two ends of a box's side can have the same hash, and each
-    step starts one end from the other's impulse: a box with friction then never comes to rest.
+    pymunk recognises a contact by a hash of the two shapes' ids and corners. If both numbers come
+    from the same small range, the two ends of a box's side can have the same hash, and the warm
+    start of one end is the impulse of the other: a box with friction then never comes to rest.
     """
     corners = [len(b.shape.vertices) for b in level.bodies.values() if isinstance(b.shape, Polygon)]
     spare = pymunk.Circle(space.static_body, 1.0)
@@ -76,7 +77,7 @@ def skip_ids(space: pymunk.Space, level: Level) -> None:
 def make_surfaces(
     spec: Body, body: pymunk.Body, level: Level, values: Values, skin: float, kind: int
 ) -> list[pymunk.Shape]:
-    """Make the shapes with which a body touches others; a sensor has none."""
+    """Make the contact shapes of a body; a sensor has none."""
     if spec.sensor:
         return []
     shapes = _outline(spec, spec.shape, body, values, skin, kind)
@@ -91,7 +92,7 @@ def make_surfaces(
 
 
 def run_belts(level: Level, values: Values, bodies: dict[str, pymunk.Body]) -> None:
-    """Let the surfaces of belts run; pymunk takes only what lies along a contact."""
+    """Set the surface velocities of belts; pymunk uses only the component along a contact."""
     for belt in level.effects.belt or ():
         body = bodies[belt.body]
         along = Vec2d(*evaluate(belt.velocity, values)).rotated(body.angle)
@@ -122,14 +123,14 @@ def _outline(
 
 
 def _around(body: pymunk.Body, part: Stretch, half: float) -> pymunk.Shape:
-    """Make a disc that holds a stretch of a curve."""
+    """Make a disc that encloses a stretch of a curve."""
     return pymunk.Circle(body, part.reach + half, (part.center.real, part.center.imag))
 
 
 def _convex(body: pymunk.Body, points: list[XY], skin: float, kind: int) -> pymunk.Shape:
-    """Make a convex polygon that stands proud by a skin, as a smaller one with a radius.
+    """Make a convex polygon with a skin, as a smaller polygon with a radius.
 
-    A part of a cut polygon may be too thin for that; then it has the skin alone.
+    A part of a decomposed polygon may be too sharp for that; it has the skin alone.
     """
     if not skin:
         return pymunk.Poly(body, points)
@@ -147,7 +148,7 @@ def _convex(body: pymunk.Body, points: list[XY], skin: float, kind: int) -> pymu
 
 
 def _line(body: pymunk.Body, points: list[XY], radius: float) -> list[pymunk.Shape]:
-    """Make the segments through the points; each knows its neighbours: no ball trips at a join."""
+    """Make the segments through the points, linked as neighbours so that no ball trips."""
     lines: list[pymunk.Shape] = []
     for i, (a, b) in enumerate(pairwise(points)):
         line = pymunk.Segment(body, a, b, radius)
@@ -157,12 +158,12 @@ def _line(body: pymunk.Body, points: list[XY], radius: float) -> list[pymunk.Sha
 
 
 def leave_contacts(space: pymunk.Space) -> None:
-    """Let pymunk find contacts, and do as little as it can about them."""
+    """Let pymunk find contacts, and solve as little as possible."""
     space.collision_bias, space.iterations = 1.0, 1
 
 
 def choose_correction(space: pymunk.Space, level: Level, values: Values, dt: float) -> None:
-    """Choose how overlaps are dealt with; pymunk's own settings were made for pixels."""
+    """Choose the correction of overlaps; pymunk's defaults are meant for pixels."""
     contact = level.effects.contact
     assert contact is not None
     if contact.correction is not None:
@@ -174,7 +175,7 @@ def choose_correction(space: pymunk.Space, level: Level, values: Values, dt: flo
 
 
 def slop_of(space: pymunk.Space, contact: Contact, values: Values) -> float:
-    """Return by how much bodies may overlap and are left alone [m]."""
+    """Return the overlap of bodies that is not corrected [m]."""
     if contact.slop is not None:
         return contact.slop(values)
     return PILE_SLOP * smallest(space) if contact.piles else SLOP

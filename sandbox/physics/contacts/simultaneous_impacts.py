@@ -1,9 +1,10 @@
-"""Impacts within a pile: the fastest pair first, and what is left all at once.
+"""Impacts within a pile: the fastest pair first, and the remaining approaches all at once.
 
 The pair that approaches fastest collides first, which may make neighbours approach, and so on.
-Pairs that approach equally fast collide at once, so that what was symmetric stays so. Bodies with
-e < 1 that stay together would collide for ever, ever more gently. From some point on they no longer
-bounce, and what is left is solved at once: no pair may approach, and only pushes are allowed.
+Pairs that approach equally fast collide at once, to preserve symmetry. Bodies with e < 1 that stay
+together would collide for ever, ever more gently. From some point on they no longer bounce, and the
+remaining approaches are solved at once: afterwards no pair approaches, and all impulses are
+repulsive.
 """
 
 import numpy as np
@@ -15,37 +16,36 @@ from sandbox.physics.engine.batch import Integers
 from sandbox.physics.state.cancellation import cancellation_point
 
 ROUNDING = 1e-12
-"""An approach slower than this share of the speeds that it is the difference of is none."""
+"""An approach slower than this share of the speeds whose difference it is counts as zero."""
 
 EQUAL = 1e-9
-"""The share of an approach by which another may be slower and count as equally fast: mirror images
-differ by what was rounded on the way."""
+"""The relative difference of approach velocities that count as equal: those of mirror images differ
+by rounding."""
 
 MANY = 100
-"""How many impacts each contact of a pile-up may have before what is left stops bouncing. Twice as
+"""The impacts per contact of a pile-up after which the remaining approaches stop bouncing. Twice as
 many as 50 equal balls in a row with e = 0.9 need; those with less stay together by then."""
 
 GENTLE = 0.01
-"""The share of its approach that many impacts must leave of each for that, e to their number: balls
-with e = 0.99 have 459."""
+"""The share of an approach velocity that so many impacts must leave at most for that, e to their
+number: balls with e = 0.99 have 459."""
 
 MOST = 100_000
-"""How many impacts all contacts together may have; where elastic ones go on, nothing may be left. A
-ball between a wall and another that comes has as many if that is 1e9 times as heavy. They take 0.4
-s."""
+"""The most impacts of all contacts together, which take 0.4 s; elastic bodies must be done by then.
+A ball between a wall and an approaching ball of 1e9 times its mass has as many."""
 
 SEVERAL = 10
-"""As many count where several collide at once and share bodies: that takes so much longer."""
+"""The cost of simultaneous impacts with shared bodies, in single impacts."""
 
 CROWD = 500
-"""With so many contacts an impact takes twice as long, and only half as many may be."""
+"""The number of contacts at which an impact takes twice as long, and the limit is halved."""
 
 PRESSED = 1e-6
-"""Bodies are wedged in if so much of their approach is left by whatever may push them apart."""
+"""Bodies are wedged in if no repulsive impulses can reduce their approach below this share."""
 
 LOST = 8
-"""How many units in the last place of all that is added up may be lost: a light body between two
-heavy ones feels but the difference of what they push with."""
+"""The rounding error of a sum of impulses, in units in the last place of its terms: a light body
+between two heavy ones feels only the difference of their impulses."""
 
 WEDGED = Message(
     "elastic bodies are wedged in, and would collide for ever: what presses them together does"
@@ -56,9 +56,9 @@ TINY = 1e-300
 
 
 def responses(jacobian: Array, inverse_mass: Array, holds: Array | None) -> Array:
-    """Return how bodies respond to a unit impulse along each row of the Jacobian: (k, n, 3).
+    """Return the change of velocities by a unit impulse on each row of the Jacobian: (k, n, 3).
 
-    Joints included: `holds`, (m, n, 3), are the Jacobian of those that push as well as pull.
+    It includes the response of joints: `holds`, (m, n, 3), is the Jacobian of the bilateral ones.
     """
     response = jacobian * inverse_mass
     if holds is None:
@@ -70,20 +70,20 @@ def responses(jacobian: Array, inverse_mass: Array, holds: Array | None) -> Arra
 
 
 class Pile:
-    """Contacts that may collide with each other; k of them.
+    """A pile of k contacts, whose impacts affect each other.
 
     Parameters
     ----------
     delassus
-        (k, k), how fast each parts by a unit impulse of each [1/kg].
+        (k, k), the separation rate of each contact by a unit impulse on each [1/kg].
     parting
-        (k,), how fast each parts [m/s].
+        (k,), the separation rates [m/s].
     allowed
-        (k,), the approach that is none [m/s].
+        (k,), the approach velocity that counts as zero [m/s].
     restitution
-        (k,).
+        (k,), the coefficients of restitution.
     partner
-        (k,), the other point of the same two sides; −1 if there is none.
+        (k,), the other contact point of the same two sides; −1 if there is none.
     """
 
     def __init__(
@@ -99,7 +99,7 @@ class Pile:
         self._impulse = np.zeros(len(parting))
 
     def settle(self, bodies: Integers) -> Array:
-        """Return the impulses after which nothing approaches: (k,) [N s].
+        """Return the impulses after which no contact approaches: (k,) [N s].
 
         Raises
         ------
@@ -110,7 +110,7 @@ class Pile:
         if not self._restitution.any():
             return self._rest()
         most, until = MOST * CROWD // (CROWD + count), MANY * count
-        impacts, work, liveliest = 0, 0, 0.0  # the largest e since it was looked at last
+        impacts, work, liveliest = 0, 0, 0.0  # the largest e since the last check
         while work < most:
             cancellation_point()
             equal, e = self._bounce()
@@ -127,7 +127,7 @@ class Pile:
         return self._rest()
 
     def _ends(self, bodies: Integers, had: float, liveliest: float) -> bool:
-        """Whether nothing is left of a bounce after so many impacts a contact, or ever will be."""
+        """Return whether bouncing can end after so many impacts per contact, or never will."""
         if had < 2 * MANY and self._wedged():  # once is enough
             if liveliest == 1:
                 raise EndlessImpacts(self._blamed(bodies), WEDGED)
@@ -135,25 +135,25 @@ class Pile:
         return bool(liveliest**had < GENTLE)
 
     def _blamed(self, bodies: Integers) -> int:
-        """Return a body of those that approach fastest."""
+        """Return a body of the fastest approach, for the error."""
         return int(bodies[(self._parting + self._allowed).argmin()].max())
 
     def _rest(self) -> Array:
-        """Let what is left stop bouncing, and return the impulses: (k,) [N s]."""
+        """Stop all remaining approaches without a bounce; return the impulses: (k,) [N s]."""
         self._impulse += pushes(self._delassus, self._parting)
         return self._impulse
 
     def _wedged(self) -> bool:
-        """Whether some would approach whatever pushed them apart, by more than rounding."""
+        """Return whether some contacts approach for all repulsive impulses, beyond rounding."""
         push = pushes(self._delassus, self._parting)
         left = self._parting + self._delassus @ push
         rounding = LOST * np.finfo(float).eps * (np.abs(self._delassus) @ push)
         return bool((left + rounding).min() < PRESSED * self._parting.min())
 
     def _bounce(self) -> tuple[int, float]:
-        """Turn round the fastest approach, and those with the same e that are equally fast.
+        """Reverse the fastest approach, and equally fast ones with the same e.
 
-        Returns how many those are, 0 if nothing approaches, and their e.
+        Return their number, 0 if nothing approaches, and their e.
         """
         approach = self._parting + self._allowed
         first = approach.argmin()
@@ -174,7 +174,7 @@ class Pile:
         return len(group), e
 
     def _with_partners(self, group: Integers) -> Integers:
-        """Add the other points of the same sides, as far as they approach."""
+        """Add the other contact points of the same sides, if they approach."""
         beside = self._partner[group]
         beside = beside[beside >= 0]
         beside = beside[self._parting[beside] < -self._allowed[beside]]
@@ -182,16 +182,16 @@ class Pile:
 
 
 def _work(count: int) -> int:
-    """Return how many impacts one by one take as long as some at once."""
+    """Return the cost of simultaneous impacts, in single impacts."""
     return SEVERAL + count**3 // 1000
 
 
 def _at_once(delassus: Array, parting: Array) -> Array:
-    """Return impulses that push and let nothing approach: (k,) [N s].
+    """Return repulsive impulses after which no contact approaches: (k,) [N s].
 
-    After them nothing parts either, unless some would have to pull for that.
+    Contacts do not separate either, unless that would need attractive impulses.
     """
-    if np.count_nonzero(delassus) == len(parting):  # they do not reach each other
+    if np.count_nonzero(delassus) == len(parting):  # they are independent
         return np.asarray(-parting / delassus.diagonal())
     if np.isfinite(delassus).all() and np.isfinite(parting).all():
         sizes: Array = np.asarray(np.linalg.lstsq(delassus, -parting, rcond=None)[0], np.float64)
@@ -202,13 +202,13 @@ def _at_once(delassus: Array, parting: Array) -> Array:
 
 
 def pushes(delassus: Array, parting: Array) -> Array:
-    """Return the smallest impulses after which nothing approaches, all at once: (k,) [N s].
+    """Return the smallest impulses after which no contact approaches, all at once: (k,) [N s].
 
-    They are no numbers where the matrix, or the rates, are none.
+    They are NaN if the matrix or the rates are not finite.
 
-    Of all impulses that push, those that leave the least kinetic energy: impulse · (parting +
-    delassus · impulse / 2) is least. C. L. Lawson, R. J. Hanson: Solving Least Squares Problems,
-    chapter 23.
+    Of all repulsive impulses they leave the least kinetic energy: they minimise impulse · (parting
+    + delassus · impulse / 2). An active-set method for non-negative least squares: C. L. Lawson,
+    R. J. Hanson: Solving Least Squares Problems, chapter 23.
     """
     if not (np.isfinite(delassus).all() and np.isfinite(parting).all()):
         return np.full(len(parting), np.nan)  # LAPACK never comes back from an infinity
@@ -231,7 +231,7 @@ def pushes(delassus: Array, parting: Array) -> Array:
             share = left / np.maximum(left - wanted[pulls], TINY)
             first = int(share.argmin())
             gone = share == share[first]
-            gone[first] = True  # even where that is no number: one less each time, or it never ends
+            gone[first] = True  # even if NaN: one less each time, to terminate
             impulse[now] += share[first] * (wanted - impulse[now])
             active[now[pulls[gone]]] = False
             impulse[~active] = 0.0

@@ -1,4 +1,4 @@
-"""The coefficients that pymunk's solver works with, where pairs have their own."""
+"""The coefficients that pymunk's solver uses for pairs with their own."""
 
 from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING
@@ -20,9 +20,9 @@ Collision = Callable[[pymunk.Arbiter, pymunk.Space, object], None]
 
 
 def take_bounces(space: pymunk.Space, level: Level, values: Values) -> np.ndarray:
-    """Take the bounces from pymunk's solver, and return the pairs' coefficients: (n, n).
+    """Disable restitution in pymunk's solver; return the coefficients of pairs: (n, n).
 
-    Discs stand proud too: those that touch must be in contact, whatever the last digit says.
+    Discs get a skin, too, so that touching discs are in contact whatever the rounding.
     """
     for shape in space.shapes:
         shape.elasticity = 0.0
@@ -31,7 +31,7 @@ def take_bounces(space: pymunk.Space, level: Level, values: Values) -> np.ndarra
 
 
 def stand_proud(space: pymunk.Space) -> None:
-    """Let discs stand proud, as all else does."""
+    """Give discs a skin, as other shapes have."""
     for shape in space.shapes:
         if isinstance(shape, pymunk.Circle):
             shape.unsafe_set_radius(shape.radius + SKIN)
@@ -44,10 +44,10 @@ def give_coefficients(
     hollows: Hollows | None,
     gates: "Gates | None",
 ) -> tuple[int, dict[frozenset[int], Sticking]]:
-    """Give pairs coefficients of their own, and correct those contacts that pymunk gets wrong.
+    """Set the coefficients of pairs, and correct contacts that pymunk gets wrong.
 
-    Returns how many callbacks a contact each makes, and of the pairs whose static coefficient is
-    larger the friction, by the numbers of their bodies.
+    Return the number of callbacks with one contact per pair, and the static friction of the pairs
+    whose static coefficient is larger, by the indices of their bodies.
     """
     kinds = {name: index + 1 for index, name in enumerate(level.bodies)}
     coefficients: dict[tuple[str, str], dict[str, float]] = {}
@@ -70,7 +70,7 @@ def give_coefficients(
 def correct_contacts(
     space: pymunk.Space, level: Level, hollows: Hollows | None, gates: "Gates | None"
 ) -> int:
-    """Correct the contacts that pymunk gets wrong, and return how many callbacks one each makes."""
+    """Correct contacts that pymunk gets wrong; return the callbacks with one contact per pair."""
     kinds = {name: index + 1 for index, name in enumerate(level.bodies)}
     corrected = list(_corrected(hollows, gates))
     for (a, b), of, gate in corrected:
@@ -81,7 +81,7 @@ def correct_contacts(
 def _corrected(
     hollows: Hollows | None, gates: "Gates | None"
 ) -> Iterator[tuple[tuple[str, str], Hollows | None, "Gates | None"]]:
-    """Yield the pairs whose contacts are not as pymunk has them, and who knows how they are."""
+    """Yield the pairs whose contacts differ from pymunk's, and the objects that correct them."""
     round_ = hollows.pairs if hollows else frozenset()
     passed = gates.pairs if gates else frozenset()
     for pair in sorted(round_ | passed):

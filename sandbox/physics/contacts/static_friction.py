@@ -1,12 +1,12 @@
 """Static friction that is stronger than kinetic friction.
 
-A contact that sticks may need up to the static coefficient times the normal force. Once it needs
-more it slips, and the kinetic coefficient holds until the slip has stopped. pymunk knows one
-coefficient a contact: it is given the right one before each solve.
+The friction of a sticking contact is at most the static coefficient times the normal force. Once it
+needs more it slips, and the kinetic coefficient applies until the slip has stopped. pymunk has one
+coefficient per contact: it is set to the right one before each solve.
 
-The instant at which a contact breaks loose is found between two steps, on the line through the
-loads of the last two. For the rest of that step its friction is lowered to the kinetic one. So the
-velocity after the step is of second order.
+The instant at which a contact breaks loose is interpolated linearly from the loads of the last two
+steps. For the rest of that step its friction is lowered to the kinetic value. So the velocity after
+the step is of second order.
 """
 
 from dataclasses import dataclass
@@ -21,24 +21,24 @@ from sandbox.model.level import Level
 from sandbox.physics.contacts.pair_coefficients import own_coefficient, own_static_coefficient
 
 ROUNDING = 1e-9
-"""Friction that is below its limit by less than this share of it is at its limit."""
+"""Friction counts as being at its limit if it is below by less than this share."""
 
 AT_REST = 1e-9
-"""m/s, below which surfaces that meet do not slip."""
+"""m/s, the relative speed of surfaces below which a new contact sticks."""
 
 FLAT = 2
-"""So many points of contact keep a side on its ground: no force along it turns the body."""
+"""The number of contact points of a flat side, on which friction does not rotate the body."""
 
 
 class Load(NamedTuple):
-    """What the friction of a contact that sticks had to hold in the last steps [N s]."""
+    """The friction impulses of a sticking contact in the last two steps [N s]."""
 
     last: float
     before: float | None = None
 
 
 Memory = tuple[set[frozenset[pymunk.Shape]], dict[frozenset[pymunk.Shape], Load]]
-"""Who slips, and what the friction of the others had to hold."""
+"""The slipping contacts, and the loads of the others."""
 
 
 @dataclass(slots=True)
@@ -50,15 +50,15 @@ class Sticking:
     slipping: set[frozenset[pymunk.Shape]]
     loads: dict[frozenset[pymunk.Shape], Load]
     must_slip: bool = False
-    """whether it slips, whatever a solve says"""
+    """whether it slips, regardless of the solver"""
 
     @classmethod
     def between(cls, static: float, kinetic: float) -> "Sticking":
-        """Return the friction of a pair that does not touch yet."""
+        """Return the friction of a pair without contact yet."""
         return cls(static, kinetic, set(), {})
 
     def choose(self, arbiter: pymunk.Arbiter) -> None:
-        """Give a contact its coefficient, before it is solved."""
+        """Set the coefficient of a contact before it is solved."""
         contact = frozenset(arbiter.shapes)
         if self.must_slip:
             arbiter.friction = self.kinetic
@@ -69,7 +69,7 @@ class Sticking:
         arbiter.friction = self.kinetic if contact in self.slipping else self.static
 
     def judge(self, arbiter: pymunk.Arbiter) -> None:
-        """See whether a contact that was solved sticks or slips."""
+        """Determine whether a solved contact sticks or slips."""
         if self.must_slip:
             return
         contact = frozenset(arbiter.shapes)
@@ -89,17 +89,17 @@ class Sticking:
             self.loads[contact] = Load(friction, load and load.last)
 
     def tell(self, *, slips: bool) -> None:
-        """Let it slip whatever comes; or stick, if that can hold."""
+        """Force it to slip, or let it stick as long as friction is strong enough."""
         self.must_slip = slips
         if not slips:
             self.slipping.clear()
 
     def memory(self) -> Memory:
-        """Return what is known of its contacts."""
+        """Return the state of its contacts."""
         return set(self.slipping), dict(self.loads)
 
     def recall(self, known: Memory) -> None:
-        """Take up again what was known of its contacts."""
+        """Restore the state of its contacts."""
         self.slipping, self.loads = set(known[0]), dict(known[1])
 
     def _note(self, contact: frozenset[pymunk.Shape], *, slips: bool) -> None:
@@ -110,7 +110,7 @@ class Sticking:
             self.slipping.discard(contact)
 
     def _break_loose(self, arbiter: pymunk.Arbiter, normal: float, load: Load | None) -> None:
-        """Take off what friction was too strong by since the contact broke loose."""
+        """Remove the excess of friction since the contact broke loose."""
         slip = _slip(arbiter)
         if load is None or not slip:
             return
@@ -124,9 +124,10 @@ class Sticking:
 
 
 def sticking(level: Level, values: Values) -> dict[tuple[str, str], Sticking]:
-    """Return the friction of every pair whose two coefficients differ; its names are in order.
+    """Return the friction of each pair whose static coefficient is larger than the kinetic one.
 
-    Those of a pair that the level names are its own; those of others the products of the bodies'.
+    The names of a pair are in order. Coefficients are those that the level gives for the pair, or
+    else the products of the bodies'.
     """
     if level.effects.friction is None:
         return {}
@@ -153,9 +154,9 @@ def sticking(level: Level, values: Values) -> dict[tuple[str, str], Sticking]:
 
 
 def _since(load: Load, limit: float) -> float:
-    """Return for how many steps, at the end of this, a contact has been loose: 0.5 to 1.5.
+    """Return the number of steps since a contact broke loose, at the end of this one: 0.5 to 1.5.
 
-    A load that did not grow before was there at once: it broke loose with this step.
+    If the load did not grow before, it was applied suddenly: the contact broke loose at this step.
     """
     growth = 0.0 if load.before is None else load.last - load.before
     if growth <= 0:
@@ -164,7 +165,7 @@ def _since(load: Load, limit: float) -> float:
 
 
 def _slip(arbiter: pymunk.Arbiter) -> float:
-    """Return how fast the second surface moves over the first [m/s]."""
+    """Return the slip velocity of the second surface relative to the first [m/s]."""
     a, b = arbiter.bodies
     point = arbiter.contact_point_set.points[0].point_a
     moves: Vec2d = b.velocity_at_world_point(point) - a.velocity_at_world_point(point)
@@ -172,7 +173,7 @@ def _slip(arbiter: pymunk.Arbiter) -> float:
 
 
 def _points(arbiter: pymunk.Arbiter) -> tuple[Vec2d, Vec2d]:
-    """Return where friction acts on the two bodies; on a flat side it does not turn them."""
+    """Return where friction acts on the two bodies; on a flat side it has no lever arm."""
     a, b = arbiter.bodies
     points = arbiter.contact_point_set.points
     if len(points) == FLAT:
