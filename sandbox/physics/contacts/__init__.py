@@ -1,1 +1,1 @@
-"""What touches: shapes, coefficients, friction and impacts."""
+"""Contacts: shapes, coefficients, friction and impacts."""

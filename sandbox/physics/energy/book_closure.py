@@ -39,7 +39,7 @@ NOTHING = 1e-9
 
 
 class Closing(NamedTuple):
-    """How the books of energy closed [J].
+    """The closing of the energy books [J].
 
     Attributes
     ----------
@@ -82,7 +82,7 @@ class Closing(NamedTuple):
 
     @property
     def text(self) -> str:
-        """How the books closed, in words."""
+        """The closing in words."""
         if not self._turns:
             return "nothing turned over"
         share = self.share
@@ -132,7 +132,7 @@ class Closer:
 
     @property
     def closing(self) -> Closing:
-        """How the books close so far."""
+        """The closing so far."""
         dt, bound = self._run.last.dt, ROUNDING * self._turned + KNOWN * self._scale
         if not self._run.stepping.is_stock:
             strain = self._strain * (1 / 12 + self._bends / 4)

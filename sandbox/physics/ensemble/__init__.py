@@ -1,1 +1,1 @@
-"""Many runs of a level at once, in arrays over all of them, to the bits of each run alone."""
+"""Many runs of a level at once, in shared arrays, with the same bits as each run alone."""

@@ -1,1 +1,1 @@
-"""What happens within a step, at its own time: impacts, and the ends of slipping."""
+"""Events at their own times within a step: impacts, ends of slipping, and changes of joints."""

@@ -273,9 +273,9 @@ def _impulses(delassus: Array, rates: Array, leaves: Array, mu: Array) -> Array:
     delassus
         (k, k), the rate of each row by a unit impulse on each.
     rates
-        (k,), how fast they do so.
+        (k,), the rates before the impact [m/s].
     leaves
-        How fast each point shall part.
+        The requested separation rate of each point [m/s].
     mu
         The coefficient of friction of each.
     """

@@ -20,7 +20,7 @@ from sandbox.physics.geometry.distance import surfaces
 from sandbox.physics.scene.scene import Scene
 
 TRIES = 16
-"""How often a kick is shortened, by `SHORTER`, until contacts that slip before it slip after it."""
+"""The most times that a kick is shortened by `SHORTER` for slipping contacts to keep slipping."""
 
 SHORTER = 1 / 4
 

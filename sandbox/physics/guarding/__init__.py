@@ -1,1 +1,1 @@
-"""What stops a run that has gone wrong, and knows the rate that it needs."""
+"""Guards that stop a run that has gone wrong, and advise the rate that it needs."""

@@ -1,1 +1,1 @@
-"""Runs in numbers: quantities, records, grades, differences, files and times."""
+"""Measurements of runs: recording, grading, comparison, free bodies, CSV files and timing."""

@@ -13,7 +13,7 @@ from sandbox.physics.stepping.world import World
 Step = Callable[[], object]
 
 REPEATS = 5
-"""How often each run is timed from its start."""
+"""The number of repetitions of each timed run."""
 
 STEPS = 120
 """The most steps of a timed run, in blocks of `BLOCK`."""

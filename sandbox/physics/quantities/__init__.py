@@ -1,1 +1,1 @@
-"""Named quantities, read from states."""
+"""Named quantities, measured from states."""

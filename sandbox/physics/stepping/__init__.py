@@ -1,1 +1,1 @@
-"""A scene that runs, step by step."""
+"""The world: a running scene, its drifts and kicks, and the stages of a step."""
