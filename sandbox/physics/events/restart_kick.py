@@ -133,7 +133,7 @@ class Onwards:
         return bool((apart < -most).any())
 
     def settled(self, ahead: float, start: Array, length: float, drift: float) -> Array:
-        """Kick bodies that are held in place, for the parameters see the class.
+        """Kick bodies that are held in place; for the parameters see the class.
 
         With static friction the kick is taken twice: it misjudges as long as pymunk's impulses stem
         from a kick of another length.

@@ -45,7 +45,7 @@ def _half_kick(setup: Setup, stages: Stages, observer: Observer, velocity: Array
             _, acceleration = joints.motion(velocity, forces.smooth)
         snapshot = observer.snapshot(state, velocity, acceleration, contacts, lasts)
         if setup.level.effects.contact and not scene.direct:
-            # pymunk's warm start are impulses: leave it those of a whole step
+            # pymunk's warm start consists of impulses: leave it a whole step's
             kicks.settle(0, velocity, kicks.clock.dt, kicks.clock.dt)
             scene.batch.set_velocity(after)
     scene.joints.time(kicks.clock.dt, kicks.clock.dt)
