@@ -72,7 +72,10 @@ def disc_like(shape: pymunk.Shape, center: complex, radius: float) -> pymunk.Cir
 
 
 def core_of(shape: pymunk.Shape) -> list[complex]:
-    """Return what is thickened by a shape's radius, along the axes of its body [m]."""
+    """Return the points whose convex hull, thickened by the radius, is the shape [m].
+
+    They are along the axes of its body.
+    """
     match shape:
         case pymunk.Circle():
             return [complex(*shape.offset)]

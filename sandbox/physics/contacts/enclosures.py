@@ -1,7 +1,7 @@
-"""What is within a hoop does not meet what is outside of it: the hoop lies between the two.
+"""Excludes contacts between bodies inside a hoop and bodies outside of it.
 
-A hoop has no thickness, so what it rolls on touches it where a ball in it does, and the two would
-touch each other: the ball would rub on the floor below the hoop.
+A hoop has no thickness, so a ball in it touches it where the floor does, and the two would touch
+each other: the ball would have friction with the floor below the hoop.
 """
 
 from collections.abc import Iterator, Mapping
@@ -16,20 +16,20 @@ from sandbox.physics.geometry.arcs import Arc
 from sandbox.physics.geometry.plane_curve import Course
 
 NEAR = 1e-4
-"""The share of a hoop's radius by which something may reach across it, and yet lie on one side."""
+"""The share of a hoop's radius by which a body may cross it and still count as on one side."""
 
 
 class Enclosures:
-    """Keeps apart what hoops lie between.
+    """Excludes contacts between bodies that hoops separate.
 
     Parameters
     ----------
     space
-        In which everything is.
+        The space of the bodies.
     made
-        The bodies that may be touched.
+        The bodies with contact shapes.
     lines
-        Those of them that are hollow: their lines.
+        The lines of the hollow ones.
     """
 
     def __init__(
@@ -44,12 +44,12 @@ class Enclosures:
         self.look()
 
     def look(self) -> None:
-        """Look at what is within hoops where bodies are now."""
+        """Find the bodies inside hoops at the present positions, and exclude their contacts."""
         self._space.remove(*self._bars)
         self._bars = keep_apart(self._space, self._bodies, sorted(set(self._between())))
 
     def _between(self) -> Iterator[tuple[str, str]]:
-        """Yield the pairs of bodies of which one is within a hoop and the other outside."""
+        """Yield the pairs of bodies with one inside a hoop and the other outside."""
         for name, hoop in self._lines.items():
             if not (isinstance(hoop, Arc) and isinstance(self._made[name].spec.shape, Hoop)):
                 continue
@@ -61,7 +61,7 @@ class Enclosures:
                     yield min(pair), max(pair)
 
     def _reach(self, name: str, middle: complex) -> float:
-        """Return how far from a point a body reaches at the most [m]."""
+        """Return the largest distance of a body from a point [m]."""
         body, line = self._bodies[name], self._lines.get(name)
         if isinstance(line, Arc):
             return abs(_place(body, line.center) - middle) + line.outer
@@ -72,7 +72,7 @@ class Enclosures:
         )
 
     def _distance(self, name: str, middle: complex) -> float:
-        """Return how far from a point a body is at the least, or less where it is hollow [m]."""
+        """Return the distance of a body from a point; if it is hollow, a lower bound [m]."""
         line = self._lines.get(name)
         if isinstance(line, Arc):
             far = abs(_place(self._bodies[name], line.center) - middle)
@@ -82,5 +82,5 @@ class Enclosures:
 
 
 def _place(body: pymunk.Body, point: complex) -> complex:
-    """Return where a point of a body is in the plane [m]."""
+    """Return the position of a point of a body in the plane [m]."""
     return complex(*body.position) + point * complex(*body.rotation_vector)

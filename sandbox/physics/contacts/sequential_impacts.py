@@ -1,13 +1,13 @@
-"""Sequential impacts: hard bodies that touch each other collide pair after pair.
+"""Sequential impacts: hard bodies that touch each other collide one pair after the other.
 
 pymunk solves all contacts of a step at once, so a shot into a row of touching balls moves several
 of them. Here, between drift and kick, the pair that approaches fastest collides first: an impulse
-along its normal turns its approach into e times as fast a parting (Newton's law of restitution),
-which may make neighbours approach, and so on until no pair does. What pymunk's solver then finds
-are bodies that part or rest.
+along its normal reverses the approach velocity, scaled by e (Newton's law of restitution). That may
+make neighbours approach, and so on until no pair does. For pymunk's solver there then remain only
+bodies that separate or rest.
 
-The velocities that collide are those *at* the step, half a kick after pymunk's: the speed of an
-impact is of second order, whatever pulls.
+The velocities before impacts are those *at* the step, half a kick after pymunk's, so the speed of
+an impact is of second order under any forces.
 """
 
 from functools import partial
@@ -25,23 +25,23 @@ from sandbox.physics.joints.exact.reactions import Grip
 from sandbox.physics.joints.exact.shake import ExactJoints
 
 FAINTEST = 1e-290
-"""m/s: an approach slower than this is none. Numbers near the smallest have few digits left, and
-no share of them is rounding."""
+"""m/s: slower approaches count as zero. The smallest numbers have few digits, so rounding is no
+fixed share of them."""
 
 
 class Impacts(NamedTuple):
-    """What the impacts of a step did; n bodies.
+    """The outcome of the impacts of a step; n bodies.
 
     Attributes
     ----------
     struck
-        (n,), which bodies they reached.
+        (n,), the bodies that they reached.
     jump
         (n, 3), the changes of the velocities [m/s, rad/s].
     velocity
-        (n, 3), the velocities at the step, right after them [m/s, rad/s].
+        (n, 3), the velocities at the step, right after the impacts [m/s, rad/s].
     impulse
-        (n,), the sizes of the impulses on each body, added up [N s].
+        (n,), the sum of the magnitudes of the impulses on each body [N s].
     """
 
     struck: Booleans
@@ -51,26 +51,26 @@ class Impacts(NamedTuple):
 
     @classmethod
     def none(cls, count: int) -> "Impacts":
-        """Return that so many bodies had no impact."""
+        """Return the outcome without impacts, for a number of bodies."""
         none: Array = np.zeros((count, 3))
         none.setflags(write=False)
         return cls(np.zeros(count, dtype=bool), none, none, none[:, 0])
 
 
 class Sequence:
-    """Finds the impacts of a step, and lets one come after the other; n bodies.
+    """Finds and solves the impacts of a step, one after the other; n bodies.
 
     Parameters
     ----------
     batch
         Reads and writes the bodies.
     restitution
-        (n, n), the pairs' coefficients.
+        (n, n), the coefficients of restitution of the pairs.
     inverse_mass
-        (n, 3), what a force or torque is multiplied by to give an acceleration [1/kg, 1/(kg m²)].
+        (n, 3), the inverses of masses, masses and moments of inertia [1/kg, 1/(kg m²)].
     joints
-        Those that hold together what collides, if there are any. An impulse passes through what
-        can push as well as pull; ropes and strings are jerked by what comes of it.
+        The exact joints between colliding bodies, if any. Bilateral joints transmit impulses;
+        ropes and strings react to the velocities after the impacts.
     dt
         The time step [s].
     """
@@ -87,23 +87,24 @@ class Sequence:
         self._restitution, self._inverse_mass = restitution, inverse_mass
         self._moving: Booleans = inverse_mass[:, 0] > 0
         self._turning: Booleans = inverse_mass[:, 2] > 0
-        # the last kick: places, velocities, accelerations
+        # the last kick: positions, velocities, accelerations
         self._place = self._begun = self._smooth = np.zeros_like(inverse_mass)
         self._lasted = dt
-        self._before: partial[Array] | None = None  # what held in the kick before that
+        self._before: partial[Array] | None = None  # constraint accelerations in the kick before
         self.last = Impacts.none(len(inverse_mass))
-        self._asked, self._pushes = b"", np.zeros(0)  # the last pile-up, and what came of it
+        self._asked, self._pushes = b"", np.zeros(0)  # the last pile-up, and its impulses
         self._places = _Places.of(NO_CONTACTS, self._turning)
 
     def collide(self, smooth: Array, *, start: bool) -> None:
-        """Let what touches and approaches collide, and change the velocities.
+        """Let touching bodies that approach collide, and change their velocities.
 
         Parameters
         ----------
         smooth
             (n, 3), the accelerations by gravity and force laws at the step [m/s², rad/s²].
         start
-            Whether this is the first kick, of half a step, which begins with the velocities at it.
+            Whether this is the first kick, of half a step, which begins with the velocities at its
+            time.
 
         Raises
         ------
@@ -133,12 +134,12 @@ class Sequence:
         self._lasted = self._dt / 2 if start else self._dt
 
     def shift(self, struck: Booleans, place: Array, jump: Array, change: Array) -> None:
-        """Take in what impacts located in time did since the last kick; see `located.Cut`."""
+        """Add the impacts located in time since the last kick; see `located_impacts.Cut`."""
         self._begun = self._begun + jump - change * self._lasted
         self._place = np.where(struck[:, None], place, self._place)
 
     def _held(self, begins: Array, place: Array) -> Array:
-        """Return the accelerations by contacts, and by joints, which turn with the bodies."""
+        """Return the accelerations by contacts and joints, with joints rotated with the bodies."""
         held = _held(begins, self._begun, self._lasted, self._smooth)
         if self._joints and len(self._joints.tension):
             held += Grip(self._joints, self._inverse_mass, self._place).change(place)
@@ -153,7 +154,7 @@ class Sequence:
         jump: Array,
         impulse: Array,
     ) -> None:
-        """Add what the impacts do to jump and impulse; for `gives` see `_allowed`."""
+        """Add the outcome of the impacts to `jump` and `impulse`; for `gives` see `_allowed`."""
         if not self._places.are_of(contacts):
             self._places = _Places.of(contacts, self._turning)
         points = self._places.points(contacts, place)
@@ -168,7 +169,7 @@ class Sequence:
         struck = parting < -allowed
         if not struck.any():
             return
-        if not self._joints:  # what is not reached need not be looked at
+        if not self._joints:  # only contacts that impulses reach
             touched = reached(points.bodies, struck, self._moving)
             near = touched[points.bodies[:, 0]] | touched[points.bodies[:, 1]]
             points, parting, allowed = points.only(near), parting[near], allowed[near]
@@ -178,7 +179,7 @@ class Sequence:
         delassus = response.reshape(len(parting), -1) @ jacobian.reshape(len(parting), -1).T
         a, b = points.bodies.T
         asked = b"".join(x.tobytes() for x in (points.bodies, delassus, parting, allowed))
-        if asked != self._asked:  # bodies that are held are kicked again and again
+        if asked != self._asked:  # kicks of held bodies are repeated
             pile = Pile(delassus, parting, allowed, self._restitution[a, b], points.partner)
             self._asked, self._pushes = asked, pile.settle(points.bodies)
         pushes = self._pushes
@@ -188,22 +189,22 @@ class Sequence:
 
 
 def _held(ended: Array, begun: Array, lasted: float, smooth: Array) -> Array:
-    """Return the accelerations in a kick by all but gravity and laws: (n, 3) [m/s², rad/s²]."""
+    """Return the accelerations in a kick except by gravity and laws: (n, 3) [m/s², rad/s²]."""
     held: Array = (ended - begun) / lasted - smooth
     return held
 
 
 class _Points(NamedTuple):
-    """The points at which pairs touch; k of them.
+    """The k contact points of pairs.
 
     Attributes
     ----------
     bodies
-        (k, 2).
+        (k, 2), the bodies of each point.
     jacobian
-        (k, 2, 3), how fast the two bodies' velocities take them apart.
+        (k, 2, 3), the Jacobian of the separation rate, for the velocities of the two bodies.
     partner
-        (k,), the other point of the same two sides; −1 if there is none.
+        (k,), the other contact point of the same two sides; −1 if there is none.
     """
 
     bodies: Integers
@@ -211,7 +212,7 @@ class _Points(NamedTuple):
     partner: Integers
 
     def only(self, near: Booleans) -> "_Points":
-        """Return some of the points; partners go together."""
+        """Return some of the points, always with their partners."""
         renumbered = np.append(np.cumsum(near) - 1, -1)
         return _Points(self.bodies[near], self.jacobian[near], renumbered[self.partner[near]])
 
@@ -221,16 +222,16 @@ class _Points(NamedTuple):
 
 
 class _Places(NamedTuple):
-    """Which points of contacts there are; without rotation one point of a side stands for all.
+    """The indices of contact points; without rotation, one point of a side represents both.
 
     Attributes
     ----------
     pairs, touches
-        The bodies of the contacts, and at how many points they touch; see `Contacts`.
+        The bodies of the contacts, and their numbers of contact points; see `Contacts`.
     pair, which
-        (k,), the contact each point belongs to, and which of its two points it is.
+        (k,), the contact of each point, and the index of the point in it.
     bodies, partner
-        (k, 2) and (k,), as of `_Points`.
+        (k, 2) and (k,), as in `_Points`.
     """
 
     pairs: Integers
@@ -242,7 +243,7 @@ class _Places(NamedTuple):
 
     @classmethod
     def of(cls, contacts: Contacts, turning: Booleans) -> "_Places":
-        """Return those of contacts; (n,), which bodies turn."""
+        """Return the indices for contacts, given the bodies that can rotate, (n,)."""
         pairs, touches, count = contacts.bodies, contacts.touches, len(contacts.bodies)
         two = np.flatnonzero((touches == 2) & turning[pairs].any(axis=1))
         pair = np.concatenate((np.arange(count), two))
@@ -252,11 +253,11 @@ class _Places(NamedTuple):
         return cls(pairs, touches, pair, which, pairs[pair], partner)
 
     def are_of(self, contacts: Contacts) -> bool:
-        """Whether the same bodies touch at as many points: then those arrays are the same ones."""
+        """Return whether contacts have the same pairs and numbers of points: the same arrays."""
         return contacts.bodies is self.pairs and contacts.touches is self.touches
 
     def points(self, contacts: Contacts, place: Array) -> _Points:
-        """Return where contacts touch; (n, 2), where the bodies are [m]."""
+        """Return the contact points, given the positions of the bodies, (n, 2) [m]."""
         at = contacts.points[self.pair, self.which]
         arm = at[:, None] - place[self.bodies]
         jacobian = pair_jacobian(arm, contacts.direction[self.pair])
@@ -264,18 +265,18 @@ class _Places(NamedTuple):
 
 
 def _allowed(points: _Points, gives: Array) -> Array:
-    """Return the approach with which bodies still rest on each other, for pymunk: (k,) [m/s].
+    """Return the approach velocity of bodies that rest, which is left to pymunk: (k,) [m/s].
 
-    It is no more than gravity and laws give them in a step, or these and what held them in the
-    last. What held them is a jerk, and none of that, as far as it is more than all that gave in the
-    kick before could.
+    It is the change by gravity and laws in a step, or by these and the constraint forces of the
+    last kick, if that is larger. The latter is bounded by the forces of the kick before: anything
+    beyond is a jerk, and does not count.
 
     Parameters
     ----------
     points
-        Where they touch.
+        The contact points.
     gives
-        (3, n, 3), all three as what they add to velocities in a step [m/s, rad/s].
+        (3, n, 3), these three accelerations as changes of velocity in a step [m/s, rad/s].
     """
     both = points.jacobian, gives[2, points.bodies]
     sizes = [np.sqrt(np.add.reduce(a * a, axis=2)) for a in both]

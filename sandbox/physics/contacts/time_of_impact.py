@@ -1,9 +1,9 @@
-"""When two outlines on parabolas touch, found by conservative advancement.
+"""The time of impact of two outlines on parabolas, by conservative advancement.
 
-No corner can cross the gap between two convex outlines, as it is seen along its normal, before a
-bound on its motion does. So time goes on to that bound, the gap is looked at again, and so on until
-they touch: never too late, and with the speed of Newton's method (B. V. Mirtich: Impulse-based
-Dynamic Simulation, 1996; E. Catto: Continuous Collision, GDC 2013).
+A bound on the motion of the corners along the normal gives a time before which no corner can cross
+the gap between two convex outlines. Time advances to that bound, the gap is computed again, and so
+on until they touch: never too late, and with the convergence of Newton's method (B. V. Mirtich:
+Impulse-based Dynamic Simulation, 1996; E. Catto: Continuous Collision, GDC 2013).
 """
 
 from cmath import rect
@@ -19,39 +19,39 @@ from sandbox.physics.geometry.distance import FLUSH, Gap, Outline, dot, gap
 from sandbox.physics.joints.exact.reactions import Grip
 
 TOUCH = -1e-9
-"""m, the gap of shapes that touch: flat ones stand proud by as much, and what comes to rest must
-be in contact, whatever the last digit says."""
+"""m, the gap at which shapes touch. It is the skin of flat shapes; bodies that come to rest must be
+in contact whatever the rounding."""
 
 CLOSE = 1e-12
-"""m, how exactly that is met; at a distance from the origin this share of it, if that is more:"""
+"""m, the tolerance of that gap; far from the origin, the following share of the distance:"""
 FAR = 1e-15
 
 NEAR = 1e-10
-"""m, by which shapes may be further apart and touch, where all that do are asked for."""
+"""m, the additional gap at which shapes count as touching when all contacts are collected."""
 
 TRIES = 200
-"""How often two outlines are advanced towards each other in a step."""
+"""The most advancements of two outlines in a step."""
 
 ROUNDING = 1e-12
-"""An approach slower than this share of the speeds that it is the difference of, or of what their
-acceleration adds to these in a step, is none."""
+"""An approach slower than this share of the speeds whose difference it is, or of their change in a
+step, counts as zero."""
 
 
 class Hit(NamedTuple):
-    """Two bodies that are about to touch.
+    """An impact of two bodies.
 
     Attributes
     ----------
     time
-        Since the step before [s].
+        The time since the previous step [s].
     bodies
         Their indices.
     normal
         The unit vector from the first to the second.
     points
-        Where they touch, in the plane [m].
+        Their contact points in the plane [m].
     parting
-        How fast they part there, where they do so least [m/s].
+        The least separation rate at these points [m/s].
     """
 
     time: float
@@ -62,20 +62,20 @@ class Hit(NamedTuple):
 
 
 class Path:
-    """Where n bodies are between two kicks: each on a parabola since its last impact.
+    """The motion of n bodies between two kicks, each on a parabola since its last impact.
 
     Attributes
     ----------
     since
-        (n,), when that was [s].
+        (n,), the time of the last impact [s].
     place, velocity
-        (n, 3), x, y and angle then, and their rates [m, rad, m/s, rad/s].
+        (n, 3), x, y and angle at that time, and their rates [m, rad, m/s, rad/s].
     acceleration
-        (n, 3), their accelerations then [m/s², rad/s²].
+        (n, 3), the accelerations at that time [m/s², rad/s²].
     struck
-        (n,), which had an impact.
+        (n,), the bodies with an impact.
     blur
-        How well velocities are known that joints have chosen; 0 without any [m/s].
+        The uncertainty of velocities that joints determine; 0 without joints [m/s].
     """
 
     def __init__(
@@ -91,26 +91,26 @@ class Path:
         self._grip, self.blur = grip, blur
         self.since = np.zeros(len(place))
         self.struck = np.zeros(len(place), dtype=bool)
-        self._seen: tuple[float, Array] | None = None  # when last, and how joints had turned then
+        self._seen: tuple[float, Array] | None = None  # the last time, and the change by joints
 
     def place_at(self, t: float) -> Array:
-        """Return the places at a time: (n, 3)."""
+        """Return the positions at a time: (n, 3)."""
         lasted = (t - self.since)[:, None]
         then = self.velocity + self.acceleration * lasted
         return self.place + (self.velocity + then) * (lasted / 2)
 
     def at(self, t: float) -> tuple[Array, Array]:
-        """Return places and velocities at a time; the velocities as joints that turn leave them."""
+        """Return positions and velocities at a time; for velocities, joints rotate on the way."""
         lasted = (t - self.since)[:, None]
         velocity = self.velocity + self.acceleration * lasted + self._change(t) * (lasted / 2)
         return self.place_at(t), velocity
 
     def acceleration_at(self, t: float) -> Array:
-        """Return the accelerations at a time, which change as joints turn: (n, 3)."""
+        """Return the accelerations at a time, which change as joints rotate: (n, 3)."""
         return self.acceleration + self._change(t)
 
     def _change(self, t: float) -> Array | float:
-        """Return how accelerations have changed since the last kick, or each one's last impact."""
+        """Return the change of accelerations since the last kick, or each body's last impact."""
         if not (self._grip and t):
             return 0.0
         if self._seen is None or self._seen[0] != t:
@@ -118,12 +118,12 @@ class Path:
         return self._seen[1]
 
     def turn(self, t: float, jump: Array, struck: Booleans) -> None:
-        """Add to the velocities of those bodies that are struck at a time.
+        """Add a jump to the velocities of the bodies that are struck at a time.
 
         Raises
         ------
         JointFailure
-            If their joints cannot be kept.
+            If their joints cannot be satisfied.
         """
         place, velocity = self.at(t)
         self._seen = None
@@ -136,7 +136,7 @@ class Path:
 
 
 class _Motion:
-    """A body at a time on its path, as complex numbers."""
+    """The motion of a body at a time on its path, in complex numbers."""
 
     def __init__(self, path: Path, body: int, t: float) -> None:
         lasted = t - float(path.since[body])
@@ -151,11 +151,11 @@ class _Motion:
 
     @property
     def turns(self) -> bool:
-        """Whether the body turns at all."""
+        """Whether the body rotates."""
         return self.spin != 0 or self.twist != 0
 
     def put(self, corners: Sequence[complex]) -> list[complex]:
-        """Return where points of the body are."""
+        """Return the positions of points of the body in the plane."""
         return [self.place + self.turned * corner for corner in corners]
 
     def speed(self, point: complex) -> complex:
@@ -163,7 +163,7 @@ class _Motion:
         return self.velocity + 1j * self.spin * (point - self.place)
 
     def bend(self, reach: float, dt: float) -> float:
-        """Return a bound on the acceleration, by its turning, of what is within its reach."""
+        """Return a bound on the acceleration by rotation of points within a reach [m]."""
         fastest = abs(self.spin) + abs(self.twist) * dt
         return reach * (fastest * fastest + abs(self.twist))
 
@@ -171,24 +171,24 @@ class _Motion:
 def meet(
     path: Path, one: Outline, other: Outline, since: float, until: float, gives: Array
 ) -> Hit | None:
-    """Return when two shapes touch that approach each other, None if they do not.
+    """Return the next impact of two shapes that approach each other; None if there is none.
 
-    Shapes that touch from the beginning, and do so with no more speed than their acceleration gives
-    them in a step, rest on each other: that is for pymunk to solve.
+    Shapes that touch at the start, with an approach velocity of at most its change in a step, rest
+    on each other: they are left to pymunk.
 
-    At a step pymunk finds whatever overlaps at all, by less than `TOUCH`, too. So an impact of
-    shapes that overlap at the end of a drift belongs to that drift, and comes at its end at the
-    latest. Shapes that are still apart there are left to the next drift.
+    At a step pymunk finds all overlaps, even those smaller than `TOUCH`. So an impact of shapes
+    that overlap at the end of a drift belongs to that drift, and comes at its end at the latest.
+    Shapes that are still apart there are left to the next drift.
 
     Parameters
     ----------
     path
-        Where their bodies are.
+        The motion of the bodies.
     since, until
-        The times between which they may [s].
+        The interval of times to search [s].
     gives
-        (2, n, 3), what gravity and laws alone give the velocities in a step, and what all that
-        pulls, joints and loads too, gives them in what is left of it [m/s, rad/s].
+        (2, n, 3), the changes of velocity by gravity and laws alone in a step, and by all forces in
+        the rest of it [m/s, rad/s].
     """
     t, at_end = since, False
     gets = [[complex(*way) for way in gives[:, o.body, :2].tolist()] for o in (one, other)]
@@ -218,9 +218,9 @@ def meet(
 def _allowed(
     normal: complex, speeds: Sequence[complex], gets: Sequence[list[complex]], *, rests: bool
 ) -> float:
-    """Return the approach of two bodies that is none, or with which they may still rest [m/s].
+    """Return the approach velocity that counts as zero, or with which bodies may still rest [m/s].
 
-    What they get in a step is told as by `gives` of `meet`, for each body.
+    `gets` are the changes of velocity of each body, as `gives` of `meet`.
     """
     allowed = ROUNDING * max(abs(rate) for rate in (*speeds, gets[0][0], gets[1][0]))
     if rests:
@@ -229,7 +229,7 @@ def _allowed(
 
 
 def touching(path: Path, one: Outline, other: Outline, t: float) -> Hit | None:
-    """Return where two shapes touch at a time, None if they do not, whether they part or not."""
+    """Return the contact of two shapes at a time, separating or not; None without a contact."""
     here, there = _Motion(path, one.body, t), _Motion(path, other.body, t)
     cores = here.put(one.corners), there.put(other.corners)
     found = gap(*cores, one.radius + other.radius)
@@ -246,14 +246,14 @@ def _touch(here: _Motion, there: _Motion) -> float:
 
 
 def _rounding(here: _Motion, there: _Motion) -> float:
-    """Return how exactly the gap of bodies is known where they are [m]."""
+    """Return the rounding error of the gap between bodies [m]."""
     return FAR * max(abs(here.place), abs(there.place))
 
 
 def _hit(
     t: float, outlines: tuple[Outline, Outline], bodies: tuple[_Motion, _Motion], found: Gap
 ) -> Hit:
-    """Return what two shapes do that touch."""
+    """Return the hit of two touching shapes."""
     (one, other), (here, there) = outlines, bodies
     n = found.normal
     points = tuple(p + n * one.radius for p in found.points)
@@ -268,11 +268,11 @@ def _clear(
     outlines: tuple[Outline, Outline],
     left: float,
 ) -> float:
-    """Return for how long two outlines are apart for certain, of the time that is left [s].
+    """Return a time during which two outlines certainly stay apart, within the time left [s].
 
-    Each of up to three normals gives a bound, and the longest counts: one at rest, and one that
-    turns with either body. Along one at rest, a side that turns is soon seen to pass a corner that
-    it only parts from.
+    Each of up to three normals gives a bound, and the longest counts: a fixed normal, and one that
+    rotates with either body. Along a fixed normal alone, a rotating side soon seems to cross a
+    corner from which it only separates.
     """
     here, there = bodies
     one, other = outlines
@@ -302,11 +302,11 @@ def _turning(
     radii: float,
     left: float,
 ) -> float:
-    """Return for how long the corners of a body are clear of another along a normal of that one.
+    """Return how long the corners of `other` stay clear of `first`, along a normal of `first` [s].
 
-    Where the normal turns with the first body, as fast as ω, its own corners stay as high as they
-    are. The acceleration of the other's, at z from its centre, differs by 2 ω dz/dt and by
-    (dω/dt + ω²) z at the most from that in the plane.
+    The normal rotates with the first body, at ω, so the heights of its own corners are constant.
+    For the other's corners, at z from its centre, the acceleration differs from that in the plane
+    by at most 2 ω dz/dt + (dω/dt + ω²) z.
     """
     spin = abs(first.spin) + abs(first.twist) * left
     acceleration = abs(other.acceleration - first.acceleration) + other.bend(reach, left)
@@ -323,7 +323,7 @@ def _turning(
 
 
 def _crossing(height: float, rate: float, curve: float) -> float:
-    """Return when height + rate t + curve t² / 2 falls to `TOUCH`, or, if it is there, returns."""
+    """Return when height + rate t + curve t² / 2 falls, or falls back, to `TOUCH`."""
     above = max(height - TOUCH, 0.0)
     square = rate * rate - 2 * curve * above
     if square < 0:
@@ -335,14 +335,14 @@ def _crossing(height: float, rate: float, curve: float) -> float:
 
 
 def _passes(line: Outline, cores: tuple[Sequence[complex], ...], normal: complex) -> bool:
-    """Return whether a disc touches the end of a line on the side where the next goes on.
+    """Return whether a disc touches the end of a line on the side where the next line joins.
 
-    There, the next is what it touches: no ball trips where lines join. As pymunk has it.
+    The contact there is with the next line, so that no ball trips over the joint, as in pymunk.
     """
     if not any(line.ways) or len(cores[1]) > 1:
         return False
     (a, b), center = cores[0], cores[1][0]
-    ahead = (b - a) / (line.corners[1] - line.corners[0])  # how the line is turned
+    ahead = (b - a) / (line.corners[1] - line.corners[0])  # the rotation of the line
     for end, way in zip((a, b), line.ways, strict=True):
         reached = abs(abs(center - end) - abs(dot(normal, center - end))) <= FLUSH
         if way and reached and dot(-normal, way * ahead) < 0:

@@ -1,20 +1,20 @@
-"""The ledger: where the energy and the momentum of a run come from and go.
+"""The ledger: the sources and sinks of the energy and momentum of a run.
 
-A step drifts, then kicks. Read from the middle of one drift to the middle of the next it is half a
-drift, one kick, half a drift, and only the kick changes velocities. An impulse J in a kick that
+A step drifts, then kicks. From the middle of one drift to the middle of the next there are half a
+drift, one kick, and half a drift, and only the kick changes velocities. An impulse J in a kick that
 takes a velocity from v₋ to v₊ does the work J · (v₋ + v₊)/2, whatever else acts in the same kick.
-So the kinetic energy changes by the sum of the works of all impulses, exactly, and each is booked
-by itself.
+So the change of kinetic energy is exactly the sum of the works of all impulses, and each is booked
+separately.
 
-A force with a potential is booked by what became of its potential energy, read in the middle of the
-drift, instead of by its work. The two differ where a step is too coarse. That difference, and
-whatever else has no cause, is `unexplained`: the numerical error. Nothing corrects it.
+A force with a potential is booked by the change of its potential energy, read in the middle of the
+drift, instead of by its work. The two differ if a step is too coarse. That difference, and any
+other change without a cause, is `unexplained`: the numerical error. Nothing corrects it.
 
-A step of fourth order has several drifts and kicks, and shares its last kick with the next step. It
-is read from step to step instead: half of that kick is booked before the step, and half after it.
+A fourth-order step has several drifts and kicks, and shares its last kick with the next step. It is
+read from step to step instead: half of that kick is booked before the step, and half after it.
 
-Some things cannot give energy: surfaces that press on each other, impacts with e = 1, a joint that
-keeps its length. If they seem to, it is not booked, and stays unexplained.
+Some causes cannot add energy: contacts, impacts with e = 1, joints of constant length. If they seem
+to, that energy is not booked, and stays unexplained.
 """
 
 from collections.abc import Iterable
@@ -48,23 +48,23 @@ SEEN = 1e-12
 
 
 class Ledger:
-    """Keeps the books of a run; n bodies. The run pays nothing for it.
+    """Keeps the books of a run, at no cost to the run itself; n bodies.
 
-    Open it on a world, let it `note` every step, and read its `balance`. What it knows of a step is
-    the world's record of it.
+    Open it on a world, call `note` after every step, and read its `balance`. All it knows of a step
+    is the world's record of it.
 
     Parameters
     ----------
     run
-        Which, such as a world.
+        The run, such as a world.
     begun
-        To open the books one step back: (n, 3), the velocities that the last kick began with
-        [m/s, rad/s].
+        (n, 3), the velocities at the beginning of the last kick [m/s, rad/s], to open the books one
+        step earlier.
 
     Attributes
     ----------
     steps
-        How many of the run's are booked.
+        The number of steps of the run that are booked.
     """
 
     def __init__(self, run: Recorded, begun: Array | None = None) -> None:
@@ -94,7 +94,7 @@ class Ledger:
         self._seen: Motion = self._step.seen or start  # by the laws in the last kick
 
     def note(self) -> None:
-        """Book the world's last step; one that is booked already is left alone.
+        """Book the world's last step, unless it is booked already.
 
         Raises
         ------
@@ -136,7 +136,7 @@ class Ledger:
         self._seen, self._slack = seen, slack
 
     def _stages(self, after: Array, tension: Array) -> Iterable[Stage]:
-        """Return the parts of the last kick, with impulses for forces."""
+        """Return the parts of the last kick, with impulses in place of forces."""
         dt, direct = self._step.dt, self._scene.direct
         if direct and direct.divided:
             return direct.divided.before
@@ -145,9 +145,9 @@ class Ledger:
         return (Stage(dt, after, tension * dt, self._kicked()),)
 
     def _follow(self) -> None:
-        """Book the kicks of a step, in which nothing acts but smooth forces and joints.
+        """Book the kicks of a fourth-order step, in which only smooth forces and joints act.
 
-        Of the kicks at its two ends half is its own.
+        Half of the kicks at its two ends belongs to the step.
         """
         step, end = self._step, self._end
         parts, begun = step.parts, float(end.t)
@@ -165,13 +165,13 @@ class Ledger:
         self._velocity = self._scene.batch.velocity()
 
     def _change_over(self) -> None:
-        """Take up the half kick with which the world has gone over to leapfrog, for a hand."""
+        """Book the half kick with which the world has changed to leapfrog, for a hand."""
         self._velocity = self._step.begun
         self._push(float(self._end.t), self._step.dt / 2, self._end, self._velocity)
         self._composed = False
 
     def _push(self, t: float, length: float, seen: Instant, after: Array) -> None:
-        """Book a kick in which only laws and joints act, from velocities to others: (n, 3)."""
+        """Book a kick in which only laws and joints act, up to the velocities `after`, (n, 3)."""
         before, inertia = velocity_of(seen), self._mechanics.inertia(t)
         kick = Kick(t, length, seen, seen.position, (before + after) / 2, inertia)
         laws = sum((self._causes.force(law, kick) for law in self._laws), np.zeros_like(after))
@@ -180,7 +180,7 @@ class Ledger:
 
     @property
     def balance(self) -> Balance:
-        """How the books stand."""
+        """The present balance of the books."""
         kinetic, entries = self._mechanics.kinetic(self._end), self._entries
         potential = self._mechanics.stored_by(self._end)
         (begun, begun_with), given = self._start, sum(entries.impulses.values(), np.zeros(3))
@@ -196,7 +196,7 @@ class Ledger:
         )
 
     def _middle(self, ahead: float, velocity: Array) -> Instant:
-        """Return the motion a number of steps after (or before) the last, at constant velocity."""
+        """Return the motion a number of steps after (or before) the last one, at this velocity."""
         now, later = self._step.snapshot, ahead * self._step.dt
         return Instant(
             np.asarray(self._step.t + later),
@@ -207,7 +207,7 @@ class Ledger:
         )
 
     def _drifted(self) -> Array:
-        """Book what cut the last drift, and return the velocities that it ended with: (n, 3)."""
+        """Book the events within the last drift; return the velocities at its end: (n, 3)."""
         step = self._step
         if step.acted:
             return self._act(step.acted)
@@ -225,15 +225,15 @@ class Ledger:
         return self._scene.batch.velocity()
 
     def _first(self) -> float:
-        """Return the share of the coming drift that its first part is."""
+        """Return the length of the first part of the coming drift, as a share of the drift."""
         direct = self._scene.direct
         return direct.divided.first if direct and direct.divided else 1.0
 
     def _divide(self, divided: "Divided") -> Array:
-        """Book a drift in parts; return the velocities that it ended with, as a whole one: (n, 3).
+        """Book a drift in parts; return the velocities at its end, as of a whole drift: (n, 3).
 
-        The first of its kicks may belong to the whole one before it, from which it takes back what
-        that gave too much; the last belongs to the whole one after it, as that gives too much.
+        Its first kick may belong to the whole kick before it, and takes back the excess of that;
+        its last kick belongs to the whole kick after it, for the same reason.
         """
         kicks = kicks_within(divided, self._end, self._seen, self._mechanics.inertia)
         for number, (kick, change, impulses, jacobian, contacts) in enumerate(kicks):
@@ -251,7 +251,7 @@ class Ledger:
         return divided.begun
 
     def _cut(self, collided: Collided) -> Array:
-        """Book the impacts that cut the last drift; return the velocities that it ended with."""
+        """Book the impacts within the last drift; return the velocities at its end."""
         impacts = collided.impacts
         self._go_on(collided.begun, collided.lifted)
         self._entries.put_in(
@@ -266,7 +266,7 @@ class Ledger:
         return collided.begun
 
     def _stop(self, stop: Stop) -> Array:
-        """Book slipping that ended in the last drift; return the velocities that it ended with."""
+        """Book the ends of slipping in the last drift; return the velocities at its end."""
         before = self._end
         self._go_on(stop.begun, stop.lifted)
         for law in self._laws:
@@ -279,7 +279,7 @@ class Ledger:
         return stop.begun
 
     def _act(self, happened: Acted) -> Array:
-        """Book what events did in the last drift; return the velocities that it ended with."""
+        """Book the events in the last drift; return the velocities at its end."""
         self._go_on(happened.begun, happened.lifted)
         self._entries.put_in({"events": happened.switched})
         rest = happened.given
@@ -294,16 +294,16 @@ class Ledger:
         return happened.begun
 
     def _go_on(self, begun: Array, lifted: float) -> None:
-        """Stand in the middle of the last drift as if it had not been cut.
+        """Set the motion in the middle of the last drift as if the drift had not been cut.
 
-        What is held there, other than along the way, is taken as if it had been from the start.
+        The difference in energy there is attributed to the start of the books.
         """
         self._end = self._middle(-0.5, begun)
         energy, momentum_then = self._start
         self._start = energy + lifted, momentum_then
 
     def _part(self, drifted: Array) -> None:
-        """See what taking back overlaps gave: bodies are not where their drift ended, (n, 3)."""
+        """Add the energy from the correction of overlaps, which moved bodies after their drift."""
         if not len(self._step.contacts.bodies):
             return
         now, half = self._step.snapshot, self._step.dt / 2
@@ -317,7 +317,7 @@ class Ledger:
             self._overlaps += self._mechanics.stored(there) - self._mechanics.stored(ended)
 
     def _carry(self, t: float, before: Array, after: Array) -> None:
-        """Book what matter brings, or takes along, that is not a force."""
+        """Book the energy and momentum of matter that bodies gain or lose."""
         flows = self._scene.share
         if not isinstance(flows, MassFlows):
             return

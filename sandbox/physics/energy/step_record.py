@@ -20,45 +20,45 @@ if TYPE_CHECKING:
 
 
 class StepRecord(NamedTuple):
-    """The last step of a run, when it was observed; n bodies.
+    """The last observed step of a run; n bodies.
 
     Attributes
     ----------
     steps
-        How many steps were taken with it.
+        The number of steps taken, with this one.
     dt
         The time step [s].
     snapshot, contacts
-        The state, and who touched whom.
+        The state, and the contacts.
     begun
-        (n, 3), the velocities that the last kick began with [m/s, rad/s].
+        (n, 3), the velocities at the beginning of the last kick [m/s, rad/s].
     after
-        (n, 3), those that it ended with; None where the run has just begun.
+        (n, 3), the velocities at its end; None at the start of a run.
     seen
-        What the laws saw in the last kick; None if there are none.
+        The motion that the laws saw in the last kick; None if there are none.
     smooth
         (n, 3), the accelerations by gravity and force laws in the last kick [m/s², rad/s²].
     turned
-        (n, 2), what of these turned velocities [m/s²]; None if nothing does.
+        (n, 2), the part of these that rotated velocities [m/s²]; None without such forces.
     parts
-        The drifts and kicks of which it was made.
+        The drifts and kicks of the step.
     trail
-        After each of them but the last, places and velocities: (n, 6) each; empty unless kept.
+        Positions and velocities after each part but the last: (n, 6) each; empty unless kept.
     hold
-        The row of the body that a hand holds, and the arm from its centre to the grip [m]; None if
-        it holds none.
+        The row of the body that a hand holds, and the lever arm from its centre to the grip [m];
+        None if it holds none.
     over
-        How many of the contacts, the first ones, were impacts in its drift.
+        The number of contacts, first in the list, that were impacts in its drift.
     impacts
-        What located impacts did in it; None if there were none.
+        The located impacts in its drift; None if there were none.
     stop
-        What the end of slipping did in its drift; None if none ended.
+        The ends of slipping in its drift; None if there were none.
     acted
-        What events did in its drift; None if none happened.
+        The events in its drift; None if there were none.
     divided
         The parts of its drift, if it was taken in parts; else None.
     jump
-        (n, 3), what impacts in sequence changed [m/s, rad/s]; None without.
+        (n, 3), the jumps of velocity in sequential impacts [m/s, rad/s]; None without.
     """
 
     steps: int
@@ -87,7 +87,7 @@ class StepRecord(NamedTuple):
 
     @property
     def composed(self) -> bool:
-        """Whether it was made of several drifts and kicks."""
+        """Whether the step had several drifts and kicks."""
         return len(self.parts) > 1
 
 
@@ -96,11 +96,11 @@ class Recorded(Protocol):
 
     @property
     def level(self) -> Level:
-        """What runs."""
+        """The level that runs."""
 
     @property
     def values(self) -> Values:
-        """Its parameters."""
+        """The parameters of the level."""
 
     @property
     def stepping(self) -> Stepping:
@@ -115,4 +115,4 @@ class Recorded(Protocol):
         """The last step."""
 
     def keep_trail(self) -> None:
-        """Keep the trail of every step from now on."""
+        """Keep the trail of all further steps."""

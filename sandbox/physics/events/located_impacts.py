@@ -1,12 +1,12 @@
-"""Impacts located in time, for fast bodies and wherever the instant matters.
+"""Impacts located in time, for fast bodies and accurate impact times.
 
-pymunk looks for contacts once a step. A bullet is then already behind the wall, and a ball bounces
-up to a step late. Here the drift of a step is cut at every impact of the bodies that a level names:
-between two kicks leapfrog stands for a motion with the acceleration of the last kick, so bodies
-move along parabolas until two outlines touch, bounce off each other (see `impact_response`), and go
-on along new parabolas for the rest of the step. pymunk is handed what comes of it: the places at
-the end of the drift, and the velocities half a kick before. What rests on each other after an
-impact is pymunk's from the next kick on.
+pymunk finds contacts once per step. A bullet is then already behind the wall, and a ball bounces up
+to a step late. Here the drift of a step is cut at every impact of the bodies that a level names:
+between two kicks leapfrog represents a motion with the acceleration of the last kick, so bodies
+move along parabolas until two outlines touch, bounce off each other (see `impact_response`), and
+continue along new parabolas for the rest of the step. pymunk is given the outcome: the positions at
+the end of the drift, and the velocities half a kick before. Bodies that rest on each other after an
+impact are left to pymunk from the next kick on.
 """
 
 from cmath import rect
@@ -39,18 +39,18 @@ SHUT_IN = Message("{body} is wedged in: what presses on it does not give way; le
 
 
 class Cut(NamedTuple):
-    """What the impacts within a drift did; n bodies.
+    """The outcome of the impacts within a drift; n bodies.
 
     Attributes
     ----------
     struck
-        (n,), which bodies they reached.
+        (n,), the bodies that they reached.
     place
-        (n, 3), where all are at the end of the drift [m, rad].
+        (n, 3), the positions of all bodies at the end of the drift [m, rad].
     jump
-        (n, 3), how the velocities jumped that the next kick begins with [m/s, rad/s].
+        (n, 3), the jumps of the velocities at the beginning of the next kick [m/s, rad/s].
     change
-        (n, 3), how accelerations changed [m/s², rad/s²].
+        (n, 3), the changes of the accelerations [m/s², rad/s²].
     """
 
     struck: Booleans
@@ -67,22 +67,22 @@ class Located:
     outlines
         The shapes of all bodies.
     swept
-        (n,), which bodies' impacts are located.
+        (n,), the bodies whose impacts are located.
     coefficients
-        Of the pairs.
+        The coefficients of the pairs.
     scene
-        Their masses, and the joints that hold together what collides; see `Sequence`.
+        The bodies, with their masses and the exact joints between them; see `Sequence`.
     held
-        (n,), which bodies hang on joints of any kind.
+        (n,), the bodies that are held by joints of any kind.
     dt
         The time step [s].
 
     Attributes
     ----------
     impacts
-        Those of the last drift.
+        The impacts of the last drift.
     begun
-        (n, 3), the velocities that the last kick began with [m/s, rad/s].
+        (n, 3), the velocities at the beginning of the last kick [m/s, rad/s].
     """
 
     def __init__(
@@ -124,32 +124,32 @@ class Located:
 
     @property
     def last(self) -> Collided | None:
-        """What books must know of the impacts in the last drift; None if there were none."""
+        """The entries for the books from the impacts in the last drift; None if there were none."""
         if not self.impacts:
             return None
         return Collided(self.impacts, self.begun, self._lifted, self._pulled)
 
     def begin(self, velocity: Array, acceleration: Array) -> None:
-        """Take up a motion whose first kick had these velocities before it, and accelerations."""
+        """Start from a motion, given the velocities before its first kick and the accelerations."""
         self.begun, self._first, self.impacts = velocity, acceleration, []
 
     def cut(self, smooth: Array, struck: Array | None) -> Cut | None:
-        """Let bodies collide that would touch in the coming drift; return the result, if any do.
+        """Let bodies collide in the coming drift; return the outcome, None without impacts.
 
         Parameters
         ----------
         smooth
             (n, 3), the accelerations by gravity and force laws in the last kick.
         struck
-            (n, 3), how velocities jumped in the last kick by impacts in sequence; None if impacts
-            are pymunk's there.
+            (n, 3), the jumps of velocities by sequential impacts in the last kick; None if pymunk
+            solves impacts there.
 
         Raises
         ------
         EndlessImpacts
             If bodies collide more often than can be followed.
         JointFailure
-            If joints cannot be kept after an impact.
+            If joints cannot be satisfied after an impact.
         """
         state = self._batch.state()
         place, drifts = state[:, :3], state[:, 3:].copy()
@@ -171,14 +171,14 @@ class Located:
         return self._hand_over(path, state, acceleration) if self.impacts else None
 
     def _total(self, drifts: Array, struck: Array | None) -> Array:
-        """Return the accelerations of the last kick without impacts in sequence: (n, 3)."""
+        """Return the accelerations of the last kick without sequential impacts: (n, 3)."""
         if self._first is not None:
             return self._first
         total = (drifts - self.begun) / self._dt
         return total if struck is None else total - struck / self._dt
 
     def _hand_over(self, path: Path, state: Array, acceleration: Array) -> Cut:
-        """Give pymunk the end of a path that began with this state and these accelerations."""
+        """Give pymunk the end of a path, given the state and accelerations at its start."""
         drifts, hit = self.begun, path.struck
         place, velocity = path.at(self._dt)
         onwards = path.acceleration_at(self._dt)
@@ -191,9 +191,9 @@ class Located:
         return Cut(hit, place, self.begun - drifts, change)
 
     def _compare(self, path: Path, pulls: tuple[Array, Array], places: tuple[Array, Array]) -> None:
-        """Note what books that are kept in the middle of a drift must know of its impacts.
+        """Set the entries for books that are kept in the middle of a drift.
 
-        The accelerations, and the places, are those at the kicks before and after it.
+        The accelerations and positions are those at the kicks before and after it.
         """
         half, struck = self._dt / 2, path.struck[:, None]
         before, after = (np.where(struck, acceleration, 0.0) for acceleration in pulls)
@@ -204,13 +204,13 @@ class Located:
             self._pulled -= momentum(self._inertia * acceleration * half, place)
 
     def _given(self, path: Path, t: float, bodies: Booleans) -> Array:
-        """Return what pulls gave some bodies since each one's last impact: see `momentum`."""
+        """Return the momentum by accelerations of some bodies since their last impacts: (3,)."""
         lasted = np.where(bodies, t - path.since, 0.0)[:, None]
         mean = (path.acceleration + path.acceleration_at(t)) / 2
         return momentum(self._inertia * mean * lasted, path.place + path.velocity * (lasted / 2))
 
     def _boxes(self, state: Array) -> tuple[Array, Array]:
-        """Return the corners of boxes around the shapes, from their bodies' places: (s, 2) each."""
+        """Return the bounding boxes of shapes relative to their bodies: corners (s, 2) each."""
         turns = (self._inverse_mass[:, 2] > 0) | (state[:, 5] != 0)
         low, high = np.empty((len(self._outlines), 2)), np.empty((len(self._outlines), 2))
         for index, outline in enumerate(self._outlines):
@@ -224,7 +224,7 @@ class Located:
         return low, high
 
     def _near(self, start: Array, end: Array, bend: Array) -> list[tuple[int, int]]:
-        """Return the pairs of shapes whose boxes meet on the way; paths bend by bend / 8."""
+        """Return the pairs of shapes whose boxes overlap on the way; paths deviate by bend / 8."""
         low = np.minimum(start, end)[:, :2] - bend[:, :2] / 8
         high = np.maximum(start, end)[:, :2] + bend[:, :2] / 8
         low, high = low[self._row] + self._low, high[self._row] + self._high
@@ -234,7 +234,7 @@ class Located:
         return [pair for pair in near if not self._is_let(pair, start)]
 
     def _is_let(self, pair: tuple[int, int], place: Array) -> bool:
-        """Return whether of two shapes one lets the other through from where they are: (n, 3)."""
+        """Return whether one of two shapes lets the other pass from positions, (n, 3)."""
         if self._gates is None:
             return False
         rows = [self._outlines[shape].body for shape in pair]
@@ -250,13 +250,13 @@ class Located:
     def _without_impacts(
         self, acceleration: Array, smooth: Array, place: Array, velocities: tuple[Array, Array]
     ) -> None:
-        """Take what pymunk's impacts did in the last kick out of its accelerations."""
+        """Remove the effect of pymunk's impacts in the last kick from the accelerations."""
         contacts, solid = self._batch.contacts(), self._all_joints.joined
         hit, onwards = impacts(contacts, solid, place, *velocities, smooth, self._mass, self._dt)
         acceleration[hit] = onwards
 
     def _follow(self, path: Path, near: list[tuple[int, int]], adds: Array) -> None:
-        """Let one impact come after the other until the drift is over."""
+        """Solve one impact after the other until the drift is over."""
         hits = self._hits(path, near, 0.0, adds)
         tally = Tally(self._collision.restitution, self._mass > 0, self._dt)
         while hits:
@@ -272,7 +272,7 @@ class Located:
             hits += self._hits(path, again, time, adds)
 
     def _around(self, path: Path, group: list[Hit]) -> list[Hit]:
-        """Return all that touches, directly or through others, what is hit."""
+        """Return all contacts that are connected to a group of hits, directly or through others."""
         time, shapes = group[0].time, self._outlines
         place = path.place_at(time)
         near = self._near(place, place, np.zeros_like(place))
@@ -288,9 +288,9 @@ class Located:
         return [hit for hit in found if hit]
 
     def _collide(self, path: Path, group: list[Hit], tally: Tally) -> Booleans:
-        """Let bodies bounce off each other, and return which bodies it reached: (n,).
+        """Let bodies bounce off each other, and return the bodies that impulses reached: (n,).
 
-        What would do so for ever, if ever more gently, comes to rest with all that it touches.
+        Bodies that would bounce endlessly, ever more gently, come to rest with all that they touch.
         """
         time, around = group[0].time, self._around(path, group) if tally.count(group) else []
         dead = bool(around) and tally.gentle(around)
@@ -307,7 +307,7 @@ class Located:
 
 
 def as_contacts(impacts: Sequence[Impact]) -> Contacts:
-    """Return one or more impacts as contacts."""
+    """Return impacts as contacts."""
     two = [(i.points[0], i.points[-1]) for i in impacts]
     across = [i.impulse / i.normal for i in impacts]
     return Contacts(
@@ -324,7 +324,7 @@ def as_contacts(impacts: Sequence[Impact]) -> Contacts:
 
 
 def locate(level: Level, values: Values, scene: Scene, dt: float) -> Located | None:
-    """Make what locates the impacts of a level's bodies, if it names any."""
+    """Return the locator of the impacts of a level's bodies; None if it names none."""
     contact, names = level.effects.contact, list(level.bodies)
     if contact is None or contact.located is None:
         return None

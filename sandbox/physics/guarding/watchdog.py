@@ -1,8 +1,9 @@
-"""The watchdog: it stops a run that has gone wrong, says why, and at which rate it should hold.
+"""The watchdog: it stops a run that has gone wrong, and reports why, and a rate that should hold.
 
-It reads what is observed anyway, and changes nothing. Energies and the lengths of joints are
-expensive, so it looks at them only every few observations. Euler's schemes are deliberately bad: of
-them it asks only that numbers stay finite, and that their energy does not keep multiplying.
+It reads the observations that are made anyway, and changes nothing. Energies and the lengths of
+joints are expensive, so it checks them only every few observations. Euler's schemes are
+deliberately bad: for them it only checks that numbers stay finite, and that the energy does not
+keep multiplying.
 """
 
 from collections.abc import Callable
@@ -35,37 +36,37 @@ from sandbox.physics.state.motion import Instant, kinetic_energy
 from sandbox.physics.state.snapshot import Snapshot
 
 EVERY = 8
-"""How many observations pass between two looks at energies and joints."""
+"""The observations between two checks of energies and joints."""
 
 DEEP = 0.5
-"""The share of its thickness that a body may be within another."""
+"""The greatest overlap with another body, as a share of the thickness."""
 
 HALFWAY = 0.5
-"""The share of what is allowed of it from which on a depth is watched: a body that is pressed
-through another is next seen on its far side, and less deep."""
+"""The share of the allowed overlap above which a pair is watched: a body that is pressed through
+another is next seen on its far side, with less overlap."""
 
 LITTLE = 0.01
-"""The same share, below which bodies do not overlap to speak of."""
+"""The same share, below which an overlap is negligible."""
 
 PARTED = 0.05
-"""The share of the thinnest body's thickness by which an exact joint may be off."""
+"""The largest error of an exact joint, as a share of the thickness of the thinnest body."""
 
 TURNS = Message(
     "forces of contact and exact joints are found in turn here, and do not come to terms"
 )
-"""What goes wrong where contacts are not solved directly: a heavy body on a light one."""
+"""The cause of failures without the direct solver, such as a heavy body on a light one."""
 
 UNNOTICED = 1e-3
-"""The share by which bodies may be deeper in each other than they were at the start."""
+"""The relative increase of an overlap over that at the start that is allowed."""
 
 DIVERGED = 1e4
-"""How many times the energy that there was Euler's schemes may make of it."""
+"""The growth of energy that Euler's schemes may have, as a factor."""
 
 TIGHTEST = 1e-3
-"""What 1 − (ω dt / 2)² is at the least taken for."""
+"""The lower bound on 1 − (ω dt / 2)²."""
 
 NUDGE = 1e-6
-"""By how much a body is displaced to see how its force changes, of its thickness."""
+"""The displacement for the numerical derivative of a force, as a share of the thickness."""
 
 
 class Watchdog:
@@ -74,23 +75,24 @@ class Watchdog:
     Parameters
     ----------
     level, values, stepping
-        What the world was built from.
+        The level, its parameters, and the stepping of the world.
     scene
-        Its objects.
+        The scene of the world.
     start, contacts
-        Its state at the start.
+        The state and the contacts at the start.
     audit
-        Makes what looks for energy from nowhere in spite of the work that is put in.
+        Makes the check for unexplained energy in scenes with energy input.
 
     Attributes
     ----------
     good
-        The last state in which all was well, as far as was looked.
+        The last state that passed the checks.
     doubts
-        Whether it stopped what could go on, for it no longer trusts it: something is too deep in
-        something else, has parted, or has energy from nowhere.
+        Whether it stopped a run that could go on but cannot be trusted, because of an overlap, a
+        joint error, or unexplained energy.
     trusts
-        Whether it lets that go on: then it stops only what is lost, or too much for a step.
+        Whether it lets such runs go on: it then stops only runs that are lost, or too large for a
+        step.
     """
 
     def __init__(
@@ -111,7 +113,7 @@ class Watchdog:
         self._thick = np.where(
             scene.mass > 0, [thickness(body, values) for body in level.bodies.values()], inf
         )
-        self._allowed: tuple[Integers | None, Array] = None, self._thick  # of pairs, half as thick
+        self._allowed: tuple[Integers | None, Array] = None, self._thick  # allowed overlaps
         self._apart = float(self._depth(contacts).max(initial=0.0)) < LITTLE
         self._deepest = max(1.0, self._depth(contacts).max(initial=0.0) * (1 + UNNOTICED))
         swing = self._swings(start) if self._strict else DIVERGED
@@ -121,7 +123,7 @@ class Watchdog:
         self._audit = None
         if stepping.scheme != "fourth-order" and not self._closed:
             self._audit = audit(self._gains.least, swing, not self._strict)
-        self._deep: dict[tuple[int, int], Array] = {}  # pairs deep in each other, and their normals
+        self._deep: dict[tuple[int, int], Array] = {}  # normals of deep overlaps, by pair
         self._recent = [start]
         self.good = start
         self.doubts = self.trusts = False
@@ -139,14 +141,14 @@ class Watchdog:
         disturbed: bool,
         cut: bool = False,
     ) -> None:
-        """Look at what was observed.
+        """Check an observation.
 
         Parameters
         ----------
         now, contacts
             The observation.
         before
-            (n, 3), the velocities that the last kick began with [m/s, rad/s].
+            (n, 3), the velocities at the beginning of the last kick [m/s, rad/s].
         disturbed
             Whether a hand has given energy to the scene.
         cut
@@ -155,8 +157,8 @@ class Watchdog:
         Raises
         ------
         SimulationError
-            If something is wrong: where it is nowhere, too deep in another, parted, or has energy
-            from nowhere.
+            If a check fails: a body is lost or overlaps too much, a joint has parted, or energy is
+            unexplained.
         """
         self.good = self._recent[-1]
         self._look_for_lost(now)
@@ -177,7 +179,7 @@ class Watchdog:
             self._look_closely(now, disturbed=disturbed)
 
     def _look_closely(self, now: Snapshot, *, disturbed: bool) -> None:
-        """Look at what is looked at only now and then."""
+        """Do the expensive checks."""
         self.good = self._recent[0]
         if self._strict:
             self._look_for_parted(now)
@@ -196,7 +198,7 @@ class Watchdog:
         return self._known_cause(row) or (NOTHING, None)
 
     def _without_value(self, row: int, now: Snapshot) -> tuple[Message, None] | None:
-        """Return the law that had no value any more, where or when a body had got to."""
+        """Return the law that has no finite value at the present position or time of a body."""
         before = self._recent[-1]
         place = np.where(np.isfinite(now.position), now.position, before.position)
         motion = Instant.of(before)._replace(t=now.t, position=place)
@@ -209,14 +211,14 @@ class Watchdog:
         return None
 
     def _refuse_beyond(self, row: int, now: Snapshot) -> NoReturn:
-        """Stop, for a body's energy is beyond the largest number."""
+        """Stop because a body's energy is not finite."""
         refuse_beyond(self._names, row, now, self._rate, self._by)
 
     def _stop(self, row: int, now: Snapshot, reason: Message, rate: float | None) -> NoReturn:
         stop(self._names[row], now, reason, rate, self._rate)
 
     def _refuse_crowd(self, now: Snapshot, contacts: Contacts) -> NoReturn:
-        """Stop, for more bodies touch than a step can carry."""
+        """Stop because too many bodies touch for a step."""
         row = int(np.bincount(contacts.bodies.ravel()).argmax())
         self._stop(row, now, crowded(self._names[row], self._most_pairs), None)
 
@@ -239,7 +241,7 @@ class Watchdog:
                 self._deep[pair[0], pair[1]] = direction
 
     def _refuse_sunk(self, now: Snapshot, pair: list[int], deep: float | None = None) -> NoReturn:
-        """Stop, for of two bodies the thinner is too deep in the other, or beyond it."""
+        """Stop because the thinner of two bodies overlaps the other too much, or is past it."""
         self.doubts = True
         a, b = sorted(pair, key=lambda row: float(self._thick[row]))
         thin, other = self._names[a], self._names[b]
@@ -263,8 +265,8 @@ class Watchdog:
         self._stop(a, now, reason, needed)
 
     def _depth(self, contacts: Contacts) -> Array:
-        """Return how deep pairs are in each other, over what is allowed: (k,)."""
-        if contacts.bodies is not self._allowed[0]:  # these are the same in most steps
+        """Return the overlaps of pairs as shares of those allowed: (k,)."""
+        if contacts.bodies is not self._allowed[0]:  # the same array in most steps
             allowed = DEEP * self._thick[contacts.bodies].min(axis=1)
             self._allowed = contacts.bodies, allowed
         return np.asarray(contacts.depth / self._allowed[1])
@@ -285,12 +287,12 @@ class Watchdog:
             raise SimulationError(name, float(now.t), reason, hint=hint)
 
     def _refuse_if(self, now: Snapshot, gained: float) -> None:
-        """Stop if energy has come from nowhere [J]."""
+        """Stop if there is unexplained energy [J]."""
         if gained:
             self._refuse(now, gained)
 
     def _refuse(self, now: Snapshot, gained: float) -> NoReturn:
-        """Stop, for so much energy has come from nowhere [J]."""
+        """Stop because of unexplained energy [J]."""
         row = int(np.argmax(kinetic_energy(self._scene.mass, self._scene.moment, now)))
         if not isfinite(gained):
             self._refuse_beyond(row, now)
@@ -306,7 +308,7 @@ class Watchdog:
         self._stop(row, now, reason, rate)
 
     def _swings(self, start: Snapshot) -> float:
-        """Return by how much leapfrog lets the energy of a spring swing: 1 / (1 − (ω dt / 2)²)."""
+        """Return the oscillation of a spring's energy with leapfrog: 1 / (1 − (ω dt / 2)²)."""
         needed, _ = limit(self._scene.joints.springs, self._scene.inverse_mass, start.angle)
         return 1 / max(1 - (needed / self._rate) ** 2, TIGHTEST)
 
@@ -327,11 +329,11 @@ class Watchdog:
         return Message(": {subject} changes too fast for a step", subject=worst.subject), needed
 
     def _blamed(self, row: int) -> list[Need]:
-        """Return what asked for more than the rate, with room to spare.
+        """Return the needs above the present rate, including a margin.
 
-        A force of places does so wherever it was steepest. What grows as the velocities do, has
-        grown because of what went wrong: it is looked at where all was still well, in the forces
-        of the end.
+        Forces that depend on positions are checked in all recent states. Forces that grow with
+        velocities have grown because of the failure itself: they are checked in the last good
+        state, at the time of the failure.
         """
         nudge = NUDGE * min(float(self._thick[row]), 1.0)
         found = [n for then in self._recent for n in steepness(self._scene, row, then, nudge)]

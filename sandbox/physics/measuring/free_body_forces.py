@@ -1,24 +1,24 @@
 """All forces on a body at a step, from the impulses that the engine gave it.
 
-A kick of length h around a step changes a velocity from v₋ to v₊. A force is the impulse that it
-gave in it, over h: weight and the force laws as they acted there, with the motion that they saw;
-joints and contacts by the impulses that were found. The acceleration is that over the same kick,
-a = (v₊ − v₋)/h, which leapfrog has at a step, and quantities and graphs show. So
+A kick of length h around a step changes a velocity from v₋ to v₊. A force is its impulse in the
+kick over h: for weight and the force laws, as they acted there; for joints and contacts, from the
+impulses of the solver. The acceleration is that over the same kick, a = (v₊ − v₋)/h, which is
+leapfrog's acceleration at a step, as quantities and graphs show it. So
 
     Σ F = m a,    Σ (r × F) + couples = I α
 
-is a claim about the engine: each side is known by itself. Where mass changes, m is that at the
-step, and what matter brings or takes along is a force (Meshchersky). Joints in a scheme of fourth
-order have forces at the step itself, and so has the acceleration there (see `ExactJoints.motion`).
+is a claim about the engine, as both sides are computed independently. For variable masses, m is
+that at the step, and the momentum flux of the matter is a force (Meshchersky). In a scheme of
+fourth order, the forces of joints and the acceleration are those at the step itself (see
+`ExactJoints.motion`).
 
-An impact within the kick is a force, too: its impulse over h, which says as much about the step as
-about the impact, and is marked. There the sum is not promised: for a pair that parted and closes
-again within three steps, pymunk reports more than it gave. An impact that cuts the drift before the
-kick, at its own time, is not included.
+An impact within the kick is a force, too: its impulse over h, which depends on the step as much as
+on the impact, and is marked. The sum is then not guaranteed: for a pair that separated and touches
+again within three steps, pymunk reports more than its actual impulse. A located impact, within the
+drift before the kick, is not included.
 
-pymunk reports no direction for the pull of a hand, and for joints with `"exact": false`. Their
-force is what remains of m a. Where they act the sum therefore proves nothing, and the diagram is
-marked.
+pymunk reports no direction for the force of a hand, and of joints with `"exact": false`. Their
+force is the rest of m a. If they act, the sum therefore proves nothing, and the diagram is marked.
 """
 
 from collections.abc import Iterator, Sequence
@@ -42,9 +42,9 @@ from sandbox.physics.stepping.world import World
 
 
 class FreeBodies:
-    """Draws up the free-body diagrams of a world, of the step that it observed last.
+    """Makes free-body diagrams for the last observed step of a world.
 
-    A run pays nothing for it; who looks pays for one body.
+    It costs a run nothing, and a diagram the work for one body.
     """
 
     def __init__(self, world: World) -> None:
@@ -62,9 +62,9 @@ class FreeBodies:
         }
 
     def of(self, body: str) -> FreeBody | None:
-        """Return the forces on a body; None if nothing moves it, or none are known yet.
+        """Return the forces on a body; None if it is immovable, or if none are known yet.
 
-        Those of a scheme that does not begin with half a kick are known after its first step.
+        With a scheme that does not begin with half a kick they are known after its first step.
 
         Raises
         ------
@@ -98,7 +98,7 @@ class FreeBodies:
         return _Kick(row, step, seen, (x, y), mass, moment, rates)
 
     def _known(self, kick: "_Kick") -> Iterator[Acting]:
-        """Yield what gravity, the laws, joints and impacts in sequence do."""
+        """Yield the forces of gravity, laws, joints and sequential impacts."""
         scene, row, center = self._scene, kick.row, kick.center
         if gravity := scene.gravity:
             x, y = gravity.acceleration
@@ -131,7 +131,7 @@ class FreeBodies:
         return Acting.of(law.effect.called, "", (x, y), torque, kick.center, arm)
 
     def _called(self, joint: str) -> str:
-        """Return the name of a joint's force; bodies that stuck have a joint without a name."""
+        """Return the name of a joint's force; the joint of bodies that stuck has no name."""
         known = self._world.level.joints.get(joint)
         return known.kind.pull if known else "reaction"
 
@@ -146,7 +146,7 @@ class FreeBodies:
         return settled(found, kick.moment * float(kick.rates[2]) - torque)
 
     def _rest(self, body: str, kick: "_Kick", known: Sequence[Acting]) -> Sequence[Acting]:
-        """Return what is left to joints that pymunk solves, and to a hand."""
+        """Return the remaining force, of pymunk's own joints and a hand."""
         pulling = [name for name, bodies in self._own.items() if body in bodies]
         held = kick.step.hold is not None and kick.step.hold[0] == kick.row
         if not (pulling or held):
@@ -159,20 +159,20 @@ class FreeBodies:
 
 
 class _Kick(NamedTuple):
-    """The last kick, as it was for one body.
+    """The last kick of one body.
 
     Attributes
     ----------
     row
-        Of the body.
+        The row of the body.
     step
-        What the world tells of it.
+        The record of the step.
     seen
         The motion that force laws saw in it.
     center
-        Where the body's centre of mass was [m].
+        The centre of mass of the body [m].
     mass, moment
-        Of the body then [kg, kg m²].
+        The mass and moment of the body at that time [kg, kg m²].
     rates
         (3,), its accelerations [m/s², rad/s²].
     """
@@ -187,18 +187,18 @@ class _Kick(NamedTuple):
 
     @property
     def length(self) -> float:
-        """How long it was: the first is half of one [s]."""
+        """The length of the kick [s]; the first is half as long as the others."""
         whole = self.step.parts[-1].kick
         return whole / 2 if self.step.after is None else whole
 
     @property
     def contacts(self) -> Contacts:
-        """Those of the kick itself: what cut the drift before it comes first."""
+        """The contacts of the kick itself, without the impacts that cut the drift before it."""
         return self.step.contacts.after(self.step.over)
 
     @property
     def struck(self) -> bool:
-        """Whether the body has just come to touch something."""
+        """Whether a contact of the body has just begun."""
         contacts = self.contacts
         return bool(contacts.first[(contacts.bodies == self.row).any(axis=1)].any())
 
@@ -213,13 +213,13 @@ def _rates(step: StepRecord, row: int, *, held: bool) -> Array:
 
 
 def _turned(point: XY, kick: _Kick) -> XY:
-    """Return along the plane's axes a point of the body, from its centre of mass [m]."""
+    """Return the lever arm of a point of the body, along the axes of the plane [m]."""
     _, arm = Anchor(kick.row, complex(*point)).find(kick.seen)
     return float(arm.real), float(arm.imag)
 
 
 def _arm(path: Sequence[Anchor], kick: _Kick) -> XY | None:
-    """Return where a joint holds the body, from its centre [m]; None if not at one point."""
+    """Return the lever arm at which a joint holds the body [m]; None if not at one point."""
     held = [anchor for anchor in path if anchor.body == kick.row]
     if len(held) != 1:
         return None
@@ -228,7 +228,7 @@ def _arm(path: Sequence[Anchor], kick: _Kick) -> XY | None:
 
 
 def _along(touching: Sequence[Press]) -> tuple[XY, ...]:
-    """Return the directions along surfaces, that of the hardest press first."""
+    """Return the directions along surfaces, that with the largest normal force first."""
     sizes = [(float(np.hypot(*press.normal[:2])), press) for press in touching]
     hardest = sorted((each for each in sizes if each[0]), key=lambda each: -each[0])
     return tuple((float(p.normal[1]) / n, float(-p.normal[0]) / n) for n, p in hardest)
