@@ -28,8 +28,7 @@ class Forces:
     hand
         The hand that grabs bodies; None until one has.
     turning, turned
-        (n,) [rad/s] and (n, 2) [m/s²], the rotation of velocities in the last kick, as a rate and
-        as an acceleration; None without such forces.
+        (n,) [rad/s] and (n, 2) [m/s²], how the last kick rotated velocities; None if nothing did.
 
     Parameters
     ----------
