@@ -15,7 +15,7 @@ DIGITS = 15
 
 
 def plain(value: float) -> float:
-    """Return a number as a person would type it: 15 digits, and 2 instead of 2.0."""
+    """Return a number as a person would type it: at most 15 digits, and 2 instead of 2.0."""
     short = float(f"{value:.{DIGITS}g}")
     return int(short) if short.is_integer() and abs(short) < 1e15 else short
 
@@ -26,16 +26,16 @@ def line(value: Json) -> str:
 
 
 def laid_out(value: Json, margin: str, before: int) -> str:
-    """Return a value as it stands in a file, on one line or several.
+    """Return a value as laid out in a file, on one line or several.
 
     Parameters
     ----------
     value
-        Anything that JSON can hold.
+        The value.
     margin
-        The white space at the start of the line that it stands on.
+        The white space at the start of its line.
     before
-        How many characters of that line come before it, its key among them.
+        The number of characters before it on that line, including its key.
     """
     short = line(value)
     if before + len(short) < WIDTH or not value or isinstance(value, str | int | float):
@@ -59,7 +59,7 @@ def _of_list(value: Sequence[Json], inner: str) -> Iterator[str]:
 
 
 def _filled(members: Sequence[str], margin: str) -> str:
-    """Return members one after the other, on as few lines as they take."""
+    """Return members on as few lines as possible."""
     text, room = "", WIDTH - len(margin)
     for index, member in enumerate(members):
         long = len(member.partition("\n")[0]) + len(",")

@@ -9,18 +9,19 @@ from typing import Literal
 from sandbox.model.json_positions import Path
 
 _GAP = re.compile(r"[\s,:]*")
-_DECODER = json.JSONDecoder()  # in C: it skips what is not asked for, much faster than tokens
+_DECODER = json.JSONDecoder()  # written in C: it skips values much faster than a tokenizer
 
 
 class Span:
-    """A value of a JSON text, and where it stands.
+    """A value of a JSON text, and its position there.
 
     Attributes
     ----------
     path
-        Of the value.
+        The path of the value.
     start, begin, end
-        Where its key begins, or it itself if it has none; where it begins; where it is over.
+        The indices of the start of its key (of the value itself if it has no key), of the start of
+        the value, and of its end.
     """
 
     def __init__(self, text: str, path: Path, start: int, begin: int) -> None:
@@ -32,18 +33,18 @@ class Span:
 
     @property
     def kind(self) -> Literal["object", "list", "plain"]:
-        """Whether it holds others."""
+        """Whether the value is an object, a list, or neither."""
         opened = self._text[self.begin]
         return "object" if opened == "{" else "list" if opened == "[" else "plain"
 
     @cached_property
     def members(self) -> list["Span"]:
-        """What it holds, in the order of the text."""
+        """The values that it holds, in the order of the text."""
         return list(self._members()) if self.kind != "plain" else []
 
     @cached_property
     def by_step(self) -> Mapping[str | int, "Span"]:
-        """What it holds, by its key or index."""
+        """The values that it holds, by key or index."""
         return {member.path[-1]: member for member in self.members}
 
     def _members(self) -> Iterator["Span"]:
@@ -58,18 +59,18 @@ class Span:
             at, count = self._after(member.end), count + 1
 
     def _after(self, index: int) -> int:
-        """Return where the next value begins, or this one is closed."""
+        """Return the index where the next value begins, or where this one is closed."""
         found = _GAP.match(self._text, index)
         return found.end() if found else index
 
 
 class Spans(Mapping[Path, Span]):
-    """Where every value of a text stands, by its path; the whole is at the empty one.
+    """The span of every value of a text, by its path; the empty path is the whole.
 
     Parameters
     ----------
     text
-        Well-formed JSON in which no key stands twice in one object.
+        Well-formed JSON without duplicate keys in an object.
     """
 
     def __init__(self, text: str) -> None:

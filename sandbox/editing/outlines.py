@@ -9,7 +9,7 @@ from sandbox.model.shapes import XY
 
 
 def centroid(points: Sequence[XY]) -> tuple[float, XY]:
-    """Return the area of a simple polygon [m²], and its centre of mass."""
+    """Return the area of a simple polygon [m²], and its centroid [m]."""
     corners = np.array(points, dtype=float)
     start = corners[0]
     one = corners - start  # near the origin, so that nothing cancels
@@ -23,10 +23,10 @@ def centroid(points: Sequence[XY]) -> tuple[float, XY]:
 
 
 def simplified(points: Sequence[XY], tolerance: float, *, closed: bool) -> list[XY]:
-    """Return a line through some of the points, with all others within a distance of it.
+    """Return a line through some of the points, with all others within a tolerance of it.
 
-    Ramer (1972), Douglas and Peucker (1973). A closed line is cut where it is farthest from its
-    beginning.
+    Ramer (1972), Douglas and Peucker (1973). A closed line is split at the point farthest from its
+    start.
     """
     line = np.array(points, dtype=float)
     if not closed:
@@ -40,7 +40,7 @@ def simplified(points: Sequence[XY], tolerance: float, *, closed: bool) -> list[
 
 
 def _kept(line: Array, tolerance: float) -> list[int]:
-    """Return which points of a line stay, in order."""
+    """Return the indices of the points of a line that are kept, in order."""
     kept, pending = {0, len(line) - 1}, [(0, len(line) - 1)]
     while pending:
         first, last = pending.pop()
@@ -53,7 +53,7 @@ def _kept(line: Array, tolerance: float) -> list[int]:
 
 
 def _distances(points: Array, start: Array, end: Array) -> Array:
-    """Return how far points are from the piece between two others."""
+    """Return the distances of points from the segment between two others."""
     along = end - start
     square = float(along @ along)
     shares = np.clip((points - start) @ along / square, 0, 1) if square else np.zeros(len(points))

@@ -41,9 +41,9 @@ class Placed:
     Attributes
     ----------
     name, body
-        Which.
+        The name of the body, and the body.
     values
-        The parameters' values.
+        The values of the parameters.
     """
 
     name: str
@@ -57,12 +57,12 @@ class Placed:
 
     @cached_property
     def turn(self) -> complex:
-        """The unit vector along its own x axis."""
+        """The unit vector along the x axis of the body."""
         return rect(1, self.body.angle(self.values))
 
     @cached_property
     def local(self) -> tuple[complex, ...]:
-        """Its corners in its own axes [m]; those of a disc are none."""
+        """Its corners in the axes of the body [m]; none for a disc."""
         return tuple(complex(*point) for point in local_points(self.body, self.values))
 
     @cached_property
@@ -72,7 +72,7 @@ class Placed:
 
     @cached_property
     def radius(self) -> float:
-        """How far its outline is from its centre, or from its line [m]."""
+        """The distance of its outline from its cores [m]: the radius, half the thickness, or 0."""
         match self.body.shape:
             case Disc(radius=radius) | Hoop(radius=radius):
                 return radius(self.values)
@@ -83,7 +83,7 @@ class Placed:
 
     @cached_property
     def cores(self) -> tuple[Core, ...]:
-        """The convex cores that its outline is `radius` away from, in the plane [m]."""
+        """The convex cores, from which its outline is `radius` away, in the plane [m]."""
         match self.body.shape:
             case Disc() | Hoop():
                 return ((self.center,),)
@@ -96,7 +96,7 @@ class Placed:
 
     @property
     def area(self) -> float:
-        """What it covers [m²]; nothing if it is a line."""
+        """Its area [m²]; 0 for a hoop or a line."""
         match self.body.shape:
             case Disc(radius=radius):
                 return pi * radius(self.values) ** 2
@@ -106,7 +106,7 @@ class Placed:
 
     @property
     def bounds(self) -> tuple[complex, complex]:
-        """The lower left and the upper right corner of the upright box around it [m]."""
+        """The lower left and the upper right corner of its bounding box [m]."""
         points = self.corners or (self.center,)
         left, right = min(p.real for p in points), max(p.real for p in points)
         low, high = min(p.imag for p in points), max(p.imag for p in points)
@@ -114,23 +114,23 @@ class Placed:
         return complex(left, low) - reach, complex(right, high) + reach
 
     def outside(self, point: complex) -> complex:
-        """Return where in the plane a point of it is [m]."""
+        """Return the position in the plane of a point in the axes of the body [m]."""
         return self.center + self.turn * point
 
     def inside(self, point: complex) -> complex:
-        """Return where in its own axes a point of the plane is [m]."""
+        """Return the position in the axes of the body of a point of the plane [m]."""
         return (point - self.center) / self.turn
 
 
 def distance(one: Placed, other: Placed, way: complex = 0j) -> float:
-    """Return how far a body that was moved would be from another [m]; less than 0 if deep in it."""
+    """Return the gap between a displaced body and another [m]; negative if they overlap."""
     radii = one.radius + other.radius
     moved = [tuple(point + way for point in core) for core in one.cores]
     return min(gap(core, against, radii).distance for core in moved for against in other.cores)
 
 
 def placed(level: Level) -> dict[str, Placed]:
-    """Return all bodies of a level where they start; of the level asked for last they are kept."""
+    """Return all bodies of a level at its start; those of the last level are cached."""
     global _last
     if _last is None or _last[0] is not level:
         values = level.defaults
@@ -139,12 +139,12 @@ def placed(level: Level) -> dict[str, Placed]:
 
 
 def chosen(level: Level, names: Iterable[str]) -> dict[str, Placed]:
-    """Return some bodies of a level where they start.
+    """Return some bodies of a level at its start.
 
     Raises
     ------
     SandboxError
-        If there are none.
+        If there are no names.
     """
     where = placed(level)
     found = {name: where[name] for name in names}
@@ -157,7 +157,7 @@ _last: tuple[Level, dict[str, Placed]] | None = None
 
 
 def around(bodies: Iterable[Placed]) -> tuple[complex, complex]:
-    """Return the lower left and the upper right corner of the upright box around bodies [m]."""
+    """Return the lower left and the upper right corner of the bounding box of bodies [m]."""
     boxes = [body.bounds for body in bodies]
     low = complex(min(a.real for a, _ in boxes), min(a.imag for a, _ in boxes))
     return low, complex(max(b.real for _, b in boxes), max(b.imag for _, b in boxes))

@@ -20,30 +20,30 @@ from sandbox.model.quantities import quantity
 from sandbox.model.rules.consistency.mentions import mentions
 
 PARTS = {"parameter": "parameters", "joints": "joints", "forces": ""}
-"""The part of a level that each kind of mention refers to; all other kinds name bodies."""
+"""For each kind of mention, the part of a level that it names; all other kinds name bodies."""
 
 
 def rename(text: str, path: Path, name: str) -> str:
-    """Return a level in which a body, a joint or a parameter is called otherwise.
+    """Return a level in which a body, a joint or a parameter has a new name.
 
-    Whatever mentions it follows: the ends of joints, effects, quantities, ghosts; of a parameter
-    formulas and the challenge. Sentences stay as they are.
+    All mentions are replaced: in the ends of joints, effects, quantities and ghosts; for a
+    parameter, in formulas and the challenge. Prose is left unchanged.
 
     Parameters
     ----------
     text
-        Of a level that loads.
+        The text of a level that loads.
     path
-        Such as `("bodies", "box1")`.
+        The path of the part, such as `("bodies", "box1")`.
     name
-        The new one.
+        The new name.
 
     Raises
     ------
     LevelError
-        If the level has mistakes, or has them by its new name.
+        If the level has mistakes, or would have some with the new name.
     SandboxError
-        If there is nothing of the old name, or something of the new one, or it is no name.
+        If nothing has the old name, the new name is taken, or it is not a valid name.
     """
     level = parse(text)
     part, old = path
@@ -70,7 +70,7 @@ def _refuse_taken(level: Level, part: str, name: str) -> None:
 
 
 def _renamed(level: Level, part: str, old: str, name: str) -> Iterator[tuple[Path, str]]:
-    """Yield where a name is mentioned, and what stands there afterwards."""
+    """Yield the path of each mention of a name, and its new text."""
     for path, value, mention in mentions(level):
         texts = [(path, value)]
         if not isinstance(value, str):
@@ -87,7 +87,7 @@ def _renamed(level: Level, part: str, old: str, name: str) -> Iterator[tuple[Pat
 
 
 def _quantity(text: str, level: Level, old: str, name: str) -> str:
-    """Return a quantity's name of something that is called otherwise now."""
+    """Return the name of a quantity after a body or joint was renamed."""
     words = text.split(".")
     if words[0] == old:
         words[0] = name
@@ -104,7 +104,7 @@ def _in_formulas(level: Level, old: str, name: str) -> Iterator[tuple[Path, str]
 
 
 def _replaced(text: str, renamed: Mapping[Path, str], name: str) -> str:
-    """Return a text with other words at some paths; where no word stands, it is the key."""
+    """Return a text in which strings at some paths are replaced, and the keys of other values."""
     found, pieces = Spans(text), []
     for path in filter(found.__contains__, renamed):
         span = found[path]

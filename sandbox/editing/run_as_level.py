@@ -1,8 +1,8 @@
 """A run as a level that starts from the present state.
 
-What places, lengths and formulas meant at the start they mean now: a rod without a length has the
-one that it had, and a force that changes with time is as far as time has come. The closed forms
-were those of another start, and so are left out.
+Whatever the original level derives from its start keeps its value: a rod without a length gets the
+length that it had, and a force that depends on time continues from the present time. The closed
+forms hold for the original start only, and are left out.
 """
 
 import json
@@ -37,20 +37,20 @@ MOVES = ("position", "angle", "velocity", "angular_velocity")
 
 
 def as_it_stands(world: World, *, anew: bool) -> str:
-    """Return a level whose start is where a run stands, and whose parameters are those of the run.
+    """Return a level that starts from the present state of a run, with the parameters of the run.
 
     Parameters
     ----------
     world
         The run.
     anew
-        Whether time begins anew with that level: what depends on it is then so much ahead. Else the
-        level is one to go on with, at the time that it is, and numbers have all their digits.
+        Whether time starts at 0 in the new level: formulas are then shifted in time. If not, the
+        level continues the run from its present time, and numbers have all their digits.
 
     Raises
     ------
     SandboxError
-        If no start of a level can tell what has happened.
+        If no level can start from this state.
     """
     _refuse(world)
     if world.scene.happened or (anew and world.level.events):
@@ -66,14 +66,14 @@ def as_it_stands(world: World, *, anew: bool) -> str:
         _put(data["bodies"][name], body, values, _state(world, row), keep=not anew)
     for name, length in _lengths(level, values):
         data["joints"][name]["length"] = length
-    if not anew:  # nobody reads this: it need not be laid out
+    if not anew:  # not read by people, so it needs no layout
         return _without_unused(json.dumps(data, ensure_ascii=False), level)
     _begin_later(data, level, world)
     return _without_unused(writing.text(data), level)
 
 
 def _fix(data: Data, level: Level, values: Values, *, keep: bool) -> None:
-    """Set the parameters; those to which places and shapes must fit are constants from now on."""
+    """Set the parameters; those on which positions and shapes depend become constants."""
     fixed = dict[str, float]()
     for name, value in values.items():
         if obstacle(level, [name]):
@@ -86,12 +86,12 @@ def _fix(data: Data, level: Level, values: Values, *, keep: bool) -> None:
 
 
 def _without_unused(text: str, level: Level) -> str:
-    """Return a level without the numbers that nothing uses any more.
+    """Return a level without parameters and constants that are no longer used.
 
     Raises
     ------
     LevelError
-        If that is not all that it has too many.
+        If that would also remove a body, a joint or an effect.
     """
     found = without_meaning(text)
     data = json.loads(found)
@@ -103,7 +103,7 @@ def _without_unused(text: str, level: Level) -> str:
 
 
 def _refuse(world: World) -> None:
-    """Refuse masses that have changed, bodies that have stuck, and a slack string on a wheel."""
+    """Refuse changed masses, bodies that stuck together, and a slack string on a wheel."""
     level = world.level
     flows = [e for e, _, _ in level.effects.said if e.changes_mass]
     if flows:
@@ -128,7 +128,7 @@ def _refuse(world: World) -> None:
 
 
 def _refuse_to_begin_late(level: Level) -> None:
-    """Refuse what is as long as a formula of the time says: that begins with its first length."""
+    """Refuse rods whose length is a formula of time, since a run starts with the initial length."""
     for name, joint in level.joints.items():
         if isinstance(joint, Rod) and "t" in names_in(joint):
             message = Message(
@@ -152,9 +152,9 @@ def _state(world: World, row: int) -> Mapping[str, list[float] | float]:
 def _put(
     said: Data, body: Body, values: Values, state: Mapping[str, list[float] | float], *, keep: bool
 ) -> None:
-    """Say of a body where it is and how it moves; what is as at the start stays as it was typed.
+    """Write the state of a body into its fields; unchanged fields stay as they were typed.
 
-    One that follows formulas is where they say, unless time begins anew.
+    A body that follows formulas is left unchanged, unless time starts at 0.
     """
     if body.type == "static" or (keep and body.motion is not None):
         return
@@ -165,7 +165,7 @@ def _put(
 
 
 def _said(said: Expression | tuple[Expression, Expression], values: Values) -> list[float] | float:
-    """Return a field of a level."""
+    """Return the value of a field of a level."""
     return list(evaluate(said, values)) if isinstance(said, tuple) else said(values)
 
 
@@ -174,14 +174,14 @@ def _rounded(value: list[float] | float) -> list[float] | float:
 
 
 def _lengths(level: Level, values: Values) -> Iterable[tuple[str, float]]:
-    """Yield how long those joints are that the level has left as long as they are at the start."""
+    """Yield the initial lengths of the joints for which the level gives no length."""
     for name, joint in level.joints.items():
         if isinstance(joint, Rod | Rope | Pulley | Spring) and joint.length is None:
             yield name, span(joint, level.bodies, values)
 
 
 def _begin_later(data: Data, level: Level, world: World) -> None:
-    """Let all that depends on time be as far ahead as the run has come."""
+    """Shift all formulas of time by the present time of the run."""
     t = world.t
     moved = ("effects", "bodies", "joints")
     timed = ((p, e) for part in moved for p, e in expressions(getattr(level, part), (part,)))
@@ -189,7 +189,7 @@ def _begin_later(data: Data, level: Level, world: World) -> None:
         if "t" not in expression.names:
             continue
         later = renamed(str(expression.source), "t", f"(t + {rounded(t)!r})")
-        if path[0] == "bodies" and path[2] == "motion":  # counted from where it starts
+        if path[0] == "bodies" and path[2] == "motion":  # relative to its start
             later = f"{later} - ({expression({**world.values, 't': t})!r})"
         _set(data, path, later)
 

@@ -1,7 +1,7 @@
-"""Snapping points and bodies to where they were probably meant: a grid, an end, a surface.
+"""Snapping points and bodies to probable targets: a grid, an end, a surface.
 
-A body that is moved near another is set exactly touching, with no gap and no overlap but rounding;
-near a second one, touching that as well, as in the corner of a room.
+A body that is moved close to another touches it exactly, with no gap or overlap beyond rounding; if
+it is also close to a second, it touches both, as in the corner of a room.
 """
 
 from cmath import phase
@@ -21,39 +21,39 @@ FINEST = 8
 """The least distance between grid lines [px]."""
 
 EXACT, CLOSE = 1e-15, 1e-12
-"""m, the gaps that count as none, and as none but for rounding; relative to scenes larger than a
-metre."""
+"""m, the largest gap that counts as zero, and as zero within rounding; the latter relative to the
+size of scenes larger than a metre."""
 
 ACROSS = 0.05
-"""The least sine of the angle between two sides in whose corner a body may lie."""
+"""The smallest sine of the angle between two sides that form a corner for a body."""
 
 ROUNDS = 20
-"""How often a body is moved by the remaining gap; most need one round."""
+"""The largest number of iterations of Newton's method; most bodies need one."""
 
 STRAIGHT = 1e-9
-"""How far a side may be from upright or level, as a share; or how deep rounding may overlap [m]."""
+"""The tolerance within which a normal is vertical or horizontal; also that of overlaps [m]."""
 
 Kind = Literal["grid", "corner", "center", "end", "contact", "line", "side"]
 
 Target = tuple[complex, Kind, str]
-"""A place that attracts points, the kind of place, and its body."""
+"""A point that attracts others, its kind, and its body."""
 
 
 class Snapped(NamedTuple):
-    """Where a point is drawn to, or by how much a body."""
+    """The target of a snapped point, or the displacement of a snapped body."""
 
     point: XY
-    """m; of a body the whole way that it is moved"""
+    """The point, or the total displacement of a body [m]."""
     kind: Kind | None = None
-    """To what; None if there is nothing near, and no grid."""
+    """The kind of target; None if nothing is near, and there is no grid."""
     bodies: tuple[str, ...] = ()
-    """Whose corner or centre it is, or which are touched."""
+    """The body of the corner or centre, or the bodies that are touched."""
 
 
 def grid_step(pixel: float) -> float:
-    """Return how far the lines of the grid are apart [m] where a pixel is so large [m].
+    """Return the distance of grid lines [m], given the size of a pixel [m].
 
-    1, 2 or 5 times a power of ten, and not less than 8 pixels.
+    It is 1, 2 or 5 times a power of ten, and at least 8 pixels.
     """
     least = FINEST * pixel
     power = 10.0 ** floor(log10(least))
@@ -70,10 +70,10 @@ def snap_point(
     *,
     in_line: bool = False,
 ) -> Snapped:
-    """Return where a point is drawn to.
+    """Return the point to which a point snaps.
 
-    The nearest corner, centre or end of a joint within reach; else the nearest side of a body, so
-    that what is drawn from there touches it; else the nearest point of the grid.
+    That is the nearest corner, centre or end of a joint within reach; else the nearest side of a
+    body, so that a shape drawn from there touches it; else the nearest point of the grid.
 
     Parameters
     ----------
@@ -82,14 +82,14 @@ def snap_point(
     point
         The position of the pointer [m].
     reach
-        How far it may be drawn [m]: 10 pixels, say.
+        The largest distance of a target [m], for example 10 pixels.
     step
-        Of the grid [m]; 0 if there is none.
+        The distance of grid lines [m]; 0 without a grid.
     besides
-        Bodies that it is not drawn to: those that are being moved.
+        Bodies to which it does not snap, since they are being moved.
     in_line
-        Whether it is rather drawn upright above or below the centres of bodies that move, or level
-        with them, than to the lines of the grid.
+        Whether it snaps to the vertical and horizontal lines through the centres of dynamic bodies
+        rather than to the grid.
     """
     where, at = placed(level), complex(*point)
     targets = [*_targets(where, besides), *_ends(level, where)]
@@ -109,7 +109,7 @@ def snap_point(
 def _on_side(
     where: Mapping[str, Placed], at: complex, reach: float, step: float, besides: Collection[str]
 ) -> Snapped | None:
-    """Return the nearest point of an outline, along the grid if it can be; None if none is near."""
+    """Return the nearest point of an outline, on a grid line if possible; None if none is near."""
     point = [_Piece("", (at,), 0.0, at, 0.0)]
     others = _pieces(where, where.keys() - set(besides))
     for pair in _near(point, others, 0j, reach)[:1]:
@@ -124,7 +124,7 @@ def _on_side(
 
 
 def _in_line(where: Mapping[str, Placed], at: complex, reach: float, step: float) -> Snapped | None:
-    """Return a place above, below or beside the centres of bodies that move; None if none is."""
+    """Return a point in line with the centres of dynamic bodies; None if there is none."""
     centers = [one.center for one in where.values() if one.body.type == "dynamic"]
     x = _nearest((center.real for center in centers), at.real, reach)
     y = _nearest((center.imag for center in centers), at.imag, reach)
@@ -146,22 +146,23 @@ def snap_body(
     reach: float,
     step: float = 0.0,
 ) -> Snapped:
-    """Return by how much bodies are moved so that they touch what they come near, exactly.
+    """Return the displacement with which moved bodies touch what they come near, exactly.
 
-    Along a floor or a wall, and where they touch nothing, the first one's centre keeps to the grid.
+    Along a floor or a wall, and where they touch nothing, the centre of the first snaps to the
+    grid.
 
     Parameters
     ----------
     level
         The level around them.
     names
-        Those that are moved together.
+        The bodies that are moved together.
     way
-        By how much, as the hand has moved them [m].
+        Their displacement by the hand [m].
     reach
-        How near they have to come to be drawn to something [m], or how deep into it.
+        The largest gap, or overlap, at which they snap [m].
     step
-        Of the grid [m]; 0 if there is none.
+        The distance of grid lines [m]; 0 without a grid.
     """
     where = placed(level)
     moving, others = _pieces(where, names), _pieces(where, where.keys() - names)
@@ -186,9 +187,9 @@ def snap_body(
 
 
 def flat_turn(level: Level, name: str, reach: float) -> float:
-    """Return by how much a body is to be turned so that a side of it lies flat [rad].
+    """Return the rotation with which a side of a body lies flat on another body [rad].
 
-    On the side of the nearest body within reach; 0 if there is none, or it has no sides.
+    The other is the nearest within reach; 0 if there is none, or the body has no sides.
     """
     where = placed(level)
     body = where[name]
@@ -212,7 +213,7 @@ class _Piece(NamedTuple):
 
 
 class _Pair(NamedTuple):
-    """A piece that is moved, and one that it comes near."""
+    """A moved piece, and one close to it."""
 
     one: _Piece
     other: _Piece
@@ -220,7 +221,7 @@ class _Pair(NamedTuple):
     normal: complex
 
     def gap(self, by: complex) -> Gap:
-        """Return the gap between the two where the first is moved by that."""
+        """Return the gap between the two when the first is displaced."""
         core = [point + by for point in self.one.core]
         return gap(core, self.other.core, self.one.radius + self.other.radius)
 
@@ -243,7 +244,7 @@ def _piece(name: str, core: Core, radius: float) -> _Piece:
 def _near(
     moving: Sequence[_Piece], others: Sequence[_Piece], by: complex, reach: float
 ) -> list[_Pair]:
-    """Return what comes within reach of each other, the nearest first."""
+    """Return the pairs of pieces within reach of each other, the nearest first."""
     found = []
     for one, other in product(moving, others):
         if abs(one.center + by - other.center) <= one.reach + other.reach + reach:
@@ -255,7 +256,7 @@ def _near(
 
 
 def _exact(pairs: Sequence[_Pair], by: complex) -> complex | None:
-    """Return a way that closes the gaps of one pair or two; None if Newton's method finds none."""
+    """Return the displacement that closes one or two gaps; None if Newton's method finds none."""
     for _ in range(ROUNDS):
         gaps = [pair.gap(by) for pair in pairs]
         if max(abs(found.distance) for found in gaps) <= EXACT:
@@ -280,7 +281,7 @@ def _along_grid(
     moving: Sequence[_Piece],
     others: Sequence[_Piece],
 ) -> complex:
-    """Return a way along an upright or level side that ends on the grid, if nothing is in it."""
+    """Return a displacement along a vertical or horizontal side to the grid, if it is free."""
     normal = pair.gap(by).normal
     upright, level = abs(normal.real) > 1 - STRAIGHT, abs(normal.imag) > 1 - STRAIGHT
     if not (upright or level):
@@ -289,7 +290,7 @@ def _along_grid(
     grid = _on_grid(end, step)
     slid = (complex(end.real, grid.imag) if upright else complex(grid.real, end.imag)) - start
     slid = _exact([pair], slid) or by
-    away = abs(slid - by) > step  # it has slid off the end of the side
+    away = abs(slid - by) > step  # it slid off the end of the side
     blocked = any(found.distance < -STRAIGHT for found in _near(moving, others, slid, step))
     return by if away or blocked else slid
 
@@ -304,7 +305,7 @@ def _targets(where: Mapping[str, Placed], besides: Collection[str]) -> Iterator[
 
 
 def _ends(level: Level, where: Mapping[str, Placed]) -> Iterator[Target]:
-    """Yield where joints hold on to the plane."""
+    """Yield the points at which joints hold on to the plane."""
     for joint in level.joints.values():
         for _, end in ends_of(joint):
             if body_of(end) is None:

@@ -1,4 +1,4 @@
-"""Adding events, which change on the way what acts."""
+"""Adding events, which change during a run what acts."""
 
 from sandbox.editing.cleanup import accepted
 from sandbox.editing.edits.edit_result import new_name
@@ -7,7 +7,7 @@ from sandbox.editing.text_patches import put
 from sandbox.model.level import Level
 
 SOON = 1.0
-"""s, the time of a new event; in a short run, half of its duration."""
+"""s, the time of a new event; at most half of the duration of a run."""
 
 
 def cut(text: str, level: Level, joint: str) -> str:
@@ -22,7 +22,7 @@ def cut(text: str, level: Level, joint: str) -> str:
 
 
 def reverse(text: str, level: Level, surface: str) -> str:
-    """Return a level in which a one-way surface lets through the other way from then on.
+    """Return a level in which an event reverses a one-way surface.
 
     Raises
     ------
@@ -33,7 +33,7 @@ def reverse(text: str, level: Level, surface: str) -> str:
 
 
 def wait_for_quantity(text: str, level: Level, event: str) -> str:
-    """Return a level in which an event waits until a quantity crosses a value, to be filled in.
+    """Return a level in which an event happens when a quantity crosses a value, to be filled in.
 
     Raises
     ------
@@ -49,7 +49,7 @@ def wait_for_quantity(text: str, level: Level, event: str) -> str:
 
 
 def is_cut(level: Level, joint: str) -> bool:
-    """Whether an event lets a joint go."""
+    """Return whether an event cuts a joint."""
     return any(joint in event.cut for event in level.events.values())
 
 

@@ -30,7 +30,7 @@ _MEANT_BY: Mapping[str, str] = {
     "angular_velocity": "rotation",
     "one_way": "contact",
 }
-"""For each field of a body, the effects without which it means nothing."""
+"""For each field of a body, the effect without which it has no meaning."""
 
 _DEGREES = re.compile(r"\s*(-?[\d.]+)\s*\*\s*deg\s*")
 
@@ -38,26 +38,26 @@ _DEGREES = re.compile(r"\s*(-?[\d.]+)\s*\*\s*deg\s*")
 def set_field(text: str, path: Path, typed: str) -> str:
     """Return a level with a field set to a typed text; an empty text removes the field.
 
-    A parameter that only this field used goes with what it said. What only an effect gives a
-    meaning, such as a body's friction, declares that effect. A body that is made dynamic gets a
-    mass, and any other has none.
+    A parameter that only this field used is removed. If a field has a meaning only with an effect,
+    such as a body's friction, that effect is declared. A body that is made dynamic gets a mass; one
+    that is made static or kinematic loses it.
 
-    What is a number stands as it was typed; what is none is a formula, or a word where the field
-    takes words; a list, an object, true and false are written as in JSON.
+    A number is kept as it was typed; a list, an object, true and false are typed as in JSON; any
+    other text is a formula, or a word where the field takes words.
 
     Parameters
     ----------
     text
-        Of a level, which may have mistakes elsewhere.
+        The level's text, which may have mistakes elsewhere.
     path
-        Of the field, there or not.
+        The path of the field, present or not.
     typed
-        By a person.
+        The text that a person typed.
 
     Raises
     ------
     LevelError
-        If that is a mistake; it is told in the loader's own words.
+        If the result has a new mistake; the messages are the loader's.
     """
     before = _mistakes(text)
     changed = [_typed_in(text, path, token) for token in _readings(typed.strip())]
@@ -78,24 +78,25 @@ def set_field(text: str, path: Path, typed: str) -> str:
 
 
 def make_parameter(text: str, path: Path, name: str) -> str:
-    """Return a level in which a number, said or left out, is a parameter, and its field a formula.
+    """Return a level in which a number, given or left out, is a parameter, and its field a formula.
 
-    Its range goes from a fifth of it to five times as much, or less where the level is impossible
-    with that. What is negative is the opposite of its parameter, and an angle in degrees stays one.
+    The range of the parameter is from a fifth of the number to five times it, or less where the
+    level would be invalid. For a negative number, the formula is minus the parameter; an angle in
+    degrees stays in degrees.
 
     Parameters
     ----------
     text
-        Of a level that loads.
+        The text of a level that loads.
     path
-        Of the number.
+        The path of the number.
     name
-        Of the parameter.
+        The name of the parameter.
 
     Raises
     ------
     SandboxError
-        If there is no number, or it cannot be a formula, or the name cannot be had.
+        If there is no number, it cannot be a formula, or the name is taken.
     """
     text = _with_effect(text, path)
     level = parse(text)
@@ -122,7 +123,7 @@ def make_parameter(text: str, path: Path, name: str) -> str:
 
 
 def _of_type(changed: str, path: Path, before: str) -> str:
-    """Return a level in which a body of another type has what that needs, and nothing else."""
+    """Return a level in which a body whose type has changed has the fields of its new type only."""
     body = (*path[:2], "mass")
     if value_at(changed, path) == "dynamic":
         area = placed(parse(before))[str(path[1])].area
@@ -131,7 +132,7 @@ def _of_type(changed: str, path: Path, before: str) -> str:
 
 
 def _stated(text: str, path: Path, numbers: Mapping[Path, Expression]) -> str:
-    """Return a level that says a number which it left out, with the other half of a point."""
+    """Return a level that states a number left out so far; of a point, both coordinates."""
     with suppress(PatchError):
         value_at(text, path)
         return text
@@ -142,7 +143,7 @@ def _stated(text: str, path: Path, numbers: Mapping[Path, Expression]) -> str:
 
 
 def _with_effect(text: str, path: Path) -> str:
-    """Return a level with the effect that gives a field of a body its meaning, if it lacks that."""
+    """Return a level that declares the effect which a field of a body needs, if it lacks one."""
     effect = _MEANT_BY.get(str(path[2])) if path[0] == "bodies" and len(path) == 3 else None
     with suppress(SandboxError):
         if effect and effect not in (level := parse(text)).effects.declared:
@@ -151,7 +152,7 @@ def _with_effect(text: str, path: Path) -> str:
 
 
 def parameter_name(level: Level, path: Path) -> str:
-    """Return a name for what a number would be as a parameter: of its field, and of its body."""
+    """Return a name for the parameter that replaces a number, from its field and its body."""
     words = [str(step) for step in path if isinstance(step, str)]
     names = [words[-1], "_".join(words[-2:]), "_".join((words[-1], *words[1:2]))]
     numbered = (f"{words[-1]}{number}" for number in range(2, 1000))
@@ -160,7 +161,7 @@ def parameter_name(level: Level, path: Path) -> str:
 
 
 def _readings(typed: str) -> list[str]:
-    """Return what is typed as JSON, in the ways in which it can be read: at last as a list."""
+    """Return the JSON values that a typed text can mean, the likeliest first."""
     word = json.dumps(typed, ensure_ascii=False)
     words = json.dumps([one.strip() for one in typed.split(",")], ensure_ascii=False)
     if _NUMBER.fullmatch(typed):
@@ -188,7 +189,7 @@ def _without(text: str, path: Path) -> str:
 def _without_what_is_unused(
     text: str, mistakes: tuple[Mistake, ...]
 ) -> tuple[str, tuple[Mistake, ...]]:
-    """Return a text without the parameters and constants that it has too many, and its mistakes."""
+    """Return a text without unused parameters and constants, and its remaining mistakes."""
     paths = [tuple(mistake.path.split(".")) for mistake in mistakes]
     if not paths or any(len(p) != 2 or p[0] not in ("parameters", "constants") for p in paths):
         return text, mistakes
@@ -230,13 +231,13 @@ def _ranges(value: float, *, in_degrees: bool, share: bool) -> Iterator[tuple[fl
 
 
 def _round(value: float) -> float:
-    """Return a number of one digit, or two, that is not larger."""
+    """Return a number rounded down to two significant digits."""
     unit = 10.0 ** (floor(log10(value)) - 1)
     return plain(floor(value / unit + 1e-9) * unit)
 
 
 def _label(path: Path) -> str:
-    """Return what a number is, in a few words."""
+    """Return a short label for a number."""
     words = [str(step).replace("_", " ") for step in path if isinstance(step, str)]
     owner = f" of {words[1]}" if path[0] in ("bodies", "joints") else ""
     component = f", {'xy'[path[-1]]}" if path[-1] in (0, 1) and path[0] != "checks" else ""

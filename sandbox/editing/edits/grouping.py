@@ -1,6 +1,6 @@
 """Grouping bodies, so that one click selects all of them, and ungrouping them.
 
-A group is a line of `view.together`. No body is in two of them.
+A group is an item of `view.together`. No body is in two groups.
 """
 
 from collections.abc import Collection
@@ -15,7 +15,7 @@ PLACE = ("view", "together")
 
 
 def group(text: str, level: Level, names: Collection[str]) -> str:
-    """Return a level in which bodies are one group; each leaves the group that it was in.
+    """Return a level in which bodies are one group; each leaves its former group.
 
     Raises
     ------
@@ -47,13 +47,13 @@ def group_of(level: Level, name: str) -> tuple[str, ...]:
 
 
 def _left(level: Level, names: Collection[str]) -> list[list[str]]:
-    """Return the groups that are left where some bodies leave them; one body is none."""
+    """Return the groups that remain after some bodies leave; a single body is no group."""
     kept = ([name for name in one if name not in names] for one in level.view.together)
     return [one for one in kept if len(one) > 1]
 
 
 def _with(text: str, level: Level, groups: list[list[str]]) -> str:
-    """Return a level with these groups and no others."""
+    """Return a level with exactly these groups."""
     if groups:
         kept: list[Json] = [list[Json](one) for one in groups]
         return put(text, PLACE, kept)

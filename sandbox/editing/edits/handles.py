@@ -1,8 +1,8 @@
 """Resizing bodies by the handles of their shapes.
 
-A disc has one on its rim; a box one at each corner and in the middle of each side, and what lies
-opposite stays; lines and polygons have one at each corner. A body whose mass is that which it was
-drawn with keeps its density; any other keeps its mass.
+A disc has a handle on its rim; a box has one at each corner and in the middle of each side, and the
+opposite corner or side stays; lines and polygons have one at each corner. A body that still has the
+mass with which it was drawn keeps its density; any other keeps its mass.
 """
 
 from collections.abc import Sequence
@@ -35,26 +35,26 @@ left."""
 
 
 def handles(level: Level, name: str) -> list[XY]:
-    """Return where the handles of a body are in the plane; a curve has none."""
+    """Return the positions of the handles of a body in the plane [m]; a curve has none."""
     return [xy(where) for where in _handles(placed(level)[name])]
 
 
 def drag_handle(text: str, level: Level, name: str, index: int, to: XY) -> str:
-    """Return a level in which a handle of a body lies elsewhere, as far as its shape allows.
+    """Return a level in which a handle of a body is moved, as far as its shape allows.
 
     Parameters
     ----------
     text, level, name
-        Which body of which level.
+        The text of the level, the level, and the name of the body.
     index
-        Of the handle, as in `handles`.
+        The index of the handle, as in `handles`.
     to
         The position to which it is dragged [m].
 
     Raises
     ------
     SandboxError
-        If that would leave nothing of the body.
+        If the body would have no size.
     """
     body = placed(level)[name]
     changed = put_all(text, _dragged(body, index, complex(*to)))
@@ -68,7 +68,7 @@ def scale(text: str, level: Level, name: str, factor: float) -> str:
     Raises
     ------
     SandboxError
-        If that would leave nothing of the body, or it is a curve, which its formulas say.
+        If the body would have no size, or it is a curve, whose formulas give its shape.
     """
     body = placed(level)[name]
     if factor <= SMALLEST:
@@ -96,7 +96,7 @@ def _of(side: complex, half: complex) -> complex:
 
 
 def _dragged(body: Placed, index: int, to: complex) -> Changes:
-    """Return what a handle that is dragged changes."""
+    """Return the changes when a handle is dragged."""
     match body.body.shape:
         case Disc(radius=radius) | Hoop(radius=radius):
             return {_radius(body): towards(radius, _size(abs(to - body.center)), body.values)}
@@ -113,9 +113,9 @@ def _dragged(body: Placed, index: int, to: complex) -> Changes:
 
 
 def _box(body: Placed, box: Box, side: complex, to: complex) -> Changes:
-    """Return a box with one corner or side elsewhere; the opposite one stays."""
+    """Return the changes that move one corner or side of a box; the opposite one stays."""
     half = body.local[2]
-    away = to + _of(side, half)  # from the side opposite
+    away = to + _of(side, half)  # from the opposite side
     path = ("bodies", body.name, "shape")
     changes, middle = Changes(), 0j
     if side.real:
@@ -132,7 +132,7 @@ def _box(body: Placed, box: Box, side: complex, to: complex) -> Changes:
 
 
 def _corner(body: Placed, index: int, to: complex) -> Changes:
-    """Return a shape with one corner elsewhere."""
+    """Return the changes that move one corner of a shape."""
     shape = body.body.shape
     assert isinstance(shape, Polygon | Segment | Polyline)
     by = body.inside(to) - body.local[index]
@@ -140,7 +140,7 @@ def _corner(body: Placed, index: int, to: complex) -> Changes:
 
 
 def _paths(body: Placed) -> list[Path]:
-    """Return where the corners of a body stand in its level."""
+    """Return the paths of the corners of a body in its level."""
     path = ("bodies", body.name, "shape")
     match body.body.shape:
         case Polygon(vertices=corners):
@@ -179,9 +179,10 @@ def _scaled(body: Placed, factor: float) -> Changes:
 
 
 def _settled(text: str, before: Level, body: Placed, fixed: int | None) -> str:
-    """Return a level in which a body of another shape lies where it should, as heavy as it should.
+    """Return a level in which a body with a new shape has the right position and mass.
 
-    A corner that is fixed stays in the plane, though the centre of mass is elsewhere in the shape.
+    A fixed corner stays where it is in the plane, although the centre of mass moves within the
+    shape.
     """
     level = Level.model_validate_json(text)
     other = Placed(body.name, level.bodies[body.name], body.values)

@@ -1,6 +1,6 @@
-"""Adding joints of every kind between the places that were picked on the stage.
+"""Adding joints of every kind between the points that were picked on the stage.
 
-How long a joint is, it is left to the level, which takes the distance at the start.
+The length of a new joint is left out, which makes it the distance of the ends at the start.
 """
 
 from collections.abc import Callable, Mapping, Sequence
@@ -24,7 +24,7 @@ CENTRAL = 1e-9
 """m, the distance from the centre within which a picked point counts as the centre."""
 
 OVERLAP = 1e-6
-"""m, two bodies that are joined meet if they overlap by less."""
+"""m, the overlap from which on two bodies that are joined no longer collide."""
 
 FREQUENCY = 1.0
 """Hz, the frequency of a body on a new spring."""
@@ -37,38 +37,38 @@ class Pick(NamedTuple):
     """A point that was picked on the stage."""
 
     point: XY
-    """In the plane [m]."""
+    """Its position in the plane [m]."""
     body: str | None = None
-    """Whose point it is; the plane's if left out."""
+    """The body that it belongs to; None for the plane."""
 
 
 Bodies = Mapping[str, Placed]
 
 
 def picks(kind: str) -> int:
-    """Return how many points a kind of joint is made from; a string may run over more pegs."""
+    """Return the least number of points for a kind of joint; a string may run over more pegs."""
     return 3 if kind == "pulley" else 2
 
 
 def add_joint(text: str, level: Level, kind: str, chosen: Sequence[Pick]) -> Made:
-    """Return a level with a joint more; bodies that overlap where it holds them no longer meet.
+    """Return a level with a new joint; if its bodies overlap, they no longer collide.
 
     Parameters
     ----------
     text, level
-        Of the level.
+        The text of the level, and the level.
     kind
-        As in a level's file.
+        The kind, as in a level's file.
     chosen
-        Its two ends, in order; of a pulley, the pegs between them; of a pin, what it goes through,
-        the first one's point being where; of a rail, what runs on it and what it goes through; of
-        a winding, the string's end and the wheel, on the side on which the string leaves it; of a
-        wire, its bead and a point that it goes through.
+        The two ends, in order. For a pulley: also the pegs between them. For a pin: the two parts,
+        held at the first point. For a rail: the body that slides, and a point through which the
+        rail passes. For a winding: the end of the string, and the wheel on the side where the
+        string leaves it. For a wire: the bead, and a point through which the wire passes.
 
     Raises
     ------
     SandboxError
-        If there is no such kind, or these points cannot be joined so.
+        If there is no such kind, or the kind cannot join these points.
     """
     if kind not in KINDS:
         raise SandboxError(
@@ -95,7 +95,7 @@ def add_joint(text: str, level: Level, kind: str, chosen: Sequence[Pick]) -> Mad
 
 
 def _turning(added: str, level: Level, kind: str) -> tuple[str, ...]:
-    """Return a level with a new joint, and with `rotation` first where that lets bodies turn."""
+    """Return a level with a new joint, without and with `rotation`, the preferred first."""
     if level.effects.rotation is not None:
         return (added,)
     turning = put(added, ("effects", "rotation"), {})
@@ -103,7 +103,7 @@ def _turning(added: str, level: Level, kind: str) -> tuple[str, ...]:
 
 
 def _apart(text: str, level: Level, chosen: Sequence[Pick], where: Bodies) -> str:
-    """Return a level in which bodies that overlap and are to be joined need not meet."""
+    """Return a level in which the two bodies to be joined do not collide if they overlap."""
     contact, bodies = level.effects.contact, sorted({pick.body for pick in chosen if pick.body})
     if contact is None or len(bodies) != 2 or tuple(bodies) in apart(level):
         return text
@@ -113,7 +113,7 @@ def _apart(text: str, level: Level, chosen: Sequence[Pick], where: Bodies) -> st
 
 
 def end(pick: Pick, where: Bodies) -> Json:
-    """Return an end as it stands in a file: a body, a point of one, or a point [x, y]."""
+    """Return an end as in a level's file: a body, a point of a body, or a point [x, y]."""
     if pick.body is None:
         return list(pick.point)
     at = where[pick.body].inside(complex(*pick.point))
@@ -130,12 +130,12 @@ def _pulley(chosen: list[Pick], where: Bodies) -> dict[str, Json]:
 
 
 def _pin(chosen: list[Pick], where: Bodies) -> dict[str, Json]:
-    """Return a pin where the first was picked."""
+    """Return a pin at the first point."""
     return _line([chosen[0], chosen[1]._replace(point=chosen[0].point)], where)
 
 
 def _motor(chosen: list[Pick], where: Bodies) -> dict[str, Json]:
-    """Return a motor whose second end is a body, which it drives against the first."""
+    """Return a motor whose second end is a body, driven relative to the first."""
     pin = _pin(chosen, where)
     if chosen[1].body is None:
         pin = _pin([chosen[1]._replace(point=chosen[0].point), chosen[0]], where)
@@ -148,14 +148,14 @@ def _rail(chosen: list[Pick], where: Bodies) -> dict[str, Json]:
 
 
 def _stop(chosen: list[Pick], where: Bodies) -> dict[str, Json]:
-    """Return stops between which the first body may move by its distance from the second."""
+    """Return stops that let the first body move by its distance from the second, either way."""
     line = _rail(chosen, where)
     far = abs(complex(*chosen[1].point) - complex(*chosen[0].point)) or 1.0
     return {**line, "range": [plain(-far), plain(far)]}
 
 
 def _angle_stop(chosen: list[Pick], where: Bodies) -> dict[str, Json]:
-    """Return stops a quarter turn either way of where the second is, as seen from the first."""
+    """Return stops a quarter turn on either side of the present relative angle."""
     now = [_angle(where[pick.body]) if pick.body else 0.0 for pick in chosen[:2]]
     start = now[1] - now[0]
     return {**_pin(chosen, where), "range": [plain(start - pi / 2), plain(start + pi / 2)]}
@@ -166,7 +166,7 @@ def _angle(one: Placed) -> float:
 
 
 def _gear(chosen: list[Pick], where: Bodies) -> dict[str, Json]:
-    """Return a gear of two wheels that mesh from outside."""
+    """Return a gear of two wheels that mesh externally."""
     wheels = [where[pick.body] for pick in chosen[:2] if pick.body is not None]
     if len(wheels) < 2:
         raise SandboxError(Message("a gear ties two wheels to each other; pick two bodies"))
@@ -175,7 +175,7 @@ def _gear(chosen: list[Pick], where: Bodies) -> dict[str, Json]:
 
 
 def _rack(chosen: list[Pick], where: Bodies) -> dict[str, Json]:
-    """Return a bar and the wheel that meshes with it, on the side of the wheel where the bar is."""
+    """Return a rack on the side of the wheel where the bar is."""
     wheel = chosen[1].body
     if wheel is None:
         raise SandboxError(
@@ -195,7 +195,7 @@ def _winding(chosen: list[Pick], where: Bodies) -> dict[str, Json]:
         )
     center = where[wheel].center
     tied, side = complex(*chosen[0].point) - center, complex(*chosen[1].point) - center
-    right = (tied.conjugate() * side).imag < 0  # as seen along the string, towards its end
+    right = (tied.conjugate() * side).imag < 0  # seen along the string, towards its end
     return {
         "ends": [end(chosen[0], where), wheel],
         "radius": plain(where[wheel].radius or abs(side)),
@@ -211,7 +211,7 @@ def _spring(chosen: list[Pick], where: Bodies) -> dict[str, Json]:
 
 
 def _wire(chosen: list[Pick], where: Bodies) -> dict[str, Json]:
-    """Return a straight wire, as long beyond the bead as before it."""
+    """Return a straight wire that extends equally far on both sides of the bead."""
     start = complex(*chosen[0].point)
     way = complex(*chosen[1].point) - start
     formulas: list[Json] = [
@@ -234,4 +234,4 @@ _MADE: Mapping[str, Callable[[list[Pick], Bodies], dict[str, Json]]] = {
     "spring": _spring,
     "wire": _wire,
 }
-"""The kinds that are more than two ends; a new kind with just two ends needs no entry."""
+"""The functions for kinds with more fields than two ends; a kind with just two needs no entry."""

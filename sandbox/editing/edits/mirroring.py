@@ -1,4 +1,4 @@
-"""Mirror images of bodies: their places, shapes, motions, and the joints among them."""
+"""Mirroring bodies: their positions, shapes, motions, and the joints among them."""
 
 from collections.abc import Collection
 from typing import Literal
@@ -36,19 +36,19 @@ def mirror(
     names: Collection[str],
     axis: Literal["x", "y"] = "x",
 ) -> str:
-    """Return a level in which bodies are mirrored about their own middle.
+    """Return a level in which bodies are mirrored about the middle of their bounding box.
 
     Parameters
     ----------
     text, level, names
-        Which bodies of which level.
+        The text of the level, the level, and the names of the bodies.
     axis
-        Along which left and right, or above and below, change places.
+        The axis along which coordinates are reversed: x swaps left and right, y above and below.
 
     Raises
     ------
     SandboxError
-        If there are none.
+        If there are no bodies.
     """
     low, high = around(chosen(level, names).values())
     mirror = _Mirror(axis, (low + high).real if axis == "x" else (low + high).imag)
@@ -64,9 +64,9 @@ def mirror(
 
 
 class _Mirror:
-    """A mirror along an axis: a coordinate c becomes total − c, and all that has a hand the other.
+    """A mirror along an axis: a coordinate c becomes total − c, and rotations change their sign.
 
-    A body at c, turned by R(θ), with a point p of it: F (c + R(θ) p) = F c + R(−θ) F p.
+    For a point p of a body at c, turned by R(θ): F (c + R(θ) p) = F c + R(−θ) F p.
     """
 
     def __init__(self, axis: Literal["x", "y"], total: float) -> None:
@@ -74,14 +74,14 @@ class _Mirror:
         self._total = total
 
     def body(self, path: Path, body: Body) -> Changes:
-        """Return what changes of a body."""
+        """Return the changes of a body."""
         changes: Changes = {(*path, "position"): self._place(body.position)}
         if _is_given(body.velocity[self._index]):
             changes[*path, "velocity"] = self._flipped(body.velocity)
         for field in ("angle", "angular_velocity"):
             if _is_given(said := getattr(body, field)):
                 changes[*path, field] = negative(said)
-        if body.one_way and not isinstance(body.shape, Arc):  # arcs keep their sense
+        if body.one_way and not isinstance(body.shape, Arc):  # an arc keeps its sense
             changes[*path, "one_way"] = "left" if body.one_way == "right" else "right"
         return changes | self._shape((*path, "shape"), body)
 
@@ -94,11 +94,11 @@ class _Mirror:
         return changes | self._ways(path, joint) | self._turns(path, joint)
 
     def _ways(self, path: Path, joint: Joint) -> Changes:
-        """Return what changes of the ways along which a joint lets its ends go."""
+        """Return the changes of the direction or the curve along which the ends of a joint move."""
         match joint:
             case Rail(direction=direction) | Stop(direction=direction):
                 return {(*path, "direction"): self._flipped(direction)}
-            case Rack(direction=direction):  # the wheel turns the other way round
+            case Rack(direction=direction):  # the wheel turns the other way
                 mirrored: list[Json] = [along.source for along in direction]
                 mirrored[1 - self._index] = negative(direction[1 - self._index])
                 return {(*path, "direction"): mirrored}
@@ -107,7 +107,7 @@ class _Mirror:
         return {}
 
     def _turns(self, path: Path, joint: Joint) -> Changes:
-        """Return what changes of how a joint turns."""
+        """Return the changes of a joint's angles, rate or sense of turning."""
         match joint:
             case AngleStop(range=(least, most)):
                 return {(*path, "range"): [negative(most), negative(least)]}
@@ -119,7 +119,7 @@ class _Mirror:
         return {}
 
     def held(self, path: Path, joint: Joint, names: Collection[str]) -> Changes:
-        """Return what changes of the points that a joint holds of mirrored bodies."""
+        """Return the changes of the points at which a joint holds mirrored bodies."""
         return {
             (*path, *step, "at"): self._flipped(end.at)
             for step, end in ends_of(joint)
@@ -159,7 +159,7 @@ class _Mirror:
         return mirrored
 
     def _direction(self, angle: Expression) -> Json:
-        """Return a direction: π − θ if left and right change places, else −θ."""
+        """Return a mirrored direction: π − θ along x, −θ along y."""
         return negative(angle) if self._index else f"pi - ({angle.source})"
 
 

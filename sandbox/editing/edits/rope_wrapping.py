@@ -1,4 +1,4 @@
-"""Laying a rope of knots over a drum, from one body to another: it rubs where friction acts."""
+"""Laying a rope of knots over a drum, from one body to another, subject to friction."""
 
 from cmath import phase, rect
 from collections.abc import Sequence
@@ -26,7 +26,7 @@ LIGHT = 1e-3
 """The mass of a knot, as a share of that of the lighter body."""
 
 RATE = 480
-"""Hz, at which weights that run across the drum press no knots into it."""
+"""Hz, the rate at which moving weights do not press knots into the drum."""
 
 HEMP = "#e9c46a"
 """The colour of all knots of a rope."""
@@ -39,7 +39,7 @@ DIGITS = 12
 
 
 def drum_of(level: Level, names: Sequence[str]) -> str | None:
-    """Return which of three bodies a rope can lie over: the highest disc; None if none is round."""
+    """Return the highest disc of three bodies, over which a rope can lie; None if there is none."""
     if len(names) != 3 or any(level.bodies[name].mass is None for name in _ends(level, names)):
         return None
     return _highest(level, names)
@@ -52,27 +52,27 @@ def _highest(level: Level, names: Sequence[str]) -> str | None:
 
 
 def _ends(level: Level, names: Sequence[str]) -> list[str]:
-    """Return what hangs at the ends, from left to right."""
+    """Return the bodies at the ends, from left to right."""
     where, drum = placed(level), _highest(level, names)
     return sorted((n for n in names if n != drum), key=lambda name: where[name].center.real)
 
 
 def wrap(text: str, level: Level, names: Sequence[str]) -> Made:
-    """Return a level with a rope more: knots on a drum, on rods, and a rod to what hangs there.
+    """Return a level with a new rope over a drum: knots joined by rods, and a rod to each end.
 
-    A drum that nothing holds stands still from then on.
+    A drum that no joint holds is made static.
 
     Parameters
     ----------
     text, level
-        Of the level.
+        The text of the level, and the level.
     names
-        Of the drum, a disc, and of the two bodies at the ends of the rope.
+        The names of the drum, a disc, and of the two bodies at the ends of the rope.
 
     Raises
     ------
     SandboxError
-        If these are no such bodies, or are not apart enough for a rope over the drum.
+        If they are not such bodies, or an end lies within the drum.
     """
     drum = drum_of(level, names)
     if drum is None:
@@ -101,7 +101,7 @@ def wrap(text: str, level: Level, names: Sequence[str]) -> Made:
 
 
 def _knot(level: Level, drum: Placed, ends: Sequence[Placed]) -> dict[str, Json]:
-    """Return what the knots have in common."""
+    """Return the fields that all knots share."""
     masses = [end.body.mass(end.values) for end in ends if end.body.mass]
     return {
         "shape": {"type": "disc", "radius": plain(THICK * drum.radius)},
@@ -112,7 +112,7 @@ def _knot(level: Level, drum: Placed, ends: Sequence[Placed]) -> dict[str, Json]
 
 
 def _standing(text: str, drum: str) -> str:
-    """Return a level with contact, in which a drum that nothing holds stands still."""
+    """Return a level with contact, in which a drum that no joint holds is static."""
     level = parse(text)
     if level.effects.contact is None:
         text = declare(text, level, "contact")
@@ -121,7 +121,7 @@ def _standing(text: str, drum: str) -> str:
 
 
 def _knots(drum: Placed, left: Placed, right: Placed) -> list[complex]:
-    """Return where the knots lie on a drum, from where the rope comes to it to where it leaves."""
+    """Return the positions of the knots, between the two points of tangency on the drum [m]."""
     radius = (1 + THICK) * drum.radius
     ways = [end.center - drum.center for end in (left, right)]
     if any(abs(way) <= radius for way in ways):

@@ -1,4 +1,4 @@
-"""Round bodies as one another: a disc, a hoop, and an arc that stands still."""
+"""Changing the shape of a round body: a disc, a hoop, or a static arc."""
 
 import re
 from collections.abc import Mapping
@@ -21,9 +21,9 @@ HALF_PIPE: Mapping[str, Json] = {"start": "180*deg", "end": "360*deg"}
 def rounded(text: str, level: Level, name: str, kind: str) -> Made:
     """Return a level in which a round body is a disc, a hoop or an arc, of the same radius.
 
-    A new arc is the lower half of the circle, and stands still; an arc that becomes something else
-    moves, with the mass of what is drawn so large. What nobody has named, such as `disc1`, is
-    called after what it is now.
+    A new arc is the lower half of the circle, and static. An arc that becomes a disc or hoop is
+    made dynamic, with the mass of a drawn body. An automatic name, such as `disc1`, is replaced by
+    one for the new shape.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""The automatic title and summary of a level that began empty."""
+"""The automatic title and summary of a level that started empty."""
 
 import json
 import re
@@ -19,7 +19,7 @@ def _empty() -> Mapping[str, Any]:
 
 
 def is_untitled(document: Mapping[str, Any]) -> bool:
-    """Whether a level still has its automatic title."""
+    """Return whether a level still has its automatic title."""
     return document.get("title") == _empty()["title"]
 
 
@@ -35,6 +35,6 @@ def entitled_by(text: str, path: Path) -> str:
 
 
 def without_empty_summary(text: str) -> str:
-    """Return a level that does not say any more that there is nothing in it."""
+    """Return a level without the summary that says that it is empty."""
     untrue = json.loads(text).get("summary") == _empty()["summary"]
     return remove(text, ("summary",)) if untrue else text

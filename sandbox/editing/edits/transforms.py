@@ -1,7 +1,7 @@
 """Moving, turning, aligning and mirroring bodies, with what is attached to them.
 
-Formulas stay formulas: a position `r` that is moved becomes `r + 0.5`. What is pinned to a body
-moves along, and so do the pins that it turns about; a rod is as long as its ends are then apart.
+Formulas stay formulas: a position `r` that is moved becomes `r + 0.5`. Bodies pinned to a moved
+body move with it, and so do its pins; the length of a rod becomes the new distance of its ends.
 """
 
 from cmath import rect
@@ -18,7 +18,7 @@ from sandbox.model.shapes import XY
 from sandbox.physics.geometry.distance import dot
 
 Side = Literal["left", "right", "top", "bottom", "center-x", "center-y"]
-"""Where bodies are aligned; `center-x` puts their centres above each other."""
+"""The side at which bodies are aligned; `center-x` gives their centres the same x."""
 
 Box = tuple[complex, complex]
 
@@ -33,14 +33,14 @@ _SIDES: Mapping[Side, Callable[[Box], complex]] = {
 
 
 def move(text: str, level: Level, names: Collection[str], by: XY) -> str:
-    """Return a level in which bodies, and what is pinned to them, lie elsewhere at the start."""
+    """Return a level in which bodies, and all that is pinned to them, are displaced [m]."""
     return shift(text, level, dict.fromkeys(pinned(level, names), complex(*by)))
 
 
 def shift(text: str, level: Level, ways: Mapping[str, complex]) -> str:
-    """Return a level in which each of some bodies lies elsewhere, by a way of its own [m].
+    """Return a level in which each of some bodies is displaced by its own vector [m].
 
-    The wire that a bead is on goes with it.
+    The wire of a bead moves with it.
     """
     changes = Changes()
     for name, by in ways.items():
@@ -64,11 +64,11 @@ def turn(
     Parameters
     ----------
     text, level, names
-        Which bodies of which level.
+        The text of the level, the level, and the names of the bodies.
     angle
-        rad, counter-clockwise.
+        The angle, counter-clockwise [rad].
     about
-        The point about which [m]; the middle of the bodies if left out.
+        The centre of rotation [m]; the middle of the bodies if left out.
     """
     where = chosen(level, names)
     low, high = around(where.values())
@@ -84,7 +84,7 @@ def turn(
 
 
 def align(text: str, level: Level, names: Collection[str], side: Side) -> str:
-    """Return a level in which bodies are in line, at the outermost of their sides."""
+    """Return a level in which bodies are aligned with the outermost of their sides."""
     where, at = chosen(level, names), _SIDES[side]
     line = at(around(where.values()))
     return shift(text, level, {n: line - at(body.bounds) for n, body in where.items()})
@@ -96,9 +96,9 @@ def distribute(
     names: Sequence[str],
     axis: Literal["x", "y"],
 ) -> str:
-    """Return a level in which there is the same gap between each body and the next along an axis.
+    """Return a level in which neighbouring bodies have equal gaps along an axis.
 
-    The outermost stay where they are.
+    The outermost bodies stay.
     """
     where = chosen(level, names)
     unit = 1 + 0j if axis == "x" else 1j
