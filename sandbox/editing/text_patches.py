@@ -1,8 +1,8 @@
-"""Patches of a level's text: one place changes, every other character stays.
+"""Patches of a level's text: one value changes, every other character stays.
 
-Pure functions from text to text. A path is made of keys and indices, from the outside in, such as
-`("bodies", "box", "mass")`. What is put stands as people lay it out, so that `format` leaves it;
-a number as a person would type it; and what stands already is not typed anew.
+They are pure functions from text to text. A path consists of keys and indices, from the outside in,
+such as `("bodies", "box", "mass")`. New values are laid out as `format` would, and numbers are
+written as a person would type them; an equal value is left as it was typed.
 """
 
 import json
@@ -22,38 +22,38 @@ Changes = dict[Path, Json]
 """New values, by their paths in a text."""
 
 _LINES = tuple((part,) for part in NAMED)
-"""The parts whose members each have a line: bodies, joints, checks."""
+"""The paths of the parts whose members each have a line: bodies, joints, checks."""
 
 
 class PatchError(SandboxError):
-    """A place in a text at which nothing can be put, or taken away."""
+    """A path in a text at which nothing can be put or removed."""
 
 
 def put(text: str, path: Path, value: Json) -> str:
-    """Return a text in which a value stands at a path.
+    """Return a text with a value at a path.
 
     Parameters
     ----------
     text
         The JSON of a level, which may have mistakes.
     path
-        Of a member or an item, there or not. A list's length, as an index, appends to it. Parents
-        that are missing are made.
+        The path of a member or an item, present or not. The length of a list, as an index, appends
+        to it. Missing parents are created.
     value
-        Anything that JSON can hold.
+        The value.
 
     Raises
     ------
     LevelError
-        If the text is no JSON.
+        If the text is not JSON.
     PatchError
-        If a parent is neither an object nor a list, or a list is shorter than that.
+        If a parent is not an object or a list, or a list is shorter than the index.
     """
     return put_all(text, {path: value})
 
 
 def put_all(text: str, values: Mapping[Path, Json]) -> str:
-    """Return a text in which values stand at paths, as by `put` one after the other."""
+    """Return a text with values at paths, as by repeated `put`."""
     found = _read(text)
     new = [path for path in values if path not in found]
     pieces = [
@@ -68,7 +68,7 @@ def put_all(text: str, values: Mapping[Path, Json]) -> str:
 
 
 def type_in(text: str, path: Path, typed: str) -> str:
-    """Return a text in which a value stands that is there already, as it was typed: `2.50`, say."""
+    """Return a text in which an existing value is replaced by typed JSON, such as `2.50`."""
     span = _at(_read(text), path)
     return text[: span.begin] + typed + text[span.end :]
 
@@ -76,15 +76,15 @@ def type_in(text: str, path: Path, typed: str) -> str:
 def remove(text: str, path: Path) -> str:
     """Return a text without a member or an item.
 
-    A list that is left empty goes, too, and so does an outermost part of a level; but an effect
-    stays, for an empty one says that it acts, and `bodies`, which a level cannot be without.
+    A list that becomes empty is removed too, and so is a top-level part; but not an effect, which
+    acts even if empty, nor `bodies`, which a level must have.
 
     Raises
     ------
     LevelError
-        If the text is no JSON.
+        If the text is not JSON.
     PatchError
-        If nothing stands at the path.
+        If there is nothing at the path.
     """
     found = _read(text)
     span, parent = _at(found, path), found[path[:-1]]
@@ -101,21 +101,21 @@ def remove(text: str, path: Path) -> str:
 
 
 def value_at(text: str, path: Path) -> Json:
-    """Return what stands at a path.
+    """Return the value at a path.
 
     Raises
     ------
     LevelError
-        If the text is no JSON.
+        If the text is not JSON.
     PatchError
-        If nothing stands there.
+        If there is nothing at the path.
     """
     span = _at(_read(text), path)
     return json.loads(text[span.begin : span.end])
 
 
 def _read(text: str) -> Spans:
-    Document(text, "<text>").read()  # refuses what is no JSON
+    Document(text, "<text>").read()  # refuses what is not JSON
     return Spans(text)
 
 
@@ -131,16 +131,16 @@ def shown(path: Path) -> str:
 
 
 def _goes_empty(parent: Span) -> bool:
-    """Whether a part says nothing once it is empty."""
+    """Return whether a part has no meaning once it is empty."""
     if parent.kind == "list":
         return True
     return len(parent.path) == 1 and parent.path != ("bodies",)
 
 
 def _instead(text: str, span: Span, value: Json) -> str:
-    """Return a value as it stands in the place of another: on one line if that was.
+    """Return a value laid out to replace another: on one line if the other was.
 
-    The same value stays as it was typed.
+    An equal value is left as it was typed.
     """
     typed = text[span.begin : span.end]
     if json.loads(typed) == json.loads(line(value)):
@@ -152,7 +152,7 @@ def _instead(text: str, span: Span, value: Json) -> str:
 
 
 def spliced(text: str, pieces: Iterable[tuple[int, int, str]]) -> str:
-    """Return a text with pieces of it replaced; none may lie within another."""
+    """Return a text with pieces of it replaced; they must not overlap."""
     changed, end = [], 0
     for begin, over, new in sorted(pieces):
         if begin < end:
@@ -163,11 +163,11 @@ def spliced(text: str, pieces: Iterable[tuple[int, int, str]]) -> str:
 
 
 def _inserted(text: str, path: Path, value: Json) -> str:
-    """Return a text with a value that is not there yet."""
+    """Return a text with a value at a path where there was none."""
     found = _read(text)
     while path[:-1] not in found or text[found[path[:-1]].begin :].startswith("null"):
         value, path = ({path[-1]: value} if isinstance(path[-1], str) else [value]), path[:-1]
-    if path in found:  # null, which says that there is none
+    if path in found:  # null, which stands for none
         return spliced(text, [(found[path].begin, found[path].end, line(value))])
     parent, step = found[path[:-1]], path[-1]
     if parent.kind != ("object" if isinstance(step, str) else "list"):
@@ -187,7 +187,7 @@ def _inserted(text: str, path: Path, value: Json) -> str:
 
 
 def _with_member(text: str, parent: Span, key: str, value: Json) -> str:
-    """Return a text in which an object or list has one member more."""
+    """Return a text in which an object or list has a new member."""
     members = parent.members
     if not members or "\n" not in text[parent.begin : members[-1].start]:
         return _in_line(text, parent, key, value)
@@ -205,13 +205,13 @@ def _with_member(text: str, parent: Span, key: str, value: Json) -> str:
 
 
 def _shares(text: str, parent: Span) -> bool:
-    """Whether some members of an object or list stand on one line with others."""
+    """Return whether some members of an object or list share a line."""
     pairs = zip(parent.members, parent.members[1:], strict=False)
     return any("\n" not in text[one.end : other.start] for one, other in pairs)
 
 
 def _in_line(text: str, parent: Span, key: str, value: Json) -> str:
-    """Return a text in which an object or list that is on one line has one member more."""
+    """Return a text in which an object or list on one line has a new member."""
     margin = _margin(text, parent.start)
     inside = text[parent.begin + 1 : parent.members[-1].end] if parent.members else ""
     pieces = [inside] * bool(inside)
@@ -230,9 +230,9 @@ def _in_line(text: str, parent: Span, key: str, value: Json) -> str:
 
 
 def _place(parent: Span, key: str) -> int:
-    """Return how many members come before a new one.
+    """Return the number of members before a new one.
 
-    In a level the parts have their order, and a part begins with its type.
+    The parts of a level have a fixed order, and a part begins with its type.
     """
     name = json.loads(key.removesuffix(": ") or "null")
     if parent.path:
@@ -244,12 +244,12 @@ def _place(parent: Span, key: str) -> int:
 
 
 def _margin(text: str, index: int) -> str:
-    """Return the white space that the line of a character begins with."""
+    """Return the white space at the start of the line of a character."""
     start = text.rfind("\n", 0, index) + 1
     found = re.compile(r"[ \t]*").match(text, start)
     return found[0] if found else ""
 
 
 def _with_breaks(text: str, new: str) -> str:
-    """Return what is put into a text with the line breaks that the text has."""
+    """Return an insertion with the kind of line breaks that the text has."""
     return new.replace("\n", "\r\n") if "\r\n" in text else new

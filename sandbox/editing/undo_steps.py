@@ -1,20 +1,20 @@
-"""The steps of undo: each keeps only what it changed."""
+"""The steps of undo, each of which stores only the difference."""
 
 from dataclasses import dataclass
 
 
 @dataclass(frozen=True, slots=True)
 class Step:
-    """What a change made of a text: at one place, something else.
+    """One change of a text: a piece of it was replaced.
 
     Attributes
     ----------
     said
-        The edit, in words.
+        The description of the edit.
     start
-        Where in the text.
+        The index of the piece in the text.
     old, new
-        What stood there, and what stands there now.
+        The piece before and after the change.
     """
 
     said: str
@@ -23,11 +23,11 @@ class Step:
     new: str
 
     def undone(self, text: str) -> str:
-        """Return the text before it, from that after it."""
+        """Return the text before the change, given that after it."""
         return text[: self.start] + self.old + text[self.start + len(self.new) :]
 
     def done(self, text: str) -> str:
-        """Return the text after it, from that before it."""
+        """Return the text after the change, given that before it."""
         return text[: self.start] + self.new + text[self.start + len(self.old) :]
 
 
@@ -40,7 +40,7 @@ def step(before: str, after: str, said: str) -> Step:
 
 
 def _common(one: str, other: str) -> int:
-    """Return how many characters two texts have in common at their beginning."""
+    """Return the length of the common prefix of two texts."""
     low, high = 0, min(len(one), len(other))
     while low < high:
         middle = (low + high + 1) // 2

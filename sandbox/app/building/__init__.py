@@ -1,1 +1,1 @@
-"""The editor: a level as a drawing, the tools that change it, and what they show on the stage."""
+"""The editor: a level as a drawing, the tools that change it, and their display on the stage."""

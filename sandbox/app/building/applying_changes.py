@@ -1,4 +1,4 @@
-"""Changes of the level under edit are played, or refused, shortly after the last one."""
+"""Applying changes of the edited level to the session, shortly after the last change."""
 
 import re
 from time import perf_counter
@@ -14,41 +14,41 @@ from sandbox.model.message import NOTHING, Message
 from sandbox.physics.state.errors import SimulationError
 
 PATIENCE = 1.5
-"""How long nothing is changed before the level is tried, as a multiple of what that takes."""
+"""The pause before changes are applied, as a multiple of the time that applying them took."""
 
 
 class Applying:
-    """Lets the session play the level under edit.
+    """Applies the edited level to the session.
 
     Attributes
     ----------
     refusal
-        Why the level cannot run as it is; empty if it can.
+        The reason why the level cannot run as it is; empty if it can.
     culprits
-        The bodies and joints that are to blame for that.
+        The bodies and joints that the reason names.
     """
 
     def __init__(self, work: Work, drafts: Drafts, tools: Toolbox) -> None:
         self._work, self._drafts, self._tools = work, drafts, tools
         self.refusal: Message = NOTHING
         self.culprits: frozenset[str] = frozenset()
-        self._played: Level | None = None  # what the session has of it
+        self._played: Level | None = None  # the version that the session has
         self._tried: object = self._state
-        self._waits = 0.0  # s, until what was changed is tried
-        self._cost = 0.0  # s, what that took last
+        self._waits = 0.0  # s, until the changes are applied
+        self._cost = 0.0  # s, the duration of the last application
 
     @property
     def _state(self) -> object:
-        """The text and its file; a change of either is tried anew."""
+        """The text and its file; changes of either are applied."""
         return self._work.version, self._work.draft.path
 
     @property
     def pending(self) -> bool:
-        """Whether something is still to be tried."""
+        """Whether there are changes to be applied."""
         return self._tried != self._state
 
     def follow(self, session: Session, seconds: float, *, watched: bool) -> None:
-        """Take up the level that is shown, and try its changes once there has been a pause."""
+        """Edit the level that is shown, and apply its changes after a pause."""
         if watched:
             self.take_up(session)
         if self.pending:
@@ -69,13 +69,13 @@ class Applying:
             self.apply(session)
 
     def apply_pending(self, session: Session) -> bool:
-        """Try now what is still to be tried, and return whether the level can be run."""
+        """Apply any pending changes now, and return whether the level can run."""
         if self.pending:
             self.apply(session)
         return not self.refusal
 
     def apply(self, session: Session) -> None:
-        """Let the session play the changes; a text that makes no level is undone."""
+        """Apply the changes to the session; undo those that make the level invalid."""
         begun, work = perf_counter(), self._work
         level = self._last_level()
         self._tried = self._state
@@ -93,7 +93,7 @@ class Applying:
         self._waits = PATIENCE * self._cost
 
     def _last_level(self) -> Level | None:
-        """Return the level, after changes are taken back that made it none."""
+        """Return the level, after undoing the changes that made it invalid."""
         work = self._work
         level = work.draft.level
         if level is None:
@@ -104,7 +104,7 @@ class Applying:
         return level
 
     def _refuse(self, error: SandboxError) -> None:
-        """Say why the level cannot run, and where."""
+        """Set the reason why the level cannot run, and the parts that it names."""
         self.refusal = error.message
         if isinstance(error, SimulationError):
             self.refusal = error.reason

@@ -18,7 +18,7 @@ from sandbox.model.loading import parse
 from sandbox.model.message import Message
 
 NEAR = 80.0
-"""px, how near something must be for a body to be laid flat on it."""
+"""px, the largest distance of a surface on which a body is laid flat."""
 
 SIDES: Mapping[str, Side] = {
     later("Left"): "left",
@@ -28,11 +28,11 @@ SIDES: Mapping[str, Side] = {
     later("Above"): "center-x",
     later("In line"): "center-y",
 }
-"""What bodies are aligned at, by what stands on the buttons."""
+"""The sides at which bodies are aligned, by the captions of the buttons."""
 
 
 def arrangements(work: Work) -> list[Act]:
-    """Return what can be done with several bodies at once."""
+    """Return the actions that arrange the selected bodies."""
     names = work.chosen
     if not names:
         return []
@@ -68,7 +68,7 @@ def arrangements(work: Work) -> list[Act]:
 
 
 def _rope(work: Work, names: Sequence[str]) -> list[Act]:
-    """Return what lays a rope over a disc, where that is selected with what hangs on the rope."""
+    """Return the action that lays a rope over a disc, if it is selected with two other bodies."""
     level = work.draft.level
     if level is None or drum_of(level, names) is None:
         return []
@@ -79,7 +79,7 @@ def _rope(work: Work, names: Sequence[str]) -> list[Act]:
 
 
 def _grouping(work: Work, names: Sequence[str]) -> list[Act]:
-    """Return what makes bodies a group, and what takes apart the groups that they are in."""
+    """Return the actions that group bodies, and ungroup the groups that they are in."""
     found = [work.with_group(("bodies", name)) for name in names]
     grouped = any(len(group) > 1 for group in found)
     one = grouped and {part[1] for part in found[0]} == set(names)

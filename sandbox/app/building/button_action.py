@@ -1,11 +1,11 @@
-"""An action that a button can offer."""
+"""An action offered by a button."""
 
 from collections.abc import Callable
 from typing import NamedTuple
 
 
 class Act(NamedTuple):
-    """What stands on the button, what its tool tip says, and what it does."""
+    """The caption of a button, its tooltip, and the function that it calls."""
 
     caption: str
     tip: str

@@ -1,4 +1,4 @@
-"""The drafts of a window: none is lost when another level is shown or the window closes."""
+"""The drafts of a window, kept when another level is shown or the window closes."""
 
 import os
 from contextlib import suppress
@@ -14,33 +14,33 @@ from sandbox.model.files import make_folder
 from sandbox.model.level import Level
 from sandbox.model.message import NOTHING, Message
 
-OFTEN = 1.0  # s, between two looks at what is to be kept
+OFTEN = 1.0  # s, between two checks of drafts and files
 
 
 class Drafts:
-    """What is under edit, with a file or without.
+    """The drafts under edit, with or without a file.
 
     Attributes
     ----------
     left
-        What windows have left that are no more, the newest first.
+        Unsaved drafts of earlier windows, the newest first; None before the first search.
     outside
-        Whether something else has written the file of the draft that is shown.
+        Whether another program has written the file of the draft that is shown.
     """
 
     def __init__(self) -> None:
         self._kept: dict[Draft, Recovery] = {}
-        self.left: list[Recoverable] | None = None  # not looked for yet
+        self.left: list[Recoverable] | None = None  # not searched yet
         self.outside = False
-        self._mine: Draft | None = None  # which is to be written over what somebody else wrote
+        self._mine: Draft | None = None  # to be written over the changes of another program
         self._since = OFTEN
 
     def of(self, level: Level) -> Draft:
-        """Return the draft of a level, as it was left if it was edited before."""
+        """Return the draft of a level, with its unsaved changes if it was edited before."""
         found = (draft for draft in reversed(self._kept) if _is_of(draft, level))
         draft = next(found, None) or self._read(level)
         if not draft.changed and draft.changed_outside():
-            with suppress(SandboxError):  # what has mistakes now is offered, and not read
+            with suppress(SandboxError):  # a file with mistakes is offered instead
                 draft.reload()
         self.add(draft)
         return draft
@@ -56,12 +56,12 @@ class Drafts:
         return Draft(level.text, draft.path, level.text.encode())  # the file has mistakes now
 
     def add(self, draft: Draft) -> None:
-        """Keep a draft from now on, and drop the others from which nothing would be lost."""
+        """Keep a draft, and drop others that have a file and no edits."""
         for other in [other for other in self._kept if other is not draft]:
             other.rest()
             if other.path is not None and not other.touched:
                 self._kept.pop(other).forget()
-        self._kept[draft] = self._kept.pop(draft, Recovery())  # the latest at the end
+        self._kept[draft] = self._kept.pop(draft, Recovery())  # the latest last
         self.outside, self._since = False, OFTEN
 
     def unsaved(self, besides: Draft) -> list[Draft]:
@@ -69,7 +69,7 @@ class Drafts:
         return [draft for draft in reversed(self._kept) if draft.changed and draft is not besides]
 
     def follow(self, shown: Draft, seconds: float) -> bool:
-        """Let time pass [s]; return whether there is another offer."""
+        """Let time pass [s], and return whether the offers have changed."""
         self._since += seconds
         if self._since < OFTEN:
             return False
@@ -81,7 +81,7 @@ class Drafts:
         return before != (self.outside, self.left)
 
     def keep(self) -> Message:
-        """Keep what is not saved, should the window end; return why that cannot be, if so."""
+        """Write recovery files for unsaved changes; return the reason if one cannot be written."""
         errors = [recovery.keep(draft) for draft, recovery in self._kept.items()]
         return next(filter(None, errors), NOTHING)
 
@@ -91,7 +91,7 @@ class Drafts:
         Raises
         ------
         SandboxError
-            If it cannot be written, or something else would be written over unasked.
+            If it cannot be written, or would overwrite another file without consent.
         """
         mine = draft is self._mine and path in (None, draft.path)
         if path is not None and path.parent == save_folder.folder():
@@ -102,12 +102,12 @@ class Drafts:
 
     @staticmethod
     def is_own(draft: Draft) -> bool:
-        """Whether a draft has a file, and not one that comes with the project."""
+        """Return whether a draft has a file that is not part of the project."""
         return draft.path is not None and not draft.path.is_relative_to(catalog.root())
 
     @classmethod
     def proposed(cls, draft: Draft, title: str) -> Path:
-        """Return a name for the file of a level that has none, which no file has yet."""
+        """Return the file of a draft, or an unused name for one if it has none of its own."""
         if draft.path is not None and cls.is_own(draft):
             return draft.path
         stem, folder = save_folder.stem(title), save_folder.folder()
@@ -115,17 +115,17 @@ class Drafts:
         return next(path for name in names if not os.path.lexists(path := folder / f"{name}.json"))
 
     def forget(self, left: Recoverable) -> None:
-        """Throw away what a window has left."""
+        """Delete the unsaved draft of an earlier window."""
         left.forget()
         self.left = [each for each in self.left or () if each is not left]
 
     def keep_mine(self, draft: Draft) -> None:
-        """Write a draft over what something else has written, the next time it is saved."""
+        """Let the next save of a draft overwrite the changes of another program."""
         self._mine, self.outside = draft, False
 
 
 def _is_of(draft: Draft, level: Level) -> bool:
-    """Whether a level is that of a draft; without files the same text is the same level."""
+    """Return whether a draft is of a level: of the same file, or, without one, of the same text."""
     if draft.path is None:
         return draft.text == level.text
     return draft.source == level.source

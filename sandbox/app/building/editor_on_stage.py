@@ -1,4 +1,4 @@
-"""The editor on the stage: the mouse builds, or throws things into the run; what is drawn."""
+"""The editor on the stage: it passes the mouse to the tools, and draws the level or the run."""
 
 from functools import partial
 
@@ -17,7 +17,7 @@ from sandbox.model.shapes import XY
 
 
 class EditorOnStage:
-    """Leads the mouse to the tool in hand, and draws the level with what the tool would do."""
+    """Passes the mouse to the current tool, and draws the level with the preview of the tool."""
 
     def __init__(self, work: Work, live: Live, tools: Toolbox, applying: Applying) -> None:
         self._work, self._live, self._tools, self._applying = work, live, tools, applying
@@ -27,7 +27,7 @@ class EditorOnStage:
     # the mouse
 
     def process(self, event: pygame.event.Event, area: pygame.Rect, stage: Stage) -> bool:
-        """Let the tool in hand do what the mouse asks for, and return whether that was for it."""
+        """Pass a mouse event to the current tool, and return whether it was for it."""
         tools = self._tools
         tools.bench.camera = stage.camera
         if tools.bench is self._live:
@@ -35,7 +35,7 @@ class EditorOnStage:
         spot = self._spot = self._spot_at((event.pos[0] - area.x, event.pos[1] - area.y))
         if event.type == pygame.MOUSEMOTION:
             tools.hand.move(spot)
-            return False  # with another button the view is moved
+            return False  # another button moves the view
         if event.button == 1 and event.type == pygame.MOUSEBUTTONUP:
             tools.hand.release(spot)
         elif event.button == 1 and area.collidepoint(event.pos):
@@ -43,7 +43,7 @@ class EditorOnStage:
         return bool(event.button == 1)
 
     def _throw_in(self, event: pygame.event.Event, area: pygame.Rect, stage: Stage) -> bool:
-        """Let a tool change the run; time stands until it is done. Without one the hand is back."""
+        """Let a tool change the run, with time stopped until it is done; the first only selects."""
         pixel, hand = (event.pos[0] - area.x, event.pos[1] - area.y), self._tools.hand
         pressed = event.type == pygame.MOUSEBUTTONDOWN and event.button == 1
         pressed = pressed and area.collidepoint(event.pos)
@@ -72,12 +72,12 @@ class EditorOnStage:
         live.select([part] if part else ())
 
     def go_on(self) -> None:
-        """Let time run again, once nothing is being drawn into the run."""
+        """Let time run again unless something is being drawn into the run."""
         if not self._tools.hand.busy:
             self._live.let_time_run()
 
     def _spot_at(self, pixel: XY) -> Spot:
-        """Return where the mouse is; while Alt is held nothing catches it."""
+        """Return the position of the mouse; while Alt is held it does not snap."""
         bench, held = self._tools.bench, pygame.key.get_mods()
         free = bench.camera.to_world(pixel)
         shift, loose = bool(held & pygame.KMOD_SHIFT), bool(held & pygame.KMOD_ALT)
@@ -87,7 +87,7 @@ class EditorOnStage:
     # the picture
 
     def draw(self, surface: pygame.Surface, stage: Stage, pen: Pen) -> None:
-        """Draw what is built."""
+        """Draw the level under edit."""
         work, tools, camera = self._work, self._tools, stage.camera
         surface.blit(self._picture.of(work, pen), (0, 0))
         painting.draw_culprits(surface, work.sketch, self._applying.culprits, camera)
@@ -97,7 +97,7 @@ class EditorOnStage:
         painting.draw_hint(surface, pen, say(tools.hand.hint))
 
     def draw_over(self, surface: pygame.Surface, stage: Stage, pen: Pen) -> None:
-        """Draw over the run what is selected in it, and what is being drawn into it."""
+        """Draw the selection over the run, and the preview of what is added to it."""
         live, tools, view = self._live, self._tools, stage.view
         if tools.bench is not live:
             return

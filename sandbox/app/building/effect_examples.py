@@ -1,4 +1,4 @@
-"""A working example of an effect that has required fields, made from the types of the fields."""
+"""Valid examples of effects with required fields, made from the types of the fields."""
 
 from collections.abc import Sequence
 from typing import Any, get_args, get_origin
@@ -17,7 +17,7 @@ LITTLE = 0.1
 
 
 def example(effect: str, moving: Sequence[str], others: Sequence[str]) -> dict[str, Json]:
-    """Return what may be said of an effect at first, about bodies that move or that do not."""
+    """Return example settings of an effect, given the names of moving and other bodies."""
     kind = bare(Effects.model_fields[effect].annotation)
     model = bare(get_args(kind)[0]) if get_origin(kind) is tuple else kind
     return _of(model, moving, others)
@@ -40,7 +40,7 @@ def _value(field: FieldInfo, moving: Sequence[str], others: Sequence[str]) -> Js
 
 
 def _several(kinds: tuple[Any, ...], moving: Sequence[str], others: Sequence[str]) -> Json:
-    """Return a point along the first axis, or a list of one part."""
+    """Return a point on the first axis, or a list of one part."""
     if _is(kinds[0], Expression):
         return [1, 0]
     part = bare(kinds[0])

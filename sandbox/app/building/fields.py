@@ -1,7 +1,7 @@
 """The fields of any part of a level that can be edited, derived from its model.
 
-A new field of a level, a body, a joint or an effect is in the inspector at once, with its unit and
-with what its docstring says.
+A new field of a level, a body, a joint or an effect appears in the inspector automatically, with
+its unit and its docstring.
 """
 
 import json
@@ -22,35 +22,33 @@ from sandbox.model.json_positions import Path
 from sandbox.model.reference_fields import Mention
 
 LEFT_OUT = ("$schema", "format", "bodies", "joints")
-"""Fields of a level without a widget: what only matters to the file, and what is drawn and
-selected."""
+"""Fields of a level without a widget: those of the file format, and parts selected on the stage."""
 
 Sort = Literal["number", "text", "choice", "switch", "json"]
 
 
 @dataclass(frozen=True, slots=True)
 class Entry:
-    """Something that can be set.
+    """A field that can be set.
 
     Attributes
     ----------
     path
-        Where in the level.
+        Its path in the level.
     label, help, unit
-        What it is called and what is said of it, in the language in use, and its unit.
+        Its name and its description, in the current language, and its unit.
     sort
-        How it is set: `json` stands for whatever has no field of its own, and is typed as it
-        stands in a file.
+        The kind of widget; `json` is for values without a widget of their own, typed as in a file.
     shown
-        What the level says; empty if it says nothing.
+        The text of its value; empty if the level leaves it out.
     default
-        What holds if the level says nothing, for a person to read.
+        The text of its default value.
     choices
-        Of a choice.
+        The options of a choice.
     required
-        Whether the level must say it.
+        Whether the level must have it.
     names
-        What a text names: `quantity` or `body`, or nothing that could be completed.
+        The kind of name to be completed, such as `quantity` or `body`; empty if none.
     """
 
     path: Path
@@ -67,7 +65,7 @@ class Entry:
 
 @dataclass(frozen=True, slots=True)
 class Section:
-    """Entries that belong together, below a heading that opens and closes them."""
+    """Entries that belong together, below a heading that unfolds and folds them."""
 
     path: Path
     label: str
@@ -80,21 +78,21 @@ Row = tuple[Entry, ...] | Section
 
 
 def rows(model: type[Model], said: Mapping[str, Json], path: Path) -> list[Row]:
-    """Return what can be set of a part.
+    """Return the rows for the fields of a part.
 
     Parameters
     ----------
     model
-        What the part is.
+        The model of the part.
     said
-        What the level says of it.
+        The part as in the level.
     path
-        Where in the level it stands.
+        Its path in the level.
     """
     found: list[Row] = []
     for name, field in model.model_fields.items():
         if model is Effects and said.get(name) is None:
-            continue  # it is switched on, and then it has fields
+            continue  # an effect has fields only if it is switched on
         key = field.alias or name
         if key in LEFT_OUT and not path:
             continue
@@ -103,9 +101,9 @@ def rows(model: type[Model], said: Mapping[str, Json], path: Path) -> list[Row]:
 
 
 def read(entry: Entry, typed: str) -> Json:
-    """Return the value that a text means; None if the level is to say nothing.
+    """Return the value that a text means; None if the field is to be left out.
 
-    A text that is no JSON is a formula, a name or words, as they stand between quotes in a file.
+    A text that is not JSON is a string: a formula, a name or words.
     """
     text = typed.strip()
     if not text and not (entry.sort == "text" and entry.required):
@@ -160,7 +158,7 @@ def _rows(key: str, field: FieldInfo, message: str, said: Json, path: Path) -> I
 
 
 def _are_parts(said: Sequence[Json]) -> bool:
-    """Return whether all of a list has fields; a point has none, and is typed with its list."""
+    """Return whether all items of a list have fields; points have none, and are typed in it."""
     return not isinstance(said, str) and all(isinstance(item, Mapping) for item in said)
 
 
@@ -205,7 +203,7 @@ def _entry(
 
 
 def _shown(said: Json) -> str:
-    """Return what a level says as a person would type it into a field."""
+    """Return a value as a person would type it into a field."""
     if said is None:
         return ""
     return said if isinstance(said, str) else json.dumps(said, ensure_ascii=False)
@@ -222,7 +220,7 @@ def _default(default: object) -> str:
 
 
 def bare(kind: Any) -> Any:  # noqa: ANN401 (a type is any object)
-    """Return a type without what is said beside it, and without None."""
+    """Return a type without annotations, and without None."""
     while True:
         if get_origin(kind) is Annotated:
             kind = get_args(kind)[0]
@@ -236,7 +234,7 @@ def bare(kind: Any) -> Any:  # noqa: ANN401 (a type is any object)
 
 
 def model_of(kind: Any, said: Mapping[str, Json]) -> type[Model] | None:  # noqa: ANN401
-    """Return the model of a part of a type: of several that one which its type, or event, names."""
+    """Return the model of a part; in a union, that which the part's `type` or `event` names."""
     kind = bare(kind)
     if isinstance(kind, type) and issubclass(kind, Model):
         return kind
@@ -249,14 +247,14 @@ def model_of(kind: Any, said: Mapping[str, Json]) -> type[Model] | None:  # noqa
 
 
 def _is_named(model: type[Model], said: Mapping[str, Json]) -> bool:
-    """Whether a part says by its type, or by its event, that it is of a model."""
+    """Return whether the `type` or the `event` of a part names a model."""
     fields = model.model_fields
     keys = (key for key in ("type", "event") if key in said and key in fields)
     return any(said[key] in get_args(fields[key].annotation) for key in keys)
 
 
 def _members(kind: Any) -> Any:  # noqa: ANN401
-    """Return the type of a list's items, if they are models; None if it is no such list."""
+    """Return the type of a list's items if they are models, else None."""
     arguments = get_args(kind)
     if len(arguments) == 2 and arguments[1] is ...:
         member = bare(arguments[0])
@@ -276,32 +274,32 @@ def _is_point(kind: Any) -> bool:  # noqa: ANN401
 
 
 def _label(key: str) -> str:
-    """Return what a field is called."""
+    """Return the name of a field, in the current language."""
     return say(label_of(key))
 
 
 def label_of(key: str) -> str:
-    """Return what a field is called in English."""
+    """Return the English name of a field."""
     return key.replace("_", " ")
 
 
 def help_of(model: type[Model], name: str) -> str:
-    """Return what is said of a field in English; empty if nothing is."""
+    """Return the English description of a field; empty if there is none."""
     return " ".join(docs(model).get(name, "").split())
 
 
 def choices_of(kind: Any) -> tuple[str, ...]:  # noqa: ANN401 (a type is any object)
-    """Return what a type lets choose from, as it is written in English; nothing for most types."""
+    """Return the English captions of the options of a type; none if it is not a choice."""
     kind = bare(kind)
     said = get_args(kind) if get_origin(kind) is Literal else ()
     return tuple(caption_of(each) for each in said if isinstance(each, str))
 
 
 def caption_of(choice: str) -> str:
-    """Return how something to choose is written in English."""
+    """Return the English caption of an option."""
     return choice.replace("-", " ")
 
 
 def first_of(model: type[Model]) -> str:
-    """Return the first sentence that is said of a model, in English."""
+    """Return the summary line of a model's docstring, in English."""
     return " ".join((model.__doc__ or "").split("\n\n")[0].split())

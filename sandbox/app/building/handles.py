@@ -1,4 +1,4 @@
-"""The handles of the selected body: one turns it, the others change its shape."""
+"""The handles of the selected body: one rotates it, the others change its shape."""
 
 from cmath import rect
 from dataclasses import dataclass
@@ -11,11 +11,11 @@ from sandbox.app.drawing import lines, theme
 from sandbox.app.drawing.camera import Camera
 from sandbox.model.shapes import XY, Arc, Box, Curve
 
-SIZE = 4  # px, half a handle
-REACH = 8.0  # px, from which it can be taken hold of
-STALK = 30.0  # px, of the handle that turns
+SIZE = 4  # px, half the side of a handle
+REACH = 8.0  # px, the distance within which it can be grabbed
+STALK = 30.0  # px, the length of the stalk of the rotation handle
 TURN = -1
-"""The index of the handle that turns; the others are those of `sandbox.editing.edits.handles`."""
+"""The index of the rotation handle; the others are as in `sandbox.editing.edits.handles`."""
 
 _SIDES = ((-1, -1), (0, -1), (1, -1), (1, 0), (1, 1), (0, 1), (-1, 1), (-1, 0))
 """The positions of a box's handles, in halves of its sides."""
@@ -23,26 +23,26 @@ _SIDES = ((-1, -1), (0, -1), (1, -1), (1, 0), (1, 1), (0, 1), (-1, 1), (-1, 0))
 
 @dataclass(frozen=True, slots=True)
 class Handle:
-    """Something to take hold of, and where it is [px]."""
+    """A handle, and its position on the stage [px]."""
 
     index: int
     place: XY
 
 
 def in_plane(body: Drawn, local: XY) -> XY:
-    """Return where a point of a body is in the plane [m]."""
+    """Return the position in the plane of a point in the axes of a body [m]."""
     placed = complex(*body.position) + complex(*local) * rect(1, body.angle)
     return placed.real, placed.imag
 
 
 def in_body(body: Drawn, point: XY) -> XY:
-    """Return where a point of the plane is along a body's own axes [m]."""
+    """Return the position in the axes of a body of a point of the plane [m]."""
     local = (complex(*point) - complex(*body.position)) * rect(1, -body.angle)
     return local.real, local.imag
 
 
 def size_of(body: Drawn) -> tuple[float, float, float, float]:
-    """Return left, bottom, right and top of a body along its own axes, from where it lies [m]."""
+    """Return left, bottom, right and top of a body in its own axes [m]."""
     xs, ys = zip(*body.outline.points, strict=True)
     return min(xs), min(ys), max(xs), max(ys)
 
@@ -57,11 +57,11 @@ def of(body: Drawn, camera: Camera) -> list[Handle]:
 
 
 def _of_shape(body: Drawn) -> list[XY]:
-    """Return where a body's own handles are, along its axes [m]."""
+    """Return the positions of the shape's handles in the axes of the body [m]."""
     points, shape = list(body.outline.points), body.spec.shape
     if body.outline.radius is not None:
         return [(body.outline.radius, 0.0)]
-    if isinstance(shape, Curve):  # whose shape formulas say
+    if isinstance(shape, Curve):  # given by formulas
         return []
     if isinstance(shape, Arc):
         return [points[len(points) // 2]]
@@ -72,7 +72,7 @@ def _of_shape(body: Drawn) -> list[XY]:
 
 
 def _stalk(body: Drawn, camera: Camera) -> tuple[XY, XY]:
-    """Return both ends of the stalk with the handle that turns [px]."""
+    """Return both ends of the stalk of the rotation handle [px]."""
     left, _, right, top = size_of(body)
     x, y = camera.to_screen(in_plane(body, ((left + right) / 2, top)))
     way = rect(STALK, body.angle)
@@ -80,7 +80,7 @@ def _stalk(body: Drawn, camera: Camera) -> tuple[XY, XY]:
 
 
 def at(handles: list[Handle], pixel: XY) -> Handle | None:
-    """Return the handle at a pixel."""
+    """Return the handle at a pixel; None if there is none."""
     near = [(hypot(h.place[0] - pixel[0], h.place[1] - pixel[1]), i) for i, h in enumerate(handles)]
     distance, index = min(near)
     return handles[index] if distance <= REACH else None
@@ -101,7 +101,7 @@ def draw(surface: pygame.Surface, body: Drawn, camera: Camera) -> None:
 
 
 def dragged(body: Drawn, index: int, to: XY) -> list[XY]:
-    """Return a body's outline with a handle elsewhere, along its own axes [m]."""
+    """Return a body's outline after a handle was moved, in the axes of the body [m]."""
     points, (x, y) = list(body.outline.points), in_body(body, to)
     if isinstance(body.spec.shape, Box):
         _, _, right, top = size_of(body)
@@ -118,5 +118,5 @@ def dragged(body: Drawn, index: int, to: XY) -> list[XY]:
 
 
 def _stretched(half: float, side: int, to: float) -> tuple[float, float]:
-    """Return both ends of a box's side after one of them was moved [m]."""
+    """Return both ends of a box's side after one was moved [m]."""
     return (to if side < 0 else -half), (to if side > 0 else half)

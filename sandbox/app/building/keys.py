@@ -49,7 +49,7 @@ HELP: tuple[tuple[str, str], ...] = (
 
 
 class Keyed(Protocol):
-    """What keys act on: the editor."""
+    """The editor, as far as the keys use it."""
 
     tools: Toolbox
     trying: ModeSwitch
@@ -57,16 +57,16 @@ class Keyed(Protocol):
 
     @property
     def bench(self) -> Work:
-        """What tools change: the level, or its run."""
+        """The level or its run, whichever the tools change."""
         ...
 
     def go_on(self) -> None:
-        """Let time run again, once nothing is being drawn into the run."""
+        """Let time run again unless something is being drawn into the run."""
         ...
 
 
 def press(editor: Keyed, event: pygame.event.Event, session: Session) -> bool:
-    """Do what a pressed key means, and return whether it means anything here."""
+    """Handle a pressed key, and return whether it has a meaning here."""
     if event.mod & CONTROL:
         return _with_control(editor, event, session)
     kind = next((k for k in TOOLS if event.unicode and k.key == event.unicode), None)

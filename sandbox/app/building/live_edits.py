@@ -1,7 +1,7 @@
 """Edits of a running level: bodies are added, removed or changed while it runs.
 
-A change is one of the present state, as a level. The run goes on as that level from this step on,
-and keeps it among its actions, so that it can be taken again, shared, and taken back.
+The present state is edited as a level, with which the run continues from this step on. The run
+keeps the change among its actions, so that it can be repeated, shared and undone.
 """
 
 from sandbox.app.building.edited_level import Work
@@ -19,14 +19,14 @@ KEPT = later("The present state is a level of its own now; the original level is
 
 
 class Live(Work):
-    """What is on the stage while the run is shown.
+    """The editable state of the run, on the stage while the run is shown.
 
     Attributes
     ----------
     session
         The session of the run.
     stands
-        Whether time stands until what is being drawn into the run is done.
+        Whether time is stopped while something is being drawn into the run.
     """
 
     session: Session
@@ -44,11 +44,11 @@ class Live(Work):
 
     @property
     def fresh(self) -> bool:
-        """Whether it is what the run has come to."""
+        """Whether it is the present state of the run."""
         return self._seen == self._now
 
     def look(self) -> None:
-        """Take in where the run stands."""
+        """Read the present state of the run."""
         if self.fresh:
             return
         self._seen, chosen = self._now, self.selected
@@ -63,7 +63,7 @@ class Live(Work):
         self.select(chosen)
 
     def stop_time(self) -> None:
-        """Let time stand while something is drawn into the run."""
+        """Stop time while something is drawn into the run."""
         self.stands, self.session.playing = self.stands or self.session.playing, False
 
     def let_time_run(self) -> None:
@@ -72,12 +72,12 @@ class Live(Work):
             self.stands, self.session.playing = False, self.session.failure is None
 
     def put(self, text: str, said: str, merge: str | None = None) -> None:
-        """Let the run go on with another text.
+        """Let the run continue with a changed text.
 
         Raises
         ------
         SandboxError
-            If it cannot; then all stays as it was.
+            If it cannot; nothing is changed then.
         """
         if self._refused:
             raise SandboxError(self._refused)
@@ -99,7 +99,7 @@ class Live(Work):
         Raises
         ------
         SandboxError
-            If no level can begin like that.
+            If no level can start from this state.
         """
         draft = Draft.of(self.session.original.text)
         draft.change(as_it_stands(self.session.world, anew=True), say("keep the run as a level"))

@@ -10,18 +10,18 @@ from sandbox.model.errors import SandboxError
 
 
 class ModeSwitch:
-    """Goes from building to the run and back; undo and redo go through both."""
+    """Switches between building and the run; undo and redo work across both."""
 
     def __init__(self, work: Work, trial: Trial, tools: Toolbox, applying: Applying) -> None:
         self._work, self._trial, self._tools, self._applying = work, trial, tools, applying
 
     @staticmethod
     def is_shown(session: Session) -> bool:
-        """Whether the run is shown, and not the level as it is built."""
+        """Return whether the run is shown rather than the level under edit."""
         return session.playing or session.world.steps > 0 or session.sought is not None
 
     def begin(self, session: Session) -> bool:
-        """Prepare to let time run, and return whether that can be; if not, say why."""
+        """Prepare to let time run, and return whether it can; show the reason if not."""
         self._tools.cancel()
         if not self._applying.apply_pending(session):
             reason = self._applying.refusal
@@ -30,14 +30,14 @@ class ModeSwitch:
         return True
 
     def toggle(self, session: Session) -> None:
-        """Let time run; go back to the start if it runs already."""
+        """Let time run; if the run is shown already, go back to the start."""
         if self.is_shown(session):
             self.back(session)
         elif self.begin(session):
             session.toggle()
 
     def back(self, session: Session) -> None:
-        """Go back to the start, and to building; from where `come_back` returns."""
+        """Go back to the start, and to building; `come_back` returns to the run."""
         if self.is_shown(session):
             self._trial.leave(session)
             session.restart()
@@ -46,7 +46,7 @@ class ModeSwitch:
         self.follow(session)
 
     def come_back(self, session: Session) -> None:
-        """Go on with the run of this level that was left."""
+        """Continue the run of this level that was left."""
         self._applying.take_up(session)
         text = self._work.draft.text
         if self._applying.apply_pending(session) and self._trial.left(text):
@@ -54,7 +54,7 @@ class ModeSwitch:
         self.follow(session)
 
     def follow(self, session: Session) -> None:
-        """Take up the run or the level, whichever is shown, with its own tools."""
+        """Let the tools act on the run or the level, whichever is shown."""
         live = self._trial.live
         live.session = session
         bench = live if self.is_shown(session) else self._work
@@ -69,7 +69,7 @@ class ModeSwitch:
         bench.show()
 
     def look(self, session: Session) -> None:
-        """Take in the state of the run, before it is changed."""
+        """Read the state of the run before it is changed."""
         self.follow(session)
         if self._tools.bench is self._trial.live:
             self._trial.live.look()
@@ -97,7 +97,7 @@ class ModeSwitch:
             self._work.redo()
 
     def _change_again(self, session: Session) -> None:
-        """Change the run again where that was taken back."""
+        """Redo a change of the run that was undone."""
         bench = self._tools.bench
         try:
             done = self._trial.do_again(session)
@@ -107,7 +107,7 @@ class ModeSwitch:
             bench.tell(say("Done again") if done else say("Nothing to redo"))
 
     def undoes(self, session: Session) -> str | None:
-        """Return what would be undone next, in words."""
+        """Return the description of what would be undone next; None if nothing."""
         if not self.is_shown(session):
             return self._work.draft.undoes
         if self._trial.changed(session):
@@ -115,7 +115,7 @@ class ModeSwitch:
         return say("the run")
 
     def redoes(self, session: Session) -> str | None:
-        """Return what would be done again next, in words."""
+        """Return the description of what would be redone next; None if nothing."""
         if self.is_shown(session):
             return say("change the run") if self._trial.is_taken_back(session) else None
         if self._trial.is_undone(self._work.draft.text):

@@ -16,7 +16,7 @@ from sandbox.app.drawing.theme import Color
 from sandbox.app.stage.grid import RULER
 from sandbox.model.shapes import XY
 
-WIDE = 2.0  # px, of the line around what is selected
+WIDE = 2.0  # px, the width of the line around the selection
 PADDING = 8  # px, around a hint
 FRAME = 8.0  # px, between a group and the frame around it
 
@@ -24,7 +24,7 @@ caught = preview.caught
 
 
 class Picture:
-    """A level as it is drawn, with what is selected, kept until that or the camera changes."""
+    """A cached drawing of a level and the selection, until either or the camera changes."""
 
     def __init__(self) -> None:
         self._kept = pygame.Surface((1, 1))
@@ -47,7 +47,7 @@ class Picture:
 def draw_selected(
     surface: pygame.Surface, sketch: Sketch, selected: Sequence[Part], camera: Camera
 ) -> None:
-    """Draw a line around what is selected."""
+    """Draw a line around each selected part."""
     for family, name in selected:
         _around(surface, sketch, family, name, camera, theme.TEXT)
 
@@ -67,7 +67,7 @@ def draw_groups(surface: pygame.Surface, work: Work) -> None:
 def draw_culprits(
     surface: pygame.Surface, sketch: Sketch, names: Collection[str], camera: Camera
 ) -> None:
-    """Mark what is to blame if the level cannot run."""
+    """Mark the parts because of which the level cannot run."""
     for name in names:
         family = "bodies" if name in sketch.bodies else "joints"
         place = _around(surface, sketch, family, name, camera, theme.FAILED)
@@ -81,7 +81,7 @@ def draw_culprits(
 def _around(
     surface: pygame.Surface, sketch: Sketch, family: str, name: str, camera: Camera, color: Color
 ) -> XY | None:
-    """Draw a line around a part, and return where it is on the stage."""
+    """Draw a line around a part, and return a point of it on the stage [px]."""
     points: Sequence[XY] = ()
     closed = False
     if family == "bodies" and name in sketch.bodies:
@@ -97,7 +97,7 @@ def _around(
 def _around_disc(
     surface: pygame.Surface, camera: Camera, center: XY, radius: float, color: Color
 ) -> XY | None:
-    """Draw a line around a disc, and return where its upper right is on the stage [px]."""
+    """Draw a line around a disc, and return its upper right point on the stage [px]."""
     (x, y), wide = camera.to_screen(center), max(radius * camera.scale, 2 * WIDE)
     if wide > lines.FAR or not lines.near([(x, y)]):
         return None
@@ -113,7 +113,7 @@ def draw_around(
     *,
     closed: bool,
 ) -> XY | None:
-    """Draw a line through points of the plane [m], and return where it is on the stage [px]."""
+    """Draw a line through points of the plane [m], and return a point of it on the stage [px]."""
     corners, color = camera.path(points), color or theme.TEXT
     if not corners:
         return None
@@ -125,7 +125,7 @@ def draw_around(
 
 
 def draw_hint(surface: pygame.Surface, pen: Pen, text: str) -> None:
-    """Say at the foot of the stage what to do next."""
+    """Write at the bottom of the stage what to do next."""
     lines_of_text = pen.paragraph(text, surface.width - 80, 13)
     width = max(line.width for line in lines_of_text) + 2 * PADDING
     box = pygame.Rect(0, 0, width, sum(line.height for line in lines_of_text) + PADDING)

@@ -9,12 +9,12 @@ Part = TypeVar("Part")
 
 
 class Readings(Generic[Part]):
-    """Reads parts, and reuses those that are the same in the next scene.
+    """Reads parts, and reuses those that are unchanged in the next scene.
 
     Parameters
     ----------
     read
-        Makes a part of its JSON text, or raises a `ValidationError`.
+        Makes a part from its JSON text, or raises a `ValidationError`.
     """
 
     def __init__(self, read: Callable[[str], Part]) -> None:
@@ -26,7 +26,7 @@ class Readings(Generic[Part]):
         return len(self._now.keys() | self._before.keys())
 
     def begin(self) -> None:
-        """Begin the next scene; parts that are not in it are dropped after it."""
+        """Begin the next scene, after which parts that are not in it are dropped."""
         self._before, self._now = self._now, {}
 
     def __call__(self, text: str) -> Part | None:

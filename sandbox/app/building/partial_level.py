@@ -1,7 +1,7 @@
 """A drawable level from a text with mistakes: every part that can be read is drawn.
 
-Nothing has to run. A part that is as it was is not read again, so that a change to one of five
-hundred bodies takes little longer than a change to one of two.
+The level need not be able to run. An unchanged part is not read again, so that a change to one of
+five hundred bodies takes little longer than a change to one of two.
 """
 
 import json
@@ -33,7 +33,7 @@ from sandbox.model.view import View
 from sandbox.model.wires import along
 
 SIDEWAYS = 2000.0
-"""m, how far a rail is drawn to each side."""
+"""m, the drawn length of a rail on each side."""
 
 _JOINT: TypeAdapter[Joint] = TypeAdapter(Joint, config=ConfigDict(defer_build=True))
 _body = Readings(Body.model_validate_json)
@@ -42,7 +42,7 @@ _joint: Readings[Joint] = Readings(_JOINT.validate_json)
 
 @dataclass(frozen=True, slots=True)
 class Drawn:
-    """A body where it starts."""
+    """A body at the start."""
 
     spec: Body
     outline: Outline
@@ -55,7 +55,7 @@ class Drawn:
         return self.outline.placed(self.position, self.angle)
 
     def covers(self, point: XY, margin: float) -> bool:
-        """Whether it covers a point of the plane, or comes that close to it [m]."""
+        """Return whether it covers a point of the plane, or comes within a margin of it [m]."""
         offset = point[0] - self.position[0], point[1] - self.position[1]
         return self.outline.covers(offset, self.angle, margin)
 
@@ -69,16 +69,16 @@ class Tied:
 
 
 class Sketch:
-    """What a level's text draws.
+    """The drawable content of a level's text.
 
     Attributes
     ----------
     values
         The parameters' default values, and those of constants, as far as they can be read.
     bodies, joints
-        What can be drawn, by name.
+        The bodies and joints that can be drawn, by name.
     view
-        What part of the plane it asks for.
+        The part of the plane that the level asks to show.
     """
 
     def __init__(self, document: Mapping[str, Any]) -> None:
@@ -97,23 +97,23 @@ class Sketch:
         self.view = _view(json.dumps(document.get("view", {})))
 
     def body_at(self, point: XY, margin: float) -> str | None:
-        """Return the body on top at a point, or that close to it [m]; what moves lies on top."""
+        """Return the topmost body within a margin of a point [m]; moving bodies come first."""
         found = [name for name, body in self.bodies.items() if body.covers(point, margin)]
         moving = [name for name in found if self.bodies[name].outline.moves]
         return next(reversed(moving or found), None)
 
     def joint_at(self, point: XY, margin: float) -> str | None:
-        """Return the joint that comes so close to a point [m]; a pin before others."""
+        """Return a joint within a margin of a point [m], preferably a pin."""
         close = [n for n, joint in self.joints.items() if _distance(joint.path, point) <= margin]
         return next((name for name in close if self.is_pin(name)), next(iter(close), None))
 
     def is_pin(self, joint: str) -> bool:
-        """Whether a joint is drawn at one point."""
+        """Return whether a joint is drawn at a single point."""
         path = self.joints[joint].path
         return all(place == path[0] for place in path)
 
     def draw(self, surface: pygame.Surface, camera: Camera, pen: Pen) -> None:
-        """Draw all of it, on its grid."""
+        """Draw all of it, on a grid."""
         grid.draw_grid(surface, camera)
         middle = self._middle(camera)
         for body in self.bodies.values():
@@ -142,7 +142,7 @@ class Sketch:
                 joints.draw_joint(surface, camera, joint.spec, joint.path, slack=False)
 
     def _middle(self, camera: Camera) -> XY:
-        """Return a point where things happen [m]."""
+        """Return the mean position of the moving bodies, or the centre of the view [m]."""
         places = [body.position for body in self.bodies.values() if body.outline.moves]
         if not places:
             return camera.center
@@ -151,14 +151,14 @@ class Sketch:
 
 
 def _distance(path: Sequence[XY], point: XY) -> float:
-    """Return how far a point is from a broken line [m]."""
+    """Return the distance of a point from a polyline [m]."""
     if len(path) == 1:
         return dist(point, path[0])
     return min(lines.distance(a, b, point) for a, b in pairwise(path))
 
 
 def _mapping(document: Mapping[str, Any], name: str) -> Mapping[str, Any]:
-    """Return a part whose members have names; an empty one if it is none."""
+    """Return a part that is an object; an empty one if it is not."""
     part = document.get(name)
     return part if isinstance(part, dict) else {}
 
@@ -171,7 +171,7 @@ def _numbers(parameters: Mapping[str, Any]) -> Iterator[tuple[str, float]]:
 
 
 def _with_constants(parameters: Mapping[str, float], said: Mapping[str, Any]) -> dict[str, float]:
-    """Return the values of parameters, and of those constants that have one."""
+    """Return the values of the parameters, and of those constants that can be evaluated."""
     values, constants = dict(parameters), dict[str, Expression]()
     for name, formula in said.items():
         with suppress(SandboxError, TypeError):
@@ -209,19 +209,19 @@ def _tied(
         try:
             if joint is not None:
                 yield name, Tied(joint, tuple(_path(joint, specs, values)))
-        except (SandboxError, ArithmeticError, LookupError):  # or an end at no body
+        except (SandboxError, ArithmeticError, LookupError):  # or an end at a missing body
             continue
 
 
 def _open(events: Mapping[str, Any]) -> frozenset[str]:
-    """Return the joints that some event ties, as far as events can be read."""
+    """Return the joints that an event ties, as far as events can be read."""
     lists = [event.get("tie") for event in events.values() if isinstance(event, Mapping)]
     named = (name for names in lists if isinstance(names, list) for name in names)
     return frozenset(name for name in named if isinstance(name, str))
 
 
 def _path(joint: Joint, specs: Mapping[str, Body], values: Values) -> list[XY]:
-    """Return the points that a joint is drawn through [m]."""
+    """Return the points through which a joint is drawn [m]."""
     if isinstance(joint, Wire):
         return [(p.real, p.imag) for p in along(joint, values, 256).tolist()]
     path = [(p.real, p.imag) for p in (place(end, specs, values) for end in points(joint))]

@@ -12,30 +12,30 @@ Part = tuple[str, str]
 
 
 class Snapped(NamedTuple):
-    """Where a point was caught, and what by."""
+    """A point after snapping, and what it snapped to."""
 
     point: XY
     """m"""
     by: str
-    """such as `grid`, or what is touched; empty where nothing caught it"""
+    """such as `grid`, or the bodies that are touched; empty if it did not snap"""
 
 
 @dataclass(frozen=True)
 class Spot:
-    """Where the mouse is.
+    """The position of the mouse.
 
     Attributes
     ----------
     pixel
-        On the stage [px].
+        Its position on the stage [px].
     free
-        In the plane, as the mouse says [m].
+        Its position in the plane, before snapping [m].
     shift
         Whether Shift is held.
     loose
-        Whether Alt is held, so that nothing catches what is drawn or moved.
+        Whether Alt is held, which turns off snapping.
     catch
-        What catches a point.
+        The function that snaps a point.
     """
 
     pixel: XY
@@ -46,10 +46,10 @@ class Spot:
 
     @cached_property
     def snapped(self) -> Snapped:
-        """The same place, where the grid or a part of the scene has caught it."""
+        """The position after snapping to the grid or a part of the scene."""
         return Snapped(self.free, "") if self.loose else self.catch(self.free)
 
     @property
     def point(self) -> XY:
-        """Where a point is put that is set here [m]."""
+        """The position of a point that is set here [m]."""
         return self.snapped.point

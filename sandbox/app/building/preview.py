@@ -12,12 +12,12 @@ from sandbox.app.words.formatting import number
 from sandbox.app.words.language import say
 from sandbox.model.shapes import XY
 
-MARK = 6.0  # px, the radius of the mark where a point is caught
-ASIDE = 16  # px, from the mouse to what is written beside it
+MARK = 6.0  # px, the radius of the mark where a point snapped
+ASIDE = 16  # px, from the mouse to the text beside it
 
 
 def metres(value: float) -> str:
-    """Return a length for a person to read, to a millimetre or as fine as it is."""
+    """Return a length as text, to four digits."""
     return f"{number(value, 4)} m"
 
 
@@ -33,14 +33,14 @@ def outline(
 
 
 def dots(surface: pygame.Surface, camera: Camera, points: Sequence[XY]) -> None:
-    """Mark points that have been set [m]."""
+    """Mark points that were set [m]."""
     for place in camera.path(points):
         pygame.draw.aacircle(surface, theme.STAGE, place, 5)
         pygame.draw.aacircle(surface, theme.ACCENT, place, 4)
 
 
 def measure(surface: pygame.Surface, pen: Pen, pixel: XY, text: str) -> None:
-    """Write what is measured beside the mouse, on a ground of its own."""
+    """Write a measure beside the mouse, on a background."""
     line = pen.write(text, 13)
     box = line.get_rect(topleft=(round(pixel[0]) + ASIDE, round(pixel[1]) + ASIDE)).inflate(12, 6)
     box.clamp_ip(surface.get_rect())
@@ -50,7 +50,7 @@ def measure(surface: pygame.Surface, pen: Pen, pixel: XY, text: str) -> None:
 
 
 def caught(surface: pygame.Surface, camera: Camera, pen: Pen, snapped: Snapped) -> None:
-    """Mark where a point was caught, and say what by unless that is the grid."""
+    """Mark a point that snapped, and write what it snapped to unless that is the grid."""
     if not snapped.by:
         return
     x, y = camera.to_screen(snapped.point)

@@ -1,4 +1,4 @@
-"""Choices about files: recover unsaved work, or keep one of two versions."""
+"""Choices about files: recovering unsaved work, or keeping one of two versions."""
 
 from functools import partial
 from time import localtime, strftime
@@ -15,18 +15,18 @@ from sandbox.editing.recovery import Recoverable
 from sandbox.model.level import Level
 
 MOST = 6
-"""How many drafts are offered."""
+"""The largest number of drafts that are offered."""
 
 
 class Offer(NamedTuple):
-    """Something to choose, and the ways to choose."""
+    """A choice: its text and its buttons."""
 
     text: str
     ways: tuple[Act, ...]
 
 
 def offers(editor: Editor, session: Session) -> list[Offer]:
-    """Return the choices that are open now."""
+    """Return the present choices."""
     found = [_recovering(left, editor, session) for left in (editor.drafts.left or ())[:1]]
     if others := editor.drafts.unsaved(editor.work.draft)[:MOST]:
         ways = tuple(_going_on(draft, editor, session) for draft in others)
@@ -72,7 +72,7 @@ def _recovering(left: Recoverable, editor: Editor, session: Session) -> Offer:
 
 
 def recover(left: Recoverable, editor: Editor, session: Session) -> None:
-    """Go on with what a window has left; it is offered no more once it is kept as this one's."""
+    """Continue an earlier window's draft; once this window keeps it, it is no longer offered."""
     editor.begin(session, left.draft())
     if why := editor.drafts.keep():
         editor.work.tell(say(why))

@@ -20,13 +20,13 @@ TOLD: Mapping[Kind, str] = {
     "line": later("in line"),
     "side": later("side"),
 }
-"""What a point snapped to, in words."""
+"""The descriptions of what a point snapped to."""
 
-REACH = 10.0  # px, from which a point or a body is caught
+REACH = 10.0  # px, the distance within which a point or a body snaps
 
 
 class Scene(Protocol):
-    """What is snapped to: the work."""
+    """The work, as far as snapping uses it."""
 
     camera: Camera
     ignored: frozenset[str]
@@ -38,14 +38,14 @@ class Scene(Protocol):
 
 
 class Snapping:
-    """Catches at the grid, at ends and centres, and where bodies touch."""
+    """Snaps points to the grid, to ends and centres, and bodies to where they touch."""
 
     def __init__(self, work: Scene) -> None:
         self._work = work
 
     @property
     def grid(self) -> float:
-        """The distance of two points of the grid [m]."""
+        """The spacing of the grid [m]."""
         return snapping.grid_step(1 / self._work.camera.scale)
 
     @property
@@ -53,18 +53,18 @@ class Snapping:
         return REACH / self._work.camera.scale
 
     def point(self, free: XY, *, in_line: bool = False) -> Snapped:
-        """Return where a point is caught; in line with what moves, if that is asked for."""
+        """Return a point after snapping, with `in_line` also to the lines of moving bodies."""
         work = self._work
         try:
             found = snapping.snap_point(
                 work.level, free, self._reach, self.grid, work.ignored, in_line=in_line
             )
-        except SandboxError:  # what was made last is no level, and is about to be taken back
+        except SandboxError:  # the last edit made an invalid level, and will be undone
             return Snapped(free, "")
         return Snapped(found.point, TOLD.get(found.kind, "") if found.kind else "")
 
     def moved(self, names: Sequence[str], by: XY) -> Snapped:
-        """Return by how much to move bodies so that they touch what they come near [m]."""
+        """Return the displacement with which bodies touch what they come near [m]."""
         try:
             found = snapping.snap_body(self._work.level, names, by, self._reach, self.grid)
         except SandboxError:

@@ -1,4 +1,4 @@
-"""The toolbox: which tool is in hand, and what it changes, the level or its run."""
+"""The toolbox: the current tool, and what it changes: the level or its run."""
 
 from sandbox.app.building.edited_level import Work
 from sandbox.app.building.tools.joining import JoinTool
@@ -10,14 +10,14 @@ FIRST = TOOLS[0].name
 
 
 class Toolbox:
-    """The tools, a set for each thing that they change.
+    """The tools: one set for the level, and one for its run.
 
     Attributes
     ----------
     bench
-        What the tools change: the level, or its run.
+        The level or its run, whichever the tools change.
     tool
-        The name of the tool in hand.
+        The name of the current tool.
     """
 
     def __init__(self, level: Work, run: Work) -> None:
@@ -26,11 +26,11 @@ class Toolbox:
         self._tools = {
             bench: {kind.name: kind.make(bench) for kind in TOOLS} for bench in (level, run)
         }
-        self._laid_down = FIRST  # while the run is shown
+        self._laid_down = FIRST  # the level's tool while the run is shown
 
     @property
     def hand(self) -> Tool:
-        """The tool in hand."""
+        """The current tool."""
         return self._tools[self.bench][self.tool]
 
     @property
@@ -41,18 +41,18 @@ class Toolbox:
         return tool
 
     def choose(self, tool: str) -> None:
-        """Take a tool in hand."""
+        """Make a tool the current one."""
         self.cancel()
         self.tool = tool
         self.bench.show()
 
     def cancel(self) -> None:
-        """Cancel what was begun."""
+        """Cancel what is being drawn."""
         while self.hand.busy:
             self.hand.cancel()
 
     def give_up(self) -> None:
-        """Cancel what was begun; else deselect everything; else take the first tool."""
+        """Cancel what is being drawn; else deselect everything; else choose the first tool."""
         if self.hand.busy:
             self.hand.cancel()
         elif self.bench.selected:
@@ -61,7 +61,7 @@ class Toolbox:
             self.choose(FIRST)
 
     def turn_to(self, bench: Work) -> None:
-        """Change the level or the run from now on; in the run the mouse is a hand at first."""
+        """Let the tools act on the level or the run; in the run the first tool is chosen."""
         self.cancel()
         self.bench = bench
         if bench is self._run:

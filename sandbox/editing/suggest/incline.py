@@ -27,23 +27,24 @@ from sandbox.model.shapes import Box, Polygon
 from sandbox.physics.geometry.distance import Gap, gap
 
 EXACT = 1e-9
-"""The bound of the check: a uniform acceleration is exact to rounding."""
+"""The tolerance of the checks: a uniform acceleration is exact to rounding."""
 
 LEAST, MOST = 0.01, 1.5
 """rad, the range of slopes."""
 
 HAIR = 1e-9
-"""m, by which bodies that overlap by rounding are separated to find the sides that touch."""
+"""m, the displacement that separates bodies which overlap by rounding, to find the touching
+sides."""
 
 FLAT = 1e-7
-"""rad, by which the angle of a body may differ from that of its slope."""
+"""rad, the largest difference between the angles of a body and its slope."""
 
 HALF = 0.6
-"""The share of a body's side that must lie on the slope, so that it does not tip over the end."""
+"""The least share of a body's side on the slope, so that it does not tip over the end."""
 
 
 def suggestions(scene: Scene) -> Iterator[Suggestion]:
-    """Yield the closed forms of the blocks that lie flat on a slope."""
+    """Yield the closed forms for blocks that lie flat on a slope."""
     if scene.fall is None or not scene.only("gravity", "contact", "friction", "rotation"):
         return
     if scene.level.effects.contact is None:
@@ -58,7 +59,7 @@ def suggestions(scene: Scene) -> Iterator[Suggestion]:
 
 
 def _lies_on(scene: Scene, block: Placed, slope: str) -> Iterator[complex]:
-    """Yield the normal of a slope that stands still and that a block lies flat on."""
+    """Yield the normal of a static slope on which a block lies flat."""
     under = scene.where[slope]
     if under.name == block.name or under.body.type != "static" or under.body.sensor:
         return
@@ -70,9 +71,9 @@ def _lies_on(scene: Scene, block: Placed, slope: str) -> Iterator[complex]:
 
 
 def side(own: Core, core: Core, radius: float) -> Gap:
-    """Return the gap and both ends of the side; the ends are known only without an overlap.
+    """Return the gap and the ends of the touching side; these are known only without overlap.
 
-    Where a line is touched exactly, the normal may point to either side of it.
+    If a line is touched exactly, the normal may point to either side of it.
     """
     found = gap(own, core, radius)
     if found.distance > 0:
@@ -118,23 +119,23 @@ def _of(scene: Scene, name: str, slope: str, up: complex) -> Iterator[Suggestion
 
 
 def _down(scene: Scene, name: str, slope: str) -> Iterator[complex]:
-    """Yield the way down the slope, a unit vector, as it is with the values of a scene."""
+    """Yield the unit vector down the slope, for the parameters of a scene."""
     for up in _lies_on(scene, scene.where[name], slope):
         yield up * (-1j if (up * 1j).imag > 0 else 1j)
 
 
 def _theta(scene: Scene, name: str, slope: str, angle: float) -> str | None:
-    """Return the slope's angle, as the block's own formula if that says it; None if none does."""
+    """Return the slope's angle as a formula, that of the block if it has one; None if unknown."""
     own, under = scene.level.bodies[name].angle, scene.level.bodies[slope]
     if own.names and abs(own(scene.values) - angle) < FLAT:
         return str(own.source)
-    if own.names and abs(own(scene.values) + angle) < FLAT:  # it rises to the left
+    if own.names and abs(own(scene.values) + angle) < FLAT:  # the slope rises to the left
         return str(negative(own))
     return None if names_in((under.shape, under.angle)) else repr(plain(angle))
 
 
 def friction(scene: Scene, name: str, slope: str) -> str | None:
-    """Return the coefficient of the pair as a formula; None if it sticks more than it rubs."""
+    """Return the pair's coefficient as a formula; None if set by pair or with static friction."""
     effect = scene.level.effects.friction
     if effect is None:
         return "0"
@@ -148,7 +149,7 @@ def friction(scene: Scene, name: str, slope: str) -> str | None:
 
 
 def _until(scene: Scene, name: str, slope: str, way: Callable[[float], complex]) -> float:
-    """Return when the block comes to the end of its slope, or meets something else [s]."""
+    """Return the time at which the block reaches the end of its slope or another body [s]."""
     free = scene.free_until(name, way, (slope,))
     whole = _length(scene, name, slope, 0j)
     for t in np.linspace(0, free, SAMPLES).tolist():
@@ -158,7 +159,7 @@ def _until(scene: Scene, name: str, slope: str, way: Callable[[float], complex])
 
 
 def _length(scene: Scene, name: str, slope: str, way: complex) -> float:
-    """Return how long the side is with which a block that was moved lies on its slope [m]."""
+    """Return the length of the side with which a displaced block lies on its slope [m]."""
     block, under = scene.where[name], scene.where[slope]
     found = [
         side(moved(own, way), core, under.radius) for own in block.cores for core in under.cores

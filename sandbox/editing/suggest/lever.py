@@ -1,7 +1,7 @@
-"""Weights on a level plank on a pin, let go: α = g Σ m l / I; it balances where Σ m l = 0.
+"""Weights on a horizontal plank on a pin, at release: α = g Σ m l / I, and balance if Σ m l = 0.
 
-A weight that lies flat turns along with the plank; friction, where it is enough, carries it around
-the pin, else only its way up and down is that of the plank.
+A weight that lies flat turns with the plank. With sufficient friction it also moves around the pin;
+without friction, only its vertical motion is that of the plank.
 """
 
 from collections.abc import Iterator, Sequence
@@ -26,39 +26,39 @@ from sandbox.model.shapes import Box, Disc, Point
 from sandbox.physics.geometry.distance import Gap
 
 NEAR = 1e-4
-"""The bound of the check at the rate below: the plank turns a little within the first step."""
+"""The tolerance of the check at the rate below, as the plank turns a little in the first step."""
 
 STEPS = 2000.0
-"""The square of the rate, as a multiple of the angular acceleration."""
+"""The square of the rate over the angular acceleration."""
 
 FLAT = 1e-7
-"""By how much the normal of a body on a level plank may be off."""
+"""The tolerance of the normal between a body and the horizontal plank."""
 
 PRESSED = 0.05
-"""The least share of a weight that must press on the plank, so that it stays on it."""
+"""The least normal force on the plank, as a share of the weight, for it to stay on the plank."""
 
 ROUND = 9
-"""Decimals of an arm: nanometres."""
+"""The decimals of a lever arm, to a nanometre."""
 
 STICKS = 0.8
-"""The share of the available friction that must be enough."""
+"""The largest friction needed, as a share of the largest available."""
 
 
 class Weight(NamedTuple):
-    """What turns about a pin: its mass, its arms from the pin, and its own moment, as formulas."""
+    """A body that turns about a pin: its mass, lever arms and moment of inertia, as formulas."""
 
     name: str
     mass: str
     across: str
-    """m, to the right"""
+    """m, the horizontal lever arm, positive to the right"""
     up: str
-    """m; 0 if it is not carried around"""
+    """m, the vertical lever arm; 0 if friction does not carry the body around the pin"""
     moment: str
-    """kg m²; 0 if it does not turn along"""
+    """kg m², about its centre of mass; 0 if it does not turn with the plank"""
 
     @property
     def inertia(self) -> list[str]:
-        """Its terms of I."""
+        """Its terms in I."""
         arms = [f"{arm}**2" for arm in (self.across, self.up) if arm != "0"]
         square = f"({' + '.join(arms)})" if len(arms) > 1 else "".join(arms)
         carried = [f"{self.mass}*{square}"] if arms else []
@@ -66,7 +66,7 @@ class Weight(NamedTuple):
 
 
 def suggestions(scene: Scene) -> Iterator[Suggestion]:
-    """Yield the closed forms of the levers."""
+    """Yield the closed forms for levers."""
     fall, effects = scene.fall, scene.level.effects
     if fall is None or not scene.only("gravity", "contact", "friction", "rotation"):
         return
@@ -84,7 +84,7 @@ def suggestions(scene: Scene) -> Iterator[Suggestion]:
 
 
 def _lever(scene: Scene, weights: Sequence[Weight], form: str) -> Suggestion:
-    """Return what is suggested of a lever."""
+    """Return the suggestion for a lever."""
     label, quantity = "angular acceleration", f"{weights[0].name}.angular_acceleration"
     fastest = max(abs(Expression(form)(each.known)) for each in scene.everywhere)
     checks = (check(label, quantity, form, NEAR, scale="1", at=0),)
@@ -93,7 +93,7 @@ def _lever(scene: Scene, weights: Sequence[Weight], form: str) -> Suggestion:
 
 
 def _weights(scene: Scene, joint: Joint) -> list[Weight]:
-    """Return a level plank that a pin holds at the plane, and what lies on it; else nothing."""
+    """Return a horizontal plank pinned to the plane, and the bodies on it; else nothing."""
     if not isinstance(joint, Pivot):
         return []
     plank, pin = joint.ends if body_of(joint.ends[0]) else joint.ends[::-1]
@@ -108,7 +108,7 @@ def _weights(scene: Scene, joint: Joint) -> list[Weight]:
 
 
 def _weight(scene: Scene, name: str, pin: Point, plank: str | None) -> Weight | None:
-    """Return a weight that lies on a plank, or the plank; None where it has no short formula."""
+    """Return a body on a plank, or the plank itself; None if it has no short formula."""
     body, moment = scene.level.bodies[name], _moment(scene, name)
     across, up = (_minus(place, at) for place, at in zip(body.position, pin, strict=True))
     if plank:
@@ -120,7 +120,7 @@ def _weight(scene: Scene, name: str, pin: Point, plank: str | None) -> Weight | 
 
 
 def _lying(scene: Scene, plank: str) -> list[str]:
-    """Return what lies on a plank; nothing if it is not level, or if anything else touches."""
+    """Return the bodies on a plank; none if it is not horizontal, or anything else touches."""
     level, board = scene.level, scene.where[plank]
     straight = isinstance(board.body.shape, Box) and abs(board.turn.imag) < FLAT
     if not straight or len(scene.joints[plank]) != 1 or board.body.type != "dynamic":
@@ -141,19 +141,19 @@ def _touch(scene: Scene, one: str, other: str) -> bool:
 
 
 def _lies(weight: Placed, board: Placed) -> bool:
-    """Whether a disc, or a body with a whole side, lies on top of a plank."""
+    """Return whether a disc, or a body with a whole side, lies on top of a plank."""
     under, enough = _under(weight, board), 1 if isinstance(weight.body.shape, Disc) else 2
     return abs(under.normal + 1j) < FLAT and len(under.points) == enough
 
 
 def _under(weight: Placed, board: Placed) -> Gap:
-    """Return how a weight and a plank touch."""
+    """Return the gap between a weight and a plank."""
     found = [side(own, board.cores[0], weight.radius) for own in weight.cores]
     return min(found, key=lambda one: one.distance)
 
 
 def _moment(scene: Scene, name: str) -> str | None:
-    """Return the moment of a body about its centre, as a formula, where that is a short one."""
+    """Return the moment of inertia about the centre as a formula; None if it has no short one."""
     body = scene.level.bodies[name]
     if body.moment is not None:
         return said(body.moment)
@@ -166,7 +166,7 @@ def _moment(scene: Scene, name: str) -> str | None:
 
 
 def _minus(one: Expression, other: Expression) -> str:
-    """Return a difference: a number where both are."""
+    """Return a difference as a formula; a number if both are numbers."""
     if not one.names and not other.names:
         number = plain(round(one({}) - other({}), ROUND))
         return f"({number!r})" if number < 0 else f"{number!r}" if number else "0"
@@ -174,7 +174,7 @@ def _minus(one: Expression, other: Expression) -> str:
 
 
 def _stay(scene: Scene, joint: Joint, weights: Sequence[Weight], form: str) -> bool:
-    """Whether the same weights lie on the plank, and stay on it as it begins to turn."""
+    """Return whether the same weights lie on the plank, and stay as it begins to turn."""
     if _weights(scene, joint) != list(weights):
         return False
     alpha = Expression(form)(scene.known)
@@ -182,7 +182,7 @@ def _stay(scene: Scene, joint: Joint, weights: Sequence[Weight], form: str) -> b
 
 
 def _stays(scene: Scene, weight: Weight, plank: str, alpha: float) -> bool:
-    """Whether a plank that begins to turn keeps a weight pressed within its side."""
+    """Return whether a weight stays pressed on a plank that begins to turn, and does not tip."""
     assert scene.fall is not None
     formulas = weight.mass, weight.across, weight.up, weight.moment
     mass, across, up, moment = (Expression(formula)(scene.known) for formula in formulas)
@@ -193,7 +193,7 @@ def _stays(scene: Scene, weight: Weight, plank: str, alpha: float) -> bool:
     rubs = Expression(friction(scene, weight.name, plank) or "0")(scene.known)
     here, board = scene.where[weight.name], scene.where[plank]
     base = sorted(point.real for point in _under(here, board).points)
-    high = here.center.imag - board.bounds[1].imag  # above where friction acts
+    high = here.center.imag - board.bounds[1].imag  # above the surface, where friction acts
     at = here.center.real + alpha * (moment / mass + high * up) / presses
     held = abs(alpha * up) <= STICKS * rubs * presses
     return held and base[0] - FLAT <= at <= base[-1] + FLAT

@@ -1,4 +1,4 @@
-"""A thrown body: x = x0 + vx t, y = y0 + vy t − g t²/2, until it meets something."""
+"""A thrown body: x = x0 + vx t, y = y0 + vy t − g t²/2, until it meets another."""
 
 from collections.abc import Iterator
 
@@ -6,14 +6,14 @@ from sandbox.editing.suggest.scene import SAFE, Scene, Suggestion, check, instan
 from sandbox.model.expressions import Expression
 
 EXACT = 1e-10
-"""The bound of the check: a uniform acceleration is exact to rounding."""
+"""The tolerance of the checks: a uniform acceleration is exact to rounding."""
 
 SHORTEST = 0.05
-"""s, the shortest flight that is worth a check."""
+"""s, the shortest flight that gets a check."""
 
 
 def suggestions(scene: Scene) -> Iterator[Suggestion]:
-    """Yield the closed forms of the bodies that fly freely."""
+    """Yield the closed forms for bodies in free flight."""
     fall = scene.fall
     if fall is None or not scene.only("gravity", "contact", "friction", "restitution", "rotation"):
         return
@@ -39,6 +39,6 @@ def suggestions(scene: Scene) -> Iterator[Suggestion]:
 
 
 def _free(scene: Scene, name: str, fall: Expression) -> float:
-    """Return for how long a body flies freely [s]."""
+    """Return the duration of the free flight of a body [s]."""
     v, half = scene.velocity(name), complex(0, fall(scene.values) / 2)
     return scene.free_until(name, lambda t: v * t + half * t * t)

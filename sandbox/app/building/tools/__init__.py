@@ -1,1 +1,1 @@
-"""The tools of the editor, a module a family; `register` is the one list of them."""
+"""The tools of the editor, one module for each family; `register` lists them."""

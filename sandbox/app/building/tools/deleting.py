@@ -14,7 +14,7 @@ CROSS = 6.0  # px
 
 
 class DeleteTool:
-    """Takes out what is clicked on."""
+    """Deletes the part that is clicked on."""
 
     busy = False
     hint = later("Click what to delete; a body takes its joints along")
@@ -25,7 +25,7 @@ class DeleteTool:
         self._spot: Spot | None = None
 
     def press(self, spot: Spot) -> None:
-        """Take out what is there."""
+        """Delete the part there."""
         part = self._bench.part_at(spot.pixel)
         if part is not None:
             name = part[1]
@@ -37,20 +37,20 @@ class DeleteTool:
         self._under = None
 
     def move(self, spot: Spot) -> None:
-        """Show what would go."""
+        """Find the part that would be deleted."""
         self._spot, self._under = spot, self._bench.part_at(spot.pixel)
 
     def release(self, spot: Spot) -> None:
-        """Do nothing: to press was enough."""
+        """Do nothing, as the press has deleted the part."""
 
     def finish(self) -> None:
-        """Do nothing: there is nothing to end."""
+        """Do nothing, as there is nothing to finish."""
 
     def cancel(self) -> None:
-        """Do nothing: nothing has been begun."""
+        """Do nothing, as there is nothing to cancel."""
 
     def draw(self, surface: pygame.Surface, pen: Pen) -> None:
-        """Mark what would go."""
+        """Mark the part that would be deleted."""
         if self._under is None or self._spot is None:
             return
         x, y = self._spot.pixel

@@ -1,4 +1,4 @@
-"""The tools for discs and boxes, which are drawn from one point to another."""
+"""The tools for discs and boxes, drawn from one point to another."""
 
 from abc import ABC, abstractmethod
 from math import cos, dist, sin, tau
@@ -17,14 +17,14 @@ from sandbox.model.level import Level
 from sandbox.model.shapes import XY
 
 FINER = 10
-"""How many times as fine the grid becomes where a shape is too small for it."""
+"""The factor by which the grid is finer for shapes that are too small for it."""
 
 
 class Stretching(ABC):
     """Draws by pressing, dragging and releasing, or by two clicks."""
 
     begins = ""
-    """what the first point is"""
+    """The hint for the first point."""
 
     def __init__(self, bench: Bench) -> None:
         self._bench = bench
@@ -38,7 +38,7 @@ class Stretching(ABC):
 
     @property
     def hint(self) -> str:
-        """What to do next, in a few words."""
+        """A hint at what to do next."""
         return later("Release, or click, where it ends") if self.busy else self.begins
 
     def press(self, spot: Spot) -> None:
@@ -48,11 +48,11 @@ class Stretching(ABC):
         self._end = spot
 
     def move(self, spot: Spot) -> None:
-        """Show what there would be."""
+        """Move the second point of the preview."""
         self._end = spot
 
     def release(self, spot: Spot) -> None:
-        """Make it, unless the mouse has not moved: then a second click does."""
+        """Make the shape if the mouse has moved; else a second click makes it."""
         if self._start is None or dist(spot.pixel, self._start.pixel) < STILL:
             return
         one, other = self._start.point, self._reached(self._start, spot)
@@ -60,14 +60,14 @@ class Stretching(ABC):
         self.make(one, other)
 
     def finish(self) -> None:  # noqa: B027 (nothing to do for those that inherit it either)
-        """Do nothing: the second point ends it."""
+        """Do nothing, as the second point finishes the shape."""
 
     def cancel(self) -> None:
         """Forget the first point."""
         self._start = self._end = None
 
     def draw(self, surface: pygame.Surface, pen: Pen) -> None:
-        """Draw its outline and its measures."""
+        """Draw the outline and the measures of the shape."""
         if self._start is None or self._end is None:
             return
         one, other = self._start.point, self._reached(self._start, self._end)
@@ -77,7 +77,7 @@ class Stretching(ABC):
         preview.measure(surface, pen, self._end.pixel, self.measured(one, other))
 
     def _reached(self, start: Spot, end: Spot) -> XY:
-        """Return where it ends [m]: what is too small for the grid is drawn on a finer one."""
+        """Return the second point [m], on a finer grid if the shape is too small for this one."""
         if not self.is_flat(start.point, end.point):
             return end.point
         fine = grid_step(1 / self._bench.camera.scale) / FINER
@@ -90,19 +90,19 @@ class Stretching(ABC):
 
     @abstractmethod
     def is_flat(self, one: XY, other: XY) -> bool:
-        """Whether there would be nothing of it."""
+        """Return whether the shape would have no area."""
 
     @abstractmethod
     def make(self, one: XY, other: XY) -> None:
-        """Put it into the level."""
+        """Add the shape to the level."""
 
     @abstractmethod
     def corners(self, one: XY, other: XY) -> list[XY]:
-        """Return its outline [m]."""
+        """Return the outline of the shape [m]."""
 
     @abstractmethod
     def measured(self, one: XY, other: XY) -> str:
-        """Return how large it is, for a person to read."""
+        """Return the measures of the shape as text."""
 
 
 class DiscTool(Stretching):
@@ -111,11 +111,11 @@ class DiscTool(Stretching):
     begins = later("Press at the disc's centre, and drag to its rim")
 
     def is_flat(self, one: XY, other: XY) -> bool:
-        """Whether it has no radius."""
+        """Return whether the radius is zero."""
         return one == other
 
     def make(self, one: XY, other: XY) -> None:
-        """Put a disc into the level."""
+        """Add a disc to the level."""
 
         def edit(text: str, level: Level) -> Made:
             return bodies.add_disc(text, level, one, other)
@@ -123,13 +123,13 @@ class DiscTool(Stretching):
         self._bench.make(say("draw a disc"), edit)
 
     def corners(self, one: XY, other: XY) -> list[XY]:
-        """Return the circle."""
+        """Return points of the circle [m]."""
         radius = dist(one, other)
         turns = (tau * i / 48 for i in range(48))
         return [(one[0] + radius * cos(a), one[1] + radius * sin(a)) for a in turns]
 
     def measured(self, one: XY, other: XY) -> str:
-        """Return the radius."""
+        """Return the radius as text."""
         return f"r {preview.metres(dist(one, other))}"
 
 
@@ -139,11 +139,11 @@ class BoxTool(Stretching):
     begins = later("Press at one corner of the box, and drag to the opposite one")
 
     def is_flat(self, one: XY, other: XY) -> bool:
-        """Whether it has no width or no height."""
+        """Return whether the width or the height is zero."""
         return one[0] == other[0] or one[1] == other[1]
 
     def make(self, one: XY, other: XY) -> None:
-        """Put a box into the level."""
+        """Add a box to the level."""
 
         def edit(text: str, level: Level) -> Made:
             return bodies.add_box(text, level, one, other)
@@ -151,10 +151,10 @@ class BoxTool(Stretching):
         self._bench.make(say("draw a box"), edit)
 
     def corners(self, one: XY, other: XY) -> list[XY]:
-        """Return the rectangle."""
+        """Return the corners of the rectangle [m]."""
         return [one, (other[0], one[1]), other, (one[0], other[1])]
 
     def measured(self, one: XY, other: XY) -> str:
-        """Return width and height."""
+        """Return the width and the height as text."""
         width, height = abs(other[0] - one[0]), abs(other[1] - one[1])
         return f"{preview.metres(width)} × {preview.metres(height)}"

@@ -1,4 +1,4 @@
-"""The tools: one list, from which the palette, the keys and the help are derived."""
+"""The list of tools, from which the palette, the keys and the help are derived."""
 
 from sandbox.app.building.tools.deleting import DeleteTool
 from sandbox.app.building.tools.discs_and_boxes import BoxTool, DiscTool
@@ -21,5 +21,5 @@ TOOLS: tuple[Kind, ...] = (
 
 
 def kind(name: str) -> Kind:
-    """Return a tool by its name."""
+    """Return the tool of a name."""
     return next(each for each in TOOLS if each.name == name)
