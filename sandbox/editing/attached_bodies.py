@@ -1,4 +1,4 @@
-"""What moves along with a body: bodies pinned to it, and the points that pins hold."""
+"""What moves with a body: bodies pinned to it, and the points of pins and rails."""
 
 from collections.abc import Collection, Mapping
 
@@ -24,11 +24,11 @@ from sandbox.model.level import Level
 from sandbox.model.shapes import evaluate
 
 APART = 1e-12
-"""m, the distance below which two points count as one."""
+"""m, the largest distance at which two points count as one."""
 
 
 def pinned(level: Level, names: Collection[str]) -> set[str]:
-    """Return some bodies, and whatever moves and is pinned to them, however far around."""
+    """Return some bodies, and all but static ones that are pinned to them, even indirectly."""
     found, pending = set(names), list(names)
     couples = [set(bodies_of(j)) for j in level.joints.values() if isinstance(j, Pivot | Motor)]
     while pending:
@@ -41,19 +41,19 @@ def pinned(level: Level, names: Collection[str]) -> set[str]:
 
 
 def attached(text: str, before: Level, moved: Collection[str]) -> str:
-    """Return a level in which pins and rails hold again, after bodies were moved.
+    """Return a level in which pins and rails hold again after bodies were moved.
 
-    The point of the plane, or of a body that stayed, follows the one that moved. A rod whose
-    length is a number is as long as its ends are apart now.
+    The end at the plane, or at a body that stayed, follows the end that moved. If the length of a
+    rod is a number, it becomes the new distance of its ends.
 
     Parameters
     ----------
     text
-        In which every part is well formed by itself.
+        The text of a level, each part of which is valid by itself.
     before
         The level as it was.
     moved
-        The bodies that were moved, turned or made larger.
+        The bodies that were moved, rotated or resized.
     """
     if all(set(bodies_of(joint)).isdisjoint(moved) for joint in before.joints.values()):
         return text
@@ -80,7 +80,7 @@ def _held_again(
     level: Level,
     where: Mapping[str, Placed],
 ) -> Changes:
-    """Return how the end that stayed follows the one that was moved; nothing if both were."""
+    """Return the changes by which the end that stayed follows the other; none if both moved."""
     ends = sorted(ends_of(joint), key=lambda end: body_of(end[1]) in moved)
     (step, stays), (_, goes) = ends
     if body_of(stays) in moved:
@@ -104,5 +104,5 @@ def _shifted_end(path: Path, end: End, by: complex, where: Mapping[str, Placed])
 
 
 def shifted_point(point: tuple[Expression, Expression], by: complex) -> Json:
-    """Return a point that lies elsewhere, coordinate by coordinate."""
+    """Return a point displaced by a vector."""
     return [shifted(coordinate, d) for coordinate, d in zip(point, xy(by), strict=True)]

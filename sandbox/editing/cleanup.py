@@ -12,19 +12,19 @@ from sandbox.model.json_positions import Path
 from sandbox.model.loading import parse
 
 COEFFICIENTS = tuple(name for name, effect in EFFECTS.items() if effect.coefficient)
-"""What every body needs where it is declared; 1 leaves the coefficient of the other body
-unchanged."""
+"""The coefficients that every body needs if the effect is declared; with 1, that of the pair is the
+other body's."""
 
 ROUNDS = 20
-"""How often the level is searched for meaningless parts; removing one can make another
+"""The largest number of searches for meaningless parts; removing one can make another
 meaningless."""
 
 _LISTS = ("pairs", "located", "bodies", *ACTIONS)
-"""The lists of parts in effects and events from which one part can be removed alone."""
+"""The lists in effects and events from which a single name can be removed."""
 
 
 def loads(text: str) -> bool:
-    """Whether a text is a level without mistakes."""
+    """Return whether a text is a level without mistakes."""
     try:
         parse(text)
     except LevelError:
@@ -33,7 +33,7 @@ def loads(text: str) -> bool:
 
 
 def first_that_loads(texts: Iterable[str], otherwise: str) -> str:
-    """Return the first of some texts that is a level without mistakes."""
+    """Return the first of some texts that is a level without mistakes, or another text."""
     return next(filter(loads, texts), otherwise)
 
 
@@ -43,7 +43,7 @@ def accepted(*texts: str) -> str:
     Raises
     ------
     LevelError
-        If none is; its mistakes are those of the first.
+        If there is none, with the mistakes of the first.
     """
     found = first_that_loads(texts, "")
     if not found:
@@ -54,8 +54,8 @@ def accepted(*texts: str) -> str:
 def without_meaning(text: str) -> str:
     """Return a level without parts that refer to missing parts, or have no effect.
 
-    Those are the joints, effects, events, checks, ghosts, goals and parameters at which it has a
-    mistake. Where that does not mend it, the rest of the mistakes stay.
+    Those are the joints, effects, events, checks, ghosts, goals and parameters that have a mistake.
+    Other mistakes remain.
     """
     for _ in range(ROUNDS):
         try:
@@ -70,7 +70,7 @@ def without_meaning(text: str) -> str:
             break
         text = put_all(text, bare)
         for unit in sorted(units, key=_backwards, reverse=True):
-            if unit in Spans(text):  # it may have gone with another
+            if unit in Spans(text):  # it may have been removed with another
                 text = remove(text, unit)
     return text
 
@@ -85,7 +85,7 @@ def _place(told: str, found: Spans) -> Path:
 
 
 def _unit(path: Path) -> Path | None:
-    """Return what goes where something at a path has lost its meaning; None if nothing may."""
+    """Return the path to remove because of a mistake at a path; None if there is none."""
     match path:
         case ("parameters" | "constants" | "checks" | "ghosts" | "joints", _, *_):
             return path[:2]
@@ -101,7 +101,7 @@ def _unit(path: Path) -> Path | None:
 
 
 def _part(path: Path) -> Path:
-    """Return what goes of an effect, an event or the view: a name in a list, an item, or all."""
+    """Return what to remove in an effect, an event or the view: a name, an item, or all."""
     match path:
         case ("effects", "contact", "apart", int(), *_):
             return path[:5]
@@ -125,5 +125,5 @@ def _missing(path: Path, text: str) -> Iterator[Path]:
 
 
 def _backwards(path: Path) -> tuple[tuple[bool, str | int], ...]:
-    """Return a key that puts the later items of a list behind the earlier ones."""
+    """Return a sort key by which later items of a list follow earlier ones."""
     return tuple((isinstance(step, int), step) for step in path)

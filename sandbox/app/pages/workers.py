@@ -1,4 +1,4 @@
-"""The background workers of the pages: one for each page that declares one."""
+"""The background workers of the pages."""
 
 from collections.abc import Sequence
 
@@ -7,12 +7,12 @@ from sandbox.app.runs.session import Session
 
 
 class Workers:
-    """The workers of a window; they live as long as it does.
+    """The workers of a window, with its lifetime.
 
     Attributes
     ----------
     all
-        One for each page that declares one.
+        The workers, one for each page that declares one.
     """
 
     def __init__(self, pages: Sequence[Page]) -> None:
@@ -27,21 +27,21 @@ class Workers:
         return worker(self.all, kind)
 
     def on_stage(self, page: str) -> OnStage | None:
-        """Return what is in the place of the hand while a page is open; None if nothing is."""
+        """Return the worker that handles the mouse on the stage while a page is open, or None."""
         return self._on_stage.get(page)
 
     @property
     def running(self) -> bool:
-        """Whether one of them has something to do."""
+        """Whether a worker has something to do."""
         return any(each.running for each in self.all)
 
     @property
     def news(self) -> tuple[object, ...]:
-        """Other objects whenever something else is to be shown."""
+        """The results of the workers; different objects whenever the display must change."""
         return tuple(each.news for each in self.all)
 
     def follow(self, session: Session, seconds: float, page: str) -> list[str]:
-        """Let some time pass [s] while a page is chosen; return what is to be told."""
+        """Let time pass [s] while a page is open, and return the messages."""
         told = (
             each.follow(session, seconds, watched=command == page)
             for command, each in self._by_page.items()
@@ -49,6 +49,6 @@ class Workers:
         return [text for text in told if text is not None]
 
     def cancel(self) -> None:
-        """End all their work."""
+        """Cancel all work."""
         for each in self.all:
             each.cancel()

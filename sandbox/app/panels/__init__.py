@@ -1,1 +1,1 @@
-"""What stands around the stage: levels, parameters, read-outs, controls, messages."""
+"""The panels around the stage: levels, parameters, read-outs, controls, messages."""

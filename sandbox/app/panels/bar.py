@@ -1,4 +1,4 @@
-"""What all bars at the bottom of the window are made of: buttons for commands, on a ground."""
+"""The base of all bars at the bottom of the window: buttons for commands, on a background."""
 
 from collections.abc import Mapping
 
@@ -32,12 +32,12 @@ class Bar:
         self._buttons: dict[str, UIButton] = {}
 
     def _room(self, *captions: str, main: bool = False) -> int:
-        """Return how wide a button is at the usual scale, whichever its caption will be [px]."""
+        """Return the width of a button that has room for any of its captions, at scale 1 [px]."""
         widest = max(self._pen.write(each, bold=main).width for each in captions)
         return round(widest / self._pen.scale) + PADDING
 
     def _button(self, command: str, text: str, x: int, width: int, *, main: bool = False) -> int:
-        """Make a button, and return where the next one begins."""
+        """Make a button, and return the left edge of the next one [px]."""
         width, height = self._pen.px(width), self._pen.px(HEIGHT)
         place = pygame.Rect(x, self._rect.y + (self._rect.height - height) // 2, width, height)
         self._buttons[command] = UIButton(
@@ -58,13 +58,13 @@ class Bar:
         return next(pressed, None)
 
     def sought(self, _event: pygame.event.Event) -> float | None:
-        """Return which part of the run was clicked on or dragged to, from 0 to 1; None if none."""
+        """Return the share of the run that was clicked or dragged to, from 0 to 1; None if none."""
         return None
 
     def update(self, session: Session | None, shown: Mapping[str, bool]) -> None:
-        """Let the buttons say what is the case."""
+        """Update the buttons."""
 
     def draw(self, surface: pygame.Surface, session: Session | None) -> None:  # noqa: ARG002
-        """Draw the ground; the buttons are the manager's."""
+        """Draw the background; the manager draws the buttons."""
         surface.fill(theme.PANEL, self._rect)
         surface.fill(theme.EDGE, (*self._rect.topleft, self._rect.width, 1))

@@ -14,26 +14,26 @@ from sandbox.app.widgets.widget_helpers import press
 from sandbox.app.words import formatting
 from sandbox.app.words.language import later, say
 
-SPEED = 58  # px, for the number between the two buttons
+SPEED = 58  # px, the width of the number between the two buttons
 
-ROOMY = 900  # px, the window's width from which on there is room for what is shown
-TIGHT = 560  # px, the width below which the clock takes the place of the speed
+ROOMY = 900  # px, the smallest width of the window with buttons for the overlays
+TIGHT = 560  # px, the smallest width with the speed and its buttons
 
 PLAY, PAUSE = later("Play"), later("Pause")
 LEFT: tuple[tuple[str, str], ...] = (
     ("play", PLAY), ("step", later("Step")), ("restart", later("Restart")),
 )  # fmt: skip
 WAYS: tuple[tuple[str, str], ...] = (("fit", later("Fit")), ("help", later("Help")))
-KNOB = 7.0  # px, the radius of what is dragged along the time
-SNAP = 6  # px, from a mark, within which a click means it
-REACH = 24  # px, how much higher than the bar of the time the area is that can be clicked on
+KNOB = 7.0  # px, the radius of the knob on the time bar
+SNAP = 6  # px, the distance from a mark within which a click snaps to it
+REACH = 24  # px, the additional height of the clickable area of the time bar
 MARKED = "grab", "release", "place", "branch", "alter"
-"""The actions that are marked on the time bar; a pull extends from one to the next."""
-NEARLY = 0.95  # of the chosen speed, from which on nobody needs to be told that it is not reached
+"""The actions that are marked on the time bar; a pull lasts from one to the next."""
+NEARLY = 0.95  # share of the chosen speed, above which a lower speed is not reported
 
 
 class Controls(Bar):
-    """Buttons for the commands that are used all the time, and the clock between them."""
+    """Buttons for the most frequent commands, and the clock between them."""
 
     def __init__(self, manager: UIManager, pen: Pen, rect: pygame.Rect) -> None:
         super().__init__(manager, pen, rect)
@@ -58,7 +58,7 @@ class Controls(Bar):
             right = self._button(command, text, right, width)
 
     def sought(self, event: pygame.event.Event) -> float | None:
-        """Return which part of the run was clicked on or dragged to, from 0 to 1; None if none."""
+        """Return the share of the run that was clicked or dragged to, from 0 to 1; None if none."""
         track = self._track
         if event.type == pygame.MOUSEBUTTONDOWN and event.button == 1:
             self._seeking = track.inflate(8, self._pen.px(REACH)).collidepoint(event.pos)
@@ -67,20 +67,20 @@ class Controls(Bar):
         if not self._seeking or event.type not in (pygame.MOUSEBUTTONDOWN, pygame.MOUSEMOTION):
             return None
         share = min(max((event.pos[0] - track.x) / max(track.width, 1), 0.0), 1.0)
-        if event.type == pygame.MOUSEBUTTONDOWN:  # exactly to an impact; what is dragged is free
+        if event.type == pygame.MOUSEBUTTONDOWN:  # a click snaps to an impact, a drag does not
             near = min(self._snaps, key=lambda snap: abs(snap - share), default=share)
             share = near if abs(near - share) * track.width <= self._pen.px(SNAP) else share
         return share
 
     @property
     def _track(self) -> pygame.Rect:
-        """The bar that shows how much of the run is over."""
+        """The time bar."""
         area = self._clock
         px = self._pen.px
         return pygame.Rect(area.x, area.centery + px(8), area.width, px(5))
 
     def update(self, session: Session | None, shown: Mapping[str, bool]) -> None:
-        """Let the buttons say what is the case."""
+        """Update the buttons."""
         playing = session is not None and session.playing
         text = say(PAUSE if playing else PLAY)
         if self._buttons["play"].text != text:
@@ -90,7 +90,7 @@ class Controls(Bar):
                 press(self._buttons[command], on)
 
     def draw(self, surface: pygame.Surface, session: Session | None) -> None:
-        """Draw the bar's ground, the speed and the clock; the buttons are the manager's."""
+        """Draw the background, the speed and the clock; the manager draws the buttons."""
         super().draw(surface, session)
         if session is None:
             return
@@ -127,14 +127,14 @@ class Controls(Bar):
             pygame.draw.aacircle(surface, theme.NOTICE, ring, pen.px(KNOB), 2)
 
     def _mark_impacts(self, surface: pygame.Surface, session: Session) -> None:
-        """Mark where bodies struck, also where that is still to come again."""
+        """Mark the impacts, including those after the present time in a repeated run."""
         track, px = self._track, self._pen.px
         self._snaps = [min(blow.steps / session.span, 1.0) for blow in session.run.marks.shown]
         for x in {round(track.x + track.width * snap) for snap in self._snaps}:
             pygame.draw.aacircle(surface, theme.DIM, (x, track.bottom + px(6)), max(px(2), 2))
 
     def _pointed_at(self, session: Session) -> Iterator[tuple[str, theme.Color]]:
-        """Yield what is said of an impact while the mouse is at its mark."""
+        """Yield the description of an impact while the mouse is at its mark."""
         track, (x, y), snap = self._track, pygame.mouse.get_pos(), self._pen.px(SNAP)
         if not track.inflate(2 * snap, self._pen.px(REACH)).collidepoint(x, y):
             return
@@ -149,7 +149,7 @@ class Controls(Bar):
             yield say("{t}: {a} strikes {b}, {impulse}", t=t, a=a, b=b, impulse=impulse), theme.TEXT
 
     def _mark_acts(self, surface: pygame.Surface, session: Session) -> None:
-        """Mark where a person did something to the run, also where that is still to come again."""
+        """Mark the user's actions, including those after the present time in a repeated run."""
         track, px = self._track, self._pen.px
         steps = {action.step for action in session.all_actions if action.kind in MARKED}
         for x in {round(track.x + track.width * min(step / session.span, 1.0)) for step in steps}:
@@ -159,12 +159,12 @@ class Controls(Bar):
 
 
 def _overlays() -> list[tuple[str, str]]:
-    """Return the overlays that have buttons, and their captions."""
+    """Return the overlays with buttons, and their captions."""
     return [(each.name, each.caption) for each in OVERLAYS if each.caption]
 
 
 def notes(session: Session) -> Iterator[tuple[str, theme.Color]]:
-    """Yield what is said beside the time, the longest first: there may be no room for it."""
+    """Yield the notes beside the time, the longest first, in case there is no room for it."""
     if session.recalled:
         yield say("as recorded; the run itself is on its way there"), theme.NOTICE
         yield say("as recorded"), theme.NOTICE

@@ -1,4 +1,4 @@
-"""Keyboard focus: Tab moves it from widget to widget, and a ring shows where it is."""
+"""Keyboard focus: Tab moves it from widget to widget, and a ring marks the focused one."""
 
 from collections.abc import Mapping, Sequence
 
@@ -22,16 +22,16 @@ APART = 2  # px, between a widget and its ring
 DIALOG = "file_dialog"
 """The prefix of the ids of the file dialog's parts."""
 INNER = ("#sliding_button", "scroll_bar", "#left_button", "#right_button")
-"""The ids of the inner parts of sliders and scroll bars, which are no stops of their own."""
+"""The ids of the inner parts of sliders and scroll bars, which cannot have the focus."""
 
 
 class Focus:
-    """Where the keyboard is among the widgets of a window."""
+    """The keyboard focus among the widgets of a window."""
 
     def __init__(self) -> None:
         self._at: Stop | None = None
-        self._around: list[UIScrollingContainer] = []  # in which it is scrolled
-        self._known = "", 0  # its words and its place, to find it again when all is built anew
+        self._around: list[UIScrollingContainer] = []  # the containers in which it scrolls
+        self._known = "", 0  # its text and index, to find it again after a rebuild
 
     @property
     def lost(self) -> bool:
@@ -50,7 +50,7 @@ class Focus:
         return self._at
 
     def go(self, manager: UIManager, layout: Layout, direction: int) -> None:
-        """Go on to the next widget, or back to the one before, and bring it into view."""
+        """Move to the next or the previous widget, and scroll it into view."""
         found = stops(manager, layout)
         if not found:
             return
@@ -68,13 +68,13 @@ class Focus:
             _show(container, at)
 
     def leave(self) -> bool:
-        """Take the focus from a button or slider; return whether one had it."""
+        """Take the focus from a button or slider, and return whether one had it."""
         had = self._at is not None and not isinstance(self._at, Field)
         self._at = None
         return had
 
     def key(self, manager: UIManager, layout: Layout, event: pygame.event.Event) -> bool:
-        """Press the button or move the slider that has the focus; return whether that was meant."""
+        """Let a key press or slide the focused widget, and return whether it did."""
         if any(isinstance(each, Field) for each in manager.focused_set or ()):
             return False
         at = self.element(manager, layout)
@@ -102,10 +102,10 @@ class Focus:
 
 
 def stops(manager: UIManager, layout: Layout) -> Sequence[Stop]:
-    """Return what the keyboard goes through, in its order.
+    """Return the widgets that can have the focus, in the order of Tab.
 
-    That is the page of the side panel, what stands around it, the bar below, the list of levels,
-    and what stands on the stage. While a file is chosen it is the dialog alone.
+    These are the widgets on the page of the side panel, around it, in the bar below, around and in
+    the list of levels, and on the stage; while the file dialog is open, only those of the dialog.
     """
     every = [each for each in manager.get_sprite_group().sprites() if isinstance(each, Stop)]
     found = [each for each in every if _is_a_stop(each)]
@@ -115,7 +115,7 @@ def stops(manager: UIManager, layout: Layout) -> Sequence[Stop]:
         each
         for each in found
         if not (isinstance(each, UIHorizontalSlider) and id(each.ui_container) in fields)
-    ]  # a parameter's slider goes with its field, in which the arrows do the same
+    ]  # the slider of a parameter is skipped: the arrow keys do the same in its field
     containers = _containers(manager)
     return sorted(kept, key=lambda each: _rank(layout, each, containers))
 
@@ -142,26 +142,26 @@ def _rank(layout: Layout, each: UIElement, containers: Containers) -> tuple[int,
 
 
 def _containers(manager: UIManager) -> Containers:
-    """Return what scrolls, by what is scrolled in it."""
+    """Return the scrolling containers, by the ids of their contents."""
     every = manager.get_sprite_group().sprites()
     found = [each for each in every if isinstance(each, UIScrollingContainer)]
     return {id(each.scrollable_container): each for each in found}
 
 
 def _scrolling(each: UIElement, containers: Containers) -> list[UIScrollingContainer]:
-    """Return the containers in which a widget is scrolled, the innermost first."""
+    """Return the containers in which a widget scrolls, the innermost first."""
     found = []
     container: object = each.ui_container
     while isinstance(container, UIElement):
         if id(container) in containers:
             found.append(containers[id(container)])
         beyond: object = container.ui_container
-        container = None if beyond is container else beyond  # the outermost holds itself
+        container = None if beyond is container else beyond  # the outermost contains itself
     return found
 
 
 def _show(container: UIScrollingContainer, each: UIElement) -> None:
-    """Scroll until a widget is visible, with some room around it."""
+    """Scroll a widget to the middle, unless it is visible."""
     view, place = container.rect, each.rect
     if place.top < view.top or place.bottom > view.bottom:
         scroll(container, scrolled(container) + place.centery - view.centery)
@@ -176,5 +176,5 @@ def _slide(slider: UIHorizontalSlider, direction: int) -> None:
 
 
 def _words(each: UIElement) -> str:
-    """Return what is written on a widget; its kind for one on which nothing is."""
+    """Return the text of a button, or the type of another widget."""
     return str(getattr(each, "text", "")) if isinstance(each, UIButton) else type(each).__name__

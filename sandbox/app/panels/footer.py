@@ -1,4 +1,4 @@
-"""The footer of the side panel: how many checks hold, and where the energy is."""
+"""The footer of the side panel: the verdicts of the checks, and the energies."""
 
 from collections import Counter
 from collections.abc import Mapping, Sequence
@@ -19,13 +19,13 @@ from sandbox.app.words.language import later, plural, say
 from sandbox.physics.measuring.grading import Verdict
 
 View = Literal["graph", "bars", "total"]
-"""How the energy is shown: over time, by account, or only the sum."""
+"""The display of the energy: over time, by account, or only the total."""
 
 FIRST: View = "graph"
-"""The default view, if there is ample room."""
+"""The default view, if there is room."""
 
 FOLDED: View = "total"
-"""The view that needs the least height."""
+"""The lowest view."""
 
 NEXT: Mapping[View, tuple[View, str]] = {
     "graph": ("bars", later("Bars")),
@@ -34,27 +34,27 @@ NEXT: Mapping[View, tuple[View, str]] = {
 }
 """The view after each view, and the caption of the button that leads there."""
 
-HIGH = 66, 120  # px, how high the graph may be
-CAPTION = 82  # px, what stands above and below the graph
+HIGH = 66, 120  # px, the least and the largest height of the graph
+CAPTION = 82  # px, the height of the captions above and below the graph
 SWITCH = 22  # px, the height of the button that leads to the next view
 PADDING = 22  # px, beside its caption, left and right together
-VERDICTS = 24  # px, the line that counts the checks
-LAST = 8  # px, left free below all
+VERDICTS = 24  # px, the height of the line that counts the checks
+LAST = 8  # px, the margin at the bottom
 
 
 class Foot:
-    """What stays below every page.
+    """The footer below every page.
 
     Attributes
     ----------
     top
         Its upper edge [px].
     view
-        How it shows the energy.
+        The view of the energy.
     switch
         The button that leads to the next view of the energy.
     books
-        Whether it tells where the energy comes from and goes.
+        Whether it shows where energy comes from and goes.
     verdicts
         The button that counts the checks and leads to them; None for a level without any.
     """
@@ -88,18 +88,18 @@ class Foot:
         )  # fmt: skip
 
     def kill(self) -> None:
-        """Take all of it away."""
+        """Remove all widgets."""
         for widget in (self.verdicts, self._energy, self.switch):
             if widget is not None:
                 widget.kill()  # type: ignore[no-untyped-call]
 
     def pressed(self, element: object) -> str | None:
-        """Return the command of a widget; None if it is none of these."""
+        """Return the command of a widget; None if it is not in the footer."""
         commands = {id(self.switch): "energy", id(self.verdicts): "checks"}
         return commands.get(id(element))
 
     def update(self) -> None:
-        """Bring both up to date."""
+        """Update the verdicts and the energies."""
         if self.verdicts is not None:
             self.verdicts.set_text(check_summary(self._session))
         Sheet.replace(self._energy, self._drawn())
@@ -115,7 +115,7 @@ class Foot:
 
 
 def check_summary(session: Session) -> str:
-    """Return how the checks of a run stand, in words."""
+    """Return a summary of the checks of a run."""
     if session.changes:
         return say("Checks: not judged, effects are changed")
     if session.world.disturbed:
@@ -125,7 +125,7 @@ def check_summary(session: Session) -> str:
 
 
 def counted(verdicts: Sequence[Verdict]) -> str:
-    """Return how many checks hold, fail and wait, in words."""
+    """Return the numbers of checks with each verdict, in words."""
     found = Counter(verdicts)
     words: Mapping[Verdict, str] = {
         "passed": plural("{count} holds", "{count} hold", found["passed"]),

@@ -1,4 +1,4 @@
-"""The bar below the cards of the levels: the way back, and what can be done with a card."""
+"""The bar below the cards of the levels: a button that leads back, and a hint."""
 
 import pygame
 from pygame_gui import UIManager
@@ -10,7 +10,7 @@ from sandbox.app.runs.session import Session
 from sandbox.app.words import level_words
 from sandbox.app.words.language import later, say
 
-TITLE = 260  # px, the longest title on the way back
+TITLE = 260  # px, the largest width of the title on the button that leads back
 WAYS: tuple[tuple[str, str], ...] = (("challenges", later("Challenges")), ("help", later("Help")))
 HINTS = (
     later("Click a level to open it. Rest the mouse on one to see it play."),
@@ -19,12 +19,12 @@ HINTS = (
 
 
 class HomeBar(Bar):
-    """The way back to the level that is open, and a hint; nothing that acts on a run out of sight.
+    """A button that leads back to the open level, and a hint; no buttons for the hidden run.
 
     Parameters
     ----------
     session
-        The level to which it leads back; None if there is none.
+        The session of the open level; None if there is none.
     """
 
     def __init__(
@@ -46,7 +46,7 @@ class HomeBar(Bar):
             )
 
     def draw(self, surface: pygame.Surface, session: Session | None) -> None:
-        """Draw the ground, and the longest hint that there is room for."""
+        """Draw the background, and the longest hint that fits."""
         super().draw(surface, session)
         room = self._right - self._left - 2 * self._pen.px(MARGIN)
         written = (self._pen.write(say(hint), 13, theme.DIM) for hint in HINTS)

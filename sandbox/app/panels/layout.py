@@ -8,14 +8,14 @@ from pygame import Rect
 BAR = 60  # px, the height of the controls
 ROOM: Mapping[str, int] = {"levels": 860, "side": 700}
 """The window width from which each column is shown [px]."""
-LEVELS = 210, 290  # px, how wide the list is at least and at most, at the usual scale
-SIDE = 320, 400  # px, the panel
-STAGE = 330, 300  # px, left to the stage beside both columns, and beside the panel alone
+LEVELS = 210, 290  # px, the least and the largest width of the list, at scale 1
+SIDE = 320, 400  # px, the same for the side panel
+STAGE = 330, 300  # px, the least width of the stage with both columns, and with the side panel only
 
 
 @dataclass(frozen=True, slots=True)
 class Layout:
-    """The parts of the window; hidden columns have no width."""
+    """The parts of the window; the width of a hidden column is 0."""
 
     levels: Rect
     stage: Rect
@@ -24,7 +24,7 @@ class Layout:
 
 
 def room(column: str, scale: float, *, beside: bool) -> int:
-    """Return how wide a window must be for a column, at a scale, beside the other one [px]."""
+    """Return the least width of a window with a column, with or without the other [px]."""
     if column == "side":
         return ROOM["side"]
     other = round(SIDE[0] * scale) if beside else 0
@@ -32,9 +32,9 @@ def room(column: str, scale: float, *, beside: bool) -> int:
 
 
 def divide(size: tuple[int, int], levels: bool, side: bool, scale: float = 1.0) -> Layout:
-    """Divide a window; the columns are narrower in a small one, and make way for the stage.
+    """Divide a window; in a narrow one the columns are narrower, or hidden.
 
-    At a larger scale they are wider, and the list makes way for the panel.
+    At a larger scale they are wider, and the list is hidden before the side panel.
     """
     width, height = max(size[0], 480), max(size[1], 300)
     bar = round(BAR * scale)
@@ -56,6 +56,6 @@ def divide(size: tuple[int, int], levels: bool, side: bool, scale: float = 1.0) 
 
 
 def _between(bounds: tuple[int, int], scale: float, wanted: int) -> int:
-    """Return a width that lies between two scaled ones [px]."""
+    """Return a width clamped to scaled bounds [px]."""
     least, most = (round(bound * scale) for bound in bounds)
     return min(max(wanted, least), most)

@@ -16,19 +16,19 @@ from sandbox.app.keys import MOUSE
 from sandbox.app.words.language import say, say_in
 
 PADDING = 12  # px
-NARROWEST = 60  # px, of what is written in a note
+NARROWEST = 60  # px, the least width of the text of a note
 HIDDEN = 0.25
-"""The part of an area that a note may hide before it is written smaller."""
+"""The share of an area that a note may hide before its text is made smaller."""
 OFFER = 220, 38  # px
-ROW = 17  # px, the height from which on the rows of the help do not touch
+ROW = 17  # px, the least height of a row of the help
 LEGIBLE = 0.75
-"""How far the help may be scaled down and still be read."""
+"""The smallest scale at which the help is legible."""
 
 
 def draw_banner(
     surface: pygame.Surface, pen: Pen, area: pygame.Rect, text: str, color: Color
 ) -> int:
-    """Draw a note at the top of an area, and return where it ends [px]."""
+    """Draw a note at the top of an area, and return its lower edge [px]."""
     lines = _lines(pen, area, text)
     width = max(line.width for line in lines) + 2 * PADDING + 6
     height = sum(line.height for line in lines) + 2 * PADDING - 6
@@ -45,7 +45,7 @@ def draw_banner(
 
 
 def _lines(pen: Pen, area: pygame.Rect, text: str) -> Sequence[pygame.Surface]:
-    """Write a note, smaller where it would hide too much of the area."""
+    """Return the lines of a note, smaller if it would hide too much of the area."""
     width = max(min(area.width - 2 * PADDING - 20, pen.px(640)), pen.px(NARROWEST))
     lines = pen.paragraph(text, width, 14, theme.TEXT)
     if sum(line.height for line in lines) > HIDDEN * area.height:
@@ -54,7 +54,7 @@ def _lines(pen: Pen, area: pygame.Rect, text: str) -> Sequence[pygame.Surface]:
 
 
 def everywhere() -> list[tuple[str, str]]:
-    """Return the keys of the window and what they do, and what the mouse does on the stage."""
+    """Return the keys of the window and the uses of the mouse on the stage, with descriptions."""
     return [*((binding.shown, binding.text) for binding in BINDINGS), ("", ""), *MOUSE]
 
 
@@ -62,10 +62,10 @@ def draw_help(
     surface: pygame.Surface, pen: Pen, area: pygame.Rect, rows: Sequence[tuple[str, str]],
     number: int = 1,
 ) -> int:  # fmt: skip
-    """Draw a table of keys in the middle of an area; return on how many sheets it stands.
+    """Draw a table of keys in the middle of an area, and return its number of sheets.
 
-    It is a column, or two, and somewhat smaller if it must; what cannot be read then stands on
-    several sheets, of which the one of a number is drawn.
+    The table has one or two columns, scaled down if necessary. If it would not be legible then, it
+    is divided into several sheets, of which that of a number is drawn.
     """
     px = pen.px
     columns = 1 if (area.height - px(110)) // len(rows) >= px(ROW) else 2
@@ -101,7 +101,7 @@ def _parts(rows: Sequence[tuple[str, str]], each: int) -> Iterator[Sequence[tupl
 
 
 def _extent(pen: Pen, tables: Sequence[pygame.Surface]) -> tuple[int, int]:
-    """Return how large a sheet with tables beside each other is [px]."""
+    """Return the size of a sheet with tables side by side [px]."""
     px = pen.px
     wide = sum(table.width + px(24) for table in tables) + px(24)
     return wide, max(table.height for table in tables) + px(70)
@@ -110,13 +110,13 @@ def _extent(pen: Pen, tables: Sequence[pygame.Surface]) -> tuple[int, int]:
 def _shrinking(
     surface: pygame.Surface, pen: Pen, area: pygame.Rect, tables: Sequence[pygame.Surface]
 ) -> float:
-    """Return which part of its size is left to a sheet, so that it fits."""
+    """Return the scale at which a sheet fits."""
     wide, high = _extent(pen, tables)
     return min(surface.width / wide, area.height / high, 1.0)
 
 
 def _sheet(pen: Pen, title: str, tables: Sequence[pygame.Surface]) -> pygame.Surface:
-    """Draw tables beside each other, and a title over them."""
+    """Draw tables side by side, below a title."""
     px = pen.px
     sheet = pygame.Surface(_extent(pen, tables), pygame.SRCALPHA)
     pygame.draw.rect(sheet, theme.PANEL, sheet.get_rect(), border_radius=8)
@@ -130,7 +130,7 @@ def _sheet(pen: Pen, title: str, tables: Sequence[pygame.Surface]) -> pygame.Sur
 
 
 def _table(pen: Pen, rows: Sequence[tuple[str, str]], height: int, size: int) -> pygame.Surface:
-    """Draw keys and what they do, a row each."""
+    """Draw keys and their descriptions, one row each."""
     keys = [pen.write(say_in("key", key), size, theme.ACCENT, True) for key, _ in rows]
     texts = [pen.write(say(text), size) for _, text in rows]
     left = max(key.width for key in keys) + pen.px(28)
@@ -142,7 +142,7 @@ def _table(pen: Pen, rows: Sequence[tuple[str, str]], height: int, size: int) ->
 
 
 def offer(manager: UIManager, pen: Pen, stage: pygame.Rect, rate: float) -> UIButton:
-    """Offer to run again at a rate at which it should hold."""
+    """Return a button that offers to run again at a rate at which the run should not fail."""
     box = pygame.Rect((0, 0), (pen.px(OFFER[0]), pen.px(OFFER[1])))
     box.midbottom = stage.centerx, stage.bottom - 16
     return UIButton(

@@ -17,17 +17,17 @@ from sandbox.model.loading import read
 
 TOP = 12  # px
 GAP = 10  # px, between two excerpts
-FOOT = 64  # px, left free for an offer
-WIDEST = 1000  # px: longer lines are not easy to read
+FOOT = 64  # px, the room for an offer
+WIDEST = 1000  # px, since longer lines are hard to read
 
 
 class Refusal:
-    """A page on the stage's area that scrolls if it must.
+    """A page in place of the stage, which scrolls if necessary.
 
     Attributes
     ----------
     text
-        All that it says, as the command line would.
+        The full message, as on the command line.
     """
 
     def __init__(
@@ -47,7 +47,7 @@ class Refusal:
         sheet.end(y + GAP)
 
     def turn(self, pages: float) -> None:
-        """Scroll by a part of the visible height."""
+        """Scroll by a multiple of the visible height."""
         container = self._sheet.container
         scroll(container, scrolled(container) + pages * container.rect.height)
 
@@ -73,7 +73,7 @@ def _head(pen: Pen, width: int, error: SandboxError, *, mendable: bool) -> pygam
 
 
 def _lines(source: str) -> list[str]:
-    """Return the text of a file line by line; none if it cannot be read."""
+    """Return the lines of a file; none if it cannot be read."""
     try:
         return read(Path(source)).split("\n")
     except (SandboxError, ValueError):

@@ -24,23 +24,23 @@ from sandbox.app.words.formatting import seconds
 from sandbox.app.words.language import say
 
 REFRESH = 0.1  # s
-LEAST = 160  # px, of a page that is left to it above the foot
-AMPLE = 270  # px, that are left to it above a foot that nobody has asked for
+LEAST = 160  # px, the least height of a page above the footer
+AMPLE = 270  # px, the same above the default view of the footer
 
 
 class SidePanel:
-    """The column of a session: a page that scrolls if it must, and below most of them its foot.
+    """The column of a session: a page, which scrolls if necessary, and below most pages the footer.
 
     Attributes
     ----------
     page
-        What the chosen tab shows.
+        The page of the chosen tab.
     desk
-        What the pages work with.
+        The objects with which pages work.
     foot
-        What stays below the page; None below one that needs the room.
+        The footer below the page; None below a page that needs the room.
     books
-        Whether anything in it tells where energy or momentum come from and go.
+        Whether the column shows where energy or momentum comes from and goes.
     """
 
     def __init__(
@@ -66,21 +66,21 @@ class SidePanel:
         self.page: Panel = register.page(page).open(self._sheet, self.desk)
         self._recalls = register.page(page).recalls
         self.books = register.page(page).books or bool(self.foot and self.foot.books)
-        self._since, self._below = 0.0, False  # whether the foot is due
+        self._since, self._below = 0.0, False  # whether the footer is to be updated
         self._shown = self._state
 
     def turn(self, pages: float) -> None:
-        """Scroll by a part of the visible height."""
+        """Scroll by a multiple of the visible height."""
         container = self._sheet.container
         scroll(container, scrolled(container) + pages * container.rect.height)
 
     def show_checks(self) -> None:
-        """Scroll to the checks, where the page has them."""
+        """Scroll to the checks, if the page has them."""
         if self._sheet.checks is not None:
             scroll(self._sheet.container, self._sheet.checks.relative_rect.y)
 
     def revert(self) -> None:
-        """Let all fields say again what is the case."""
+        """Reset all fields to the present values."""
         (self._sheet.typed or self.parameters).revert()
 
     def process(self, event: pygame.event.Event) -> str | None:
@@ -92,14 +92,14 @@ class SidePanel:
         return at_foot or on_page or self._tabs.pressed(event.ui_element)
 
     def act(self, event: pygame.event.Event) -> str | None:
-        """Let the page handle a click; return the message for it, if there is one."""
+        """Let the page handle a click, and return its message, if there is one."""
         message = self.page.process(event)
         if message is not None:
             self.page.update()
         return message
 
     def zooms(self, event: pygame.event.Event) -> bool:
-        """Let the wheel, or the key Home, zoom what the page shows; return whether it did."""
+        """Let the wheel or the key Home zoom the page, and return whether it did."""
         if not isinstance(self.page, Zoomed):
             return False
         if event.type == pygame.MOUSEWHEEL:
@@ -107,14 +107,14 @@ class SidePanel:
         return event.type == pygame.KEYDOWN and event.key == pygame.K_HOME and self.page.home()
 
     def draw_over(self, surface: pygame.Surface) -> None:
-        """Write over the page which time it shows, while the stage shows a recorded one."""
+        """Write the time of the page over it while the stage shows a recorded state."""
         rect, pen = self._sheet.container.rect, self._pen
         if self._session.recalled is None or (self._recalls and self.foot is None):
             return
         at = say("Here still t = {t}: the run is on its way", t=seconds(self._session.t))
         told = pen.write(pen.shorten(at, rect.width - 2 * pen.px(MARGIN), 13), 13, theme.NOTICE)
         strip = pygame.Rect(rect.x, 0, rect.width, told.height + pen.px(8))
-        if self.foot is not None:  # below, so that it hides no heading
+        if self.foot is not None:  # at the bottom, so that it hides no heading
             strip.top = self.foot.top
         else:
             strip.bottom = rect.bottom
@@ -127,27 +127,27 @@ class SidePanel:
 
     @property
     def parameters(self) -> Parameters:
-        """The parameters; none where the page has no room for them."""
+        """The parameters; none if the page does not show them."""
         return self._sheet.parameters
 
     @property
     def _state(self) -> tuple[object, ...]:
-        """What is shown depends on."""
+        """The objects on which the display depends."""
         session = self._session
         news = self._workers.news
         looked_at = session.looking.body(session.level)
         return session.world.snapshot, session.playing, session.companions, looked_at, *news
 
     def coming(self, seconds: float) -> Literal["", "page", "foot"]:
-        """Return what is brought up to date after some time [s], while time runs."""
+        """Return what is updated after some time [s], while time runs."""
         if self._below:
             return "foot"
         return "page" if self._since + seconds >= REFRESH else ""
 
     def update(self, seconds: float) -> None:
-        """Bring the numbers up to date, a few times a second while time runs.
+        """Update the numbers, a few times a second while time runs.
 
-        What stands below the page follows a frame later then: each takes its time.
+        The footer is then updated one frame after the page, to spread the work.
         """
         self._since += seconds
         if self._below:
@@ -173,7 +173,7 @@ class SidePanel:
 def _feet(
     manager: UIManager, pen: Pen, rect: pygame.Rect, session: Session, view: View
 ) -> Iterator[Foot]:
-    """Yield what may stand below a page: as it is wanted, then lower; the last one stays."""
+    """Yield possible footers: the wanted view, then the lowest; each is removed for the next."""
     for each in dict.fromkeys((view, FOLDED)):
         foot = Foot(manager, pen, rect, session, each)
         yield foot

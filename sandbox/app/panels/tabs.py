@@ -1,4 +1,4 @@
-"""The tabs of the pages, in as many rows as their captions need."""
+"""The tabs of the pages, in as few rows as their captions allow."""
 
 from collections.abc import Iterator, Sequence
 from itertools import accumulate, combinations, pairwise
@@ -17,7 +17,7 @@ from sandbox.app.words.language import say
 HEIGHT = 26  # px, of a tab
 GAP = 4  # px, between two
 PADDING = 10  # px, beside a caption, left and right together
-SIZE = 12  # of the captions, as widgets.json says for @tab
+SIZE = 12  # of the captions, as for @tab in widgets.json
 TOP = 10  # px, above the first row
 
 
@@ -52,7 +52,7 @@ class Tabs:
             self.bottom += px(HEIGHT) + px(GAP)
 
     def pressed(self, element: object) -> str | None:
-        """Return the command of the tab that a widget is; None if it is none."""
+        """Return the command of a tab; None for another widget."""
         return next((page for tab, page in self._pages.items() if tab is element), None)
 
     def tab(self, page: str) -> UIButton:
@@ -61,7 +61,7 @@ class Tabs:
 
 
 def rows(pen: Pen, pages: Sequence[Page], width: int) -> list[Sequence[Page]]:
-    """Part the pages into as few rows as a width [px] allows, about equally full."""
+    """Divide the pages into as few rows as a width [px] allows, about equally full."""
     gap = pen.px(GAP)
     ends = list(accumulate((_width(pen, page) + gap for page in pages), initial=0))
 
@@ -76,7 +76,7 @@ def rows(pen: Pen, pages: Sequence[Page], width: int) -> list[Sequence[Page]]:
 
 
 def _parted(pages: int, count: int) -> Iterator[tuple[int, ...]]:
-    """Yield all ways to divide pages into rows, as the start of each row and the end."""
+    """Yield all divisions of pages into rows, as the indices of the row starts and the end."""
     for breaks in combinations(range(1, pages), count - 1):
         yield 0, *breaks, pages
 

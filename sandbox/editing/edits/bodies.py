@@ -1,7 +1,8 @@
 """Adding bodies that were drawn, and deleting bodies.
 
-A body is drawn of one material: 10 kg on each square metre. What it needs to act is declared with
-it: gravity and contact where nothing is declared yet, and a coefficient where every body has one.
+All drawn bodies have the same density, 10 kg/m². With a new body, the effects that it needs are
+declared: gravity and contact if nothing is declared yet; and it gets each coefficient that every
+body has.
 """
 
 from collections.abc import Mapping, Sequence
@@ -21,29 +22,29 @@ from sandbox.model.message import Message
 from sandbox.model.shapes import XY
 
 DENSITY = 10.0
-"""kg/m², of drawn bodies: a box of 0.3 m weighs about 1 kg."""
+"""kg/m², the density of drawn bodies; a box of 0.3 m has about 1 kg."""
 
 SMALLEST = 1e-12
-"""m, anything drawn smaller is a click, and makes no body."""
+"""m, the largest size that is taken for a click, and makes no body."""
 
 DRAWN = 12
-"""The digits of a drawn size: it is a difference, whose last digits are rounding."""
+"""The significant digits of a drawn size: the last digits of a difference are rounding errors."""
 
 CLOSES = 0.1
-"""A stroke is closed if its ends are closer than this share of its size."""
+"""The largest gap between the ends of a closed stroke, as a share of its size."""
 
 GRAVITY: Json = {"acceleration": [0, -9.81]}
 
 
 def add_disc(text: str, level: Level, center: XY, rim: XY) -> Made:
-    """Return a level with a disc more, about a point and through another."""
+    """Return a level with a new disc, given its centre and a point of its rim."""
     radius = _size(abs(complex(*rim) - complex(*center)))
     shape: Json = {"type": "disc", "radius": radius}
     return _add_dynamic(text, level, "disc", shape, center, pi * radius**2)
 
 
 def add_box(text: str, level: Level, corner: XY, opposite: XY) -> Made:
-    """Return a level with a box more, from one corner to the opposite one."""
+    """Return a level with a new box, given two opposite corners."""
     (x, y), (u, v) = corner, opposite
     width, height = _size(abs(u - x)), _size(abs(v - y))
     shape: Json = {"type": "box", "width": width, "height": height}
@@ -51,7 +52,7 @@ def add_box(text: str, level: Level, corner: XY, opposite: XY) -> Made:
 
 
 def add_polygon(text: str, level: Level, points: Sequence[XY]) -> Made:
-    """Return a level with a polygon more, through at least three points in order.
+    """Return a level with a new polygon, through at least three points in order.
 
     Raises
     ------
@@ -61,13 +62,13 @@ def add_polygon(text: str, level: Level, points: Sequence[XY]) -> Made:
     area, center = centroid(points)
     if area <= SMALLEST**2:
         raise SandboxError(Message("a polygon needs three corners that are not in one line"))
-    # from its first corner, which keeps numbers short: a body that moves is about its own centre
+    # from the first corner, for short numbers; the origin of a dynamic body is its centre of mass
     shape: Json = {"type": "polygon", "vertices": _about(points, points[0])}
     return _add_dynamic(text, level, "polygon", shape, center, area)
 
 
 def add_surface(text: str, level: Level, points: Sequence[XY]) -> Made:
-    """Return a level with a line more that stands still: a floor, a slope, a wall.
+    """Return a level with a new static line: a floor, a slope or a wall.
 
     Raises
     ------
@@ -86,16 +87,16 @@ def add_surface(text: str, level: Level, points: Sequence[XY]) -> Made:
 
 
 def add_curve(text: str, level: Level, points: Sequence[XY], tolerance: float) -> Made:
-    """Return a level with what a stroke of the hand draws: a polygon if it is closed, else a line.
+    """Return a level with the shape of a stroke: a polygon if it is closed, else a static line.
 
     Parameters
     ----------
     text, level
-        Of the level.
+        The text of the level, and the level.
     points
-        Of the stroke.
+        The points of the stroke.
     tolerance
-        By how much the corners that are left may be off it [m]: a pixel or two.
+        The largest distance between the stroke and the simplified line [m], a pixel or two.
     """
     size = float(np.ptp(np.array(points), axis=0).max())
     open_ends = abs(complex(*points[-1]) - complex(*points[0]))
@@ -105,10 +106,10 @@ def add_curve(text: str, level: Level, points: Sequence[XY], tolerance: float) -
 
 
 def take_out(text: str, level: Level, names: Sequence[str]) -> str:
-    """Return a level without some bodies or joints, and without what only they gave a meaning.
+    """Return a level without some bodies or joints, and without parts that then have no meaning.
 
-    Joints that hold a body go with it, and so do the checks, the effects and the parameters that
-    are about nothing any more.
+    With a body its joints are removed, and so are checks, effects and parameters that are no longer
+    about anything.
 
     Raises
     ------
@@ -128,7 +129,7 @@ def _add_dynamic(text: str, level: Level, kind: str, shape: Json, center: XY, ar
 
 
 def drawn_mass(area: float) -> float:
-    """Return the mass of a drawn area [kg], to three digits."""
+    """Return the mass of a drawn area [kg], to three significant digits."""
     return plain(float(f"{DENSITY * area:.3g}"))
 
 
@@ -140,15 +141,15 @@ def _add(text: str, level: Level, kind: str, body: Mapping[str, Json]) -> Made:
 
 
 def _coefficients(level: Level) -> dict[str, Json]:
-    """Return the coefficients that every body of a level needs; 1 leaves the other body's."""
+    """Return the coefficients that every body of a level needs; 1 keeps that of the other body."""
     return {kind: 1 for kind in COEFFICIENTS if getattr(level.effects, kind)}
 
 
 def _declaring(text: str, level: Level) -> list[str]:
-    """Return what may be declared with a new body, the most first.
+    """Return variants of a level that declare effects for a new body, the most first.
 
-    Gravity where nothing moves or acts yet, and contact with it, or where nothing else was there
-    to be touched.
+    Gravity and contact are declared if there is no dynamic body and no effect yet; contact alone if
+    there was only one body.
     """
     missing: dict[str, Json] = {}
     still = all(body.type != "dynamic" for body in level.bodies.values())

@@ -11,13 +11,13 @@ from sandbox.model.level import Level
 from sandbox.model.quantities import quantities
 
 MOST = 200
-"""How many names are offered, at most."""
+"""The largest number of names offered."""
 
 
 def add_checks(
     text: str, level: Level, checks: Sequence[Mapping[str, Any]], besides: Changes | None = None
 ) -> str:
-    """Return a level with more checks, as they stand in a file, and with what else they need.
+    """Return a level with additional checks, as in a file, and with other changes that they need.
 
     Raises
     ------
@@ -30,7 +30,7 @@ def add_checks(
 
 
 def set_ghost(text: str, body: str, place: tuple[Json, Json]) -> str:
-    """Return a level with a ghost of a body, at [x, y] as formulas over the parameters and t.
+    """Return a level with a ghost of a body, at [x, y], formulas of the parameters and t.
 
     Raises
     ------
@@ -60,21 +60,21 @@ def _terms(place: Expression, speed: Expression, along: Expression | None) -> It
 
 
 def drop_told(text: str, part: Literal["checks", "ghosts"], which: int | str) -> str:
-    """Return a level without a check or a ghost, and without the parameters that only it used.
+    """Return a level without a check or a ghost, and without parameters that only it used.
 
     Raises
     ------
     PatchError
-        If there is no such.
+        If there is none.
     """
     return without_meaning(remove(text, (part, which)))
 
 
 def complete(level: Level, begun: str) -> list[str]:
-    """Return the names of quantities that complete a typed text, the likeliest first.
+    """Return the names of quantities that contain a typed text, the likeliest first.
 
-    Those that begin with it, then those that have it in them; `pos` finds `ball.position.x`. Of
-    bodies that stand still they come last.
+    Names that begin with it precede those that contain it: `pos` finds `ball.position.x`. In both
+    groups the quantities of static bodies come last.
     """
     typed = begun.strip().casefold()
     still = {name for name, body in level.bodies.items() if body.type == "static"}

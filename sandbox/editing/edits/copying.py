@@ -24,15 +24,15 @@ Data = dict[str, Any]
 
 
 def copy(text: str, level: Level, names: Collection[str]) -> str:
-    """Return bodies as the text of a level that has nothing else but what belongs to them.
+    """Return the text of a level that has only some bodies, and what belongs to them.
 
-    Those are the joints that hold no other bodies, their groups, the level's constants, and the
+    Those are the joints that hold no other bodies, the groups, the level's constants, and the
     parameters that all of these use.
 
     Raises
     ------
     SandboxError
-        If there are none.
+        If there are no bodies.
     """
     if not names:
         raise SandboxError(Message("choose the bodies first"))
@@ -60,15 +60,15 @@ def copy(text: str, level: Level, names: Collection[str]) -> str:
 
 
 def paste(text: str, level: Level, copied: str, by: XY = (0.0, 0.0)) -> Made:
-    """Return a level with copies of bodies, displaced, and with names of their own.
+    """Return a level with displaced copies of bodies, under new names.
 
-    What the level says nothing of, such as friction where none is declared, is left out of them. A
-    parameter or constant that the level has is its own; one that it has not comes along.
+    Fields without a meaning in the level, such as friction if it is not declared, are left out.
+    Parameters and constants are copied if the level has none of the same name.
 
     Raises
     ------
     SandboxError
-        If what was copied is no bodies.
+        If the copied text is not a level.
     """
     try:
         source, data = Level.model_validate_json(copied), json.loads(copied)
@@ -92,12 +92,12 @@ def paste(text: str, level: Level, copied: str, by: XY = (0.0, 0.0)) -> Made:
 
 
 def duplicate(text: str, level: Level, names: Collection[str], by: XY) -> Made:
-    """Return a level in which bodies are duplicated, displaced."""
+    """Return a level with displaced duplicates of bodies."""
     return paste(text, level, copy(text, level, names), by)
 
 
 def _new_names(source: Level, level: Level) -> Mapping[str, str]:
-    """Return what the copies are called: `left` becomes `left1`, and `box1` the next box."""
+    """Return the names of the copies: `left` becomes `left1`, and `box1` the next free name."""
     names = dict[str, str]()
     for name in (*source.bodies, *source.joints):
         names[name] = new_name(name.rstrip("0123456789")[:28], level, besides=names.values())
@@ -105,7 +105,7 @@ def _new_names(source: Level, level: Level) -> Mapping[str, str]:
 
 
 def _joint(joint: Joint, said: Data, names: Mapping[str, str], by: complex) -> Data:
-    """Return what is said of a joint of the copies."""
+    """Return the fields of a copied joint."""
     for path, body, _ in mentions(joint):
         _inside(said, path[:-1])[path[-1]] = names[body]
     for path, end in ends_of(joint):

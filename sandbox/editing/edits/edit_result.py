@@ -1,4 +1,4 @@
-"""The result of an edit: the new text, and the name of the new part."""
+"""The result of an edit: the new text, and the names of the new parts."""
 
 from collections.abc import Container
 from itertools import count
@@ -8,21 +8,21 @@ from sandbox.model.level import Level
 
 
 class Made(NamedTuple):
-    """A text with something new in it."""
+    """A text with new parts."""
 
     text: str
     names: tuple[str, ...]
-    """Of the bodies or the joint that were made."""
+    """The names of the new bodies, or of the new joint."""
 
     @property
     def name(self) -> str:
-        """The name, where there is but one."""
+        """The name, if there is only one."""
         (name,) = self.names
         return name
 
 
 def new_name(kind: str, level: Level, besides: Container[str] = ()) -> str:
-    """Return the first of `box1`, `box2` and so on that nothing in a level is called."""
+    """Return the first of `box1`, `box2` and so on that is free in a level."""
     return next(
         name
         for number in count(1)
@@ -31,5 +31,5 @@ def new_name(kind: str, level: Level, besides: Container[str] = ()) -> str:
 
 
 def taken(name: str, level: Level) -> bool:
-    """Whether a body or a joint of a level is called that."""
+    """Return whether a body or a joint of a level has a name."""
     return name in level.bodies or name in level.joints

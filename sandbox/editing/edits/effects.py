@@ -1,4 +1,4 @@
-"""Declaring and dropping effects, and what they cost."""
+"""Declaring and removing effects, and their cost."""
 
 from collections.abc import Mapping
 from typing import Any, get_args, get_origin
@@ -14,28 +14,29 @@ from sandbox.model.message import Message
 from sandbox.physics.run import costs
 
 COEFFICIENT = 0.5
-"""The coefficient of a moving body that has none; a static body gets 1, which changes nothing."""
+"""The default coefficient of a dynamic body; others get 1, which keeps that of the other body."""
 
 BESIDE = ("contact", "rotation")
 """The effects that others require, and that need no settings."""
 
 
 def declare(text: str, level: Level, effect: str, settings: Mapping[str, Any] | None = None) -> str:
-    """Return a level that declares an effect, and what that needs: contact, rotation, coefficients.
+    """Return a level that declares an effect, with the contact, rotation or coefficients it needs.
 
     Parameters
     ----------
     text, level
-        Of the level.
+        The text of the level, and the level.
     effect
-        Its name in the manifest. Of one that may be said several times, another is added.
+        The name of the effect in the manifest. If it may be declared several times, another is
+        added.
     settings
-        Its fields, as in a file; what is tried in the app if left out.
+        Its fields, as in a file; the defaults of the app if left out.
 
     Raises
     ------
     SandboxError
-        If there is no such effect, it has to be told more, or the level contradicts it.
+        If there is no such effect, it needs settings, or the level contradicts it.
     """
     if effect not in EFFECTS:
         raise SandboxError(
@@ -58,7 +59,7 @@ def declare(text: str, level: Level, effect: str, settings: Mapping[str, Any] | 
 
 
 def drop(text: str, level: Level, effect: str) -> str:
-    """Return a level without an effect, and without what only that gave a meaning.
+    """Return a level without an effect, and without parts that then have no meaning.
 
     Raises
     ------
@@ -74,12 +75,12 @@ def drop(text: str, level: Level, effect: str) -> str:
 
 
 def cost(level: Level, effect: str) -> str:
-    """Say in words what an effect costs, or would cost; measured, so not in the midst of a drag.
+    """Return the present or possible cost of an effect, in words; measured, so not during a drag.
 
     Raises
     ------
     SandboxError
-        If the level makes no sense without it, or with it, or cannot be run.
+        If the level is invalid without it, or with it, or cannot run.
     """
     declared = effect in level.effects.declared
     other = without(level, effect)[0] if declared else including(level, effect, {})
@@ -90,13 +91,13 @@ def cost(level: Level, effect: str) -> str:
 
 
 def _several(effect: str) -> bool:
-    """Return whether an effect may be said several times, in a list."""
+    """Return whether an effect may be declared several times, in a list."""
     kind = get_args(Effects.model_fields[effect].annotation)[0]
     return get_origin(get_args(kind)[0] if get_args(kind) else kind) is tuple
 
 
 def _trial(effect: str) -> dict[str, Any]:
-    """Return what is said of an effect where nothing is; its coefficient is the bodies'."""
+    """Return the default settings of an effect, without a coefficient, which the bodies have."""
     return {key: said for key, said in DEFAULTS[effect].items() if key != "coefficient"}
 
 

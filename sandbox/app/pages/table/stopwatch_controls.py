@@ -11,20 +11,20 @@ from sandbox.app.runs.session import Session
 from sandbox.app.widgets.sheet import Sheet, below
 from sandbox.app.words.language import say
 
-LIST = 92  # px, how high each of the two lists is
+LIST = 92  # px, the height of each of the two lists
 HEIGHT = 28  # px, of a button
 GAP = 6  # px
 
 
 class Timing:
-    """A stopwatch on a sheet, from some height on.
+    """The widgets of a stopwatch on a sheet.
 
     Attributes
     ----------
     press, reset
         The buttons of the stopwatch.
     starts, stops
-        The lists of what does so.
+        The lists of triggers that start and stop it.
     """
 
     def __init__(self, sheet: Sheet, session: Session, stopwatch: Stopwatch) -> None:
@@ -56,7 +56,7 @@ class Timing:
         )  # fmt: skip
 
     def put(self, y: int) -> int:
-        """Put it at a height, and return where it ends."""
+        """Place the widgets at a height, and return the lower end [px]."""
         if self._title.relative_rect.y == y:
             return int(self.stops.relative_rect.bottom)
         sheet, x = self._sheet, self._sheet.margin
@@ -73,7 +73,7 @@ class Timing:
         return y
 
     def process(self, event: pygame.event.Event) -> str | None:
-        """Handle a click; return the message for it, None if nothing was clicked."""
+        """Handle a click, and return its message; None if it was on none of these widgets."""
         if event.type == UI_BUTTON_PRESSED and event.ui_element is self.press:
             return self._watch.press(self._session) or ""
         if event.type == UI_BUTTON_PRESSED and event.ui_element is self.reset:
@@ -87,7 +87,7 @@ class Timing:
         return None
 
     def update(self) -> None:
-        """Bring what it shows up to date."""
+        """Update the display."""
         self._sheet.replace(self._shown, self._drawn())
 
     def _drawn(self) -> pygame.Surface:

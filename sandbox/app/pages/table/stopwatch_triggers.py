@@ -1,4 +1,4 @@
-"""The triggers of the stopwatch: a hand, or an event of the run."""
+"""The triggers of the stopwatch: a click, or an event of the run."""
 
 from collections.abc import Iterator
 from typing import NamedTuple
@@ -17,23 +17,23 @@ from sandbox.physics.measuring.recording import Trace, needed_at
 from sandbox.physics.quantities.meter import Meter
 
 Moment = Expression | ContactEvent | CrossingEvent | ApexEvent | LandingEvent
-"""A time [s], or an event, of which the first occurrence counts."""
+"""A time [s], or the first occurrence of an event."""
 
 FEW = 12
-"""Up to so many bodies, the apex and the landing of each are offered."""
+"""The largest number of bodies for which apex and landing are offered."""
 MOST = 60
-"""How many triggers can be chosen from."""
+"""The largest number of triggers offered."""
 
 
 class Occasion(NamedTuple):
-    """Something that happens once.
+    """A trigger.
 
     Attributes
     ----------
     at
-        When that is; None for a hand.
+        The moment; None for a click.
     value
-        The height that is fallen to, or the value that is crossed, as it is written; else empty.
+        The text of the height of the landing or the value that is crossed; else empty.
     """
 
     at: Moment | None
@@ -41,7 +41,7 @@ class Occasion(NamedTuple):
 
     @property
     def label(self) -> str:
-        """What it is called where it is chosen."""
+        """Its name in the list."""
         match self.at:
             case None:
                 return say("by hand (key 3)")
@@ -57,7 +57,7 @@ class Occasion(NamedTuple):
 
 
 class Found(NamedTuple):
-    """When something happened [s], and whether that is known to less than a step."""
+    """The time of an event [s], and whether it is known more precisely than a step."""
 
     t: float
     between: bool
@@ -68,7 +68,7 @@ AT_ONCE = Occasion(Expression(0))
 
 
 def occasions(session: Session) -> list[Occasion]:
-    """Return the triggers to choose from in a run, with the pairs that have touched so far."""
+    """Return the triggers offered for a run, with the pairs that have touched so far."""
     pairs = (sorted(pair) for pair in session.run.contacts.met if len(pair) == 2)
     met = (ContactEvent(event="contact", bodies=(first, second)) for first, second in pairs)
     instants = (*_instants(session.level), *met)
@@ -101,7 +101,7 @@ def _occasion(at: Moment, values: Values) -> Occasion:
 def find(at: Moment, run: LiveRun) -> Found | None:
     """Return the time of an event in a run so far; None if it has not occurred.
 
-    Nor has it where the run was changed on the way, and lacks a body or parameter that it names.
+    An event that names a body or parameter which a changed run lacks has not occurred either.
     """
     if isinstance(at, ContactEvent):
         met = run.contacts.met.get(frozenset(at.bodies))
@@ -117,7 +117,7 @@ def find(at: Moment, run: LiveRun) -> Found | None:
 
 
 def _trace(at: Moment, run: LiveRun) -> Trace:
-    """Return the recorded states in the form in which instants are found."""
+    """Return the recorded states as a trace, in which instants are found."""
     world, states = run.world, run.history.snapshots
     meter = Meter(world, needed_at("t", at))
     units = {name: quantity.unit for name, quantity in meter.quantities.items()}
