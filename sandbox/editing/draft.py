@@ -1,4 +1,4 @@
-"""A draft: the text of a level under edit, what it loads as, its undo, and its file."""
+"""A draft: the text of a level under edit, the level that it loads as, its undo, and its file."""
 
 import codecs
 import os
@@ -14,7 +14,7 @@ from sandbox.model.loading import content, decoded, parse, read
 from sandbox.model.message import Message
 
 MOST_STEPS = 1000
-"""How many steps can be undone."""
+"""The largest number of steps that can be undone."""
 
 NEW = "<new level>"
 """The origin of a level without a file."""
@@ -30,16 +30,16 @@ class Draft:
     path
         The file, if there is one.
     held
-        What the file holds, if it has one.
+        The content of the file, if there is one.
 
     Attributes
     ----------
     text
         The present text.
     path
-        The file, None if there is none yet.
+        The file; None if there is none yet.
     saved
-        The text in its file, or its first text.
+        The saved text, or the initial one.
     """
 
     def __init__(self, text: str, path: Path | None = None, held: bytes = b"") -> None:
@@ -54,59 +54,59 @@ class Draft:
 
     @classmethod
     def empty(cls) -> "Draft":
-        """Begin with the ground, and nothing on it yet."""
+        """Return a draft of the ground only."""
         return cls(read(templates.path("empty")))
 
     @classmethod
     def of(cls, text: str) -> "Draft":
-        """Begin with the text of a level that has no file of its own."""
+        """Return a draft of the text of a level without a file of its own."""
         return cls(text)
 
     @classmethod
     def open(cls, path: Path) -> "Draft":
-        """Begin with a file.
+        """Return a draft of a file.
 
         Raises
         ------
         LevelError
-            If it cannot be read, or holds no text.
+            If the file cannot be read, or is not text.
         """
         held = content(path)
         return cls(decoded(held, str(path)), path, held)
 
     @property
     def source(self) -> str:
-        """Where it comes from, as messages begin."""
+        """Its origin, for the start of messages."""
         return NEW if self.path is None else str(self.path)
 
     @property
     def level(self) -> Level | None:
-        """The level as it loads now; None if it does not."""
+        """The level that the text loads as; None if it does not load."""
         return self._now()[0]
 
     @property
     def mistakes(self) -> tuple[Mistake, ...]:
-        """Why it does not load."""
+        """The mistakes because of which it does not load."""
         return self._now()[1]
 
     @property
     def changed(self) -> bool:
-        """Whether it differs from what is saved, or from what it began with."""
+        """Whether the text differs from the saved or the initial one."""
         return self.text != self.saved
 
     @property
     def undoes(self) -> str | None:
-        """What would be undone next, in words."""
+        """The description of the step that would be undone next; None if there is none."""
         return self._done[-1].said if self._done else None
 
     @property
     def redoes(self) -> str | None:
-        """What would be redone next, in words."""
+        """The description of the step that would be redone next; None if there is none."""
         return self._undone[-1].said if self._undone else None
 
     @property
     def touched(self) -> bool:
-        """Whether it holds anything that its file does not: changes, or steps to take back."""
+        """Whether it has unsaved changes, or steps to undo or redo."""
         return self.changed or bool(self._done or self._undone)
 
     def rest(self) -> None:
@@ -114,16 +114,16 @@ class Draft:
         self._loaded = None
 
     def change(self, text: str, said: str, merge: str | None = None) -> None:
-        """Go over to another text, by one step of undo.
+        """Change the text, by one step of undo.
 
         Parameters
         ----------
         text
             The new text.
         said
-            The edit, in words.
+            The description of the edit.
         merge
-            Changes that follow each other with the same key are one step: those of a drag, say.
+            A key: successive changes with the same key are one step, such as those of a drag.
         """
         if text == self.text:
             return
@@ -136,7 +136,7 @@ class Draft:
         self.text, self._merge = text, merge if text != before else None
 
     def amend(self, text: str, said: str) -> None:
-        """Go over to another text as a part of the last step, or by a step where there is none."""
+        """Change the text as a part of the last step, or by a step of its own if there is none."""
         if text != self.text:
             last = self._done.pop() if self._done else None
             before = last.undone(self.text) if last else self.text
@@ -145,7 +145,7 @@ class Draft:
             self.text, self._merge = text, None
 
     def undo(self) -> str | None:
-        """Undo the last step; return it, None if there is none."""
+        """Undo the last step, and return its description; None if there is none."""
         self._merge = None
         if not self._done:
             return None
@@ -155,7 +155,7 @@ class Draft:
         return last.said
 
     def redo(self) -> str | None:
-        """Redo the step that was undone last; return it, None if there is none."""
+        """Redo the last undone step, and return its description; None if there is none."""
         self._merge = None
         if not self._undone:
             return None
@@ -165,19 +165,19 @@ class Draft:
         return following.said
 
     def save(self, path: Path | None = None, *, overwrite: bool = False) -> None:
-        """Write the file; a draft without changes is written byte for byte as it was read.
+        """Write the file; a draft without changes is written exactly as it was read.
 
         Parameters
         ----------
         path
-            Where, from now on; to its own file if left out.
+            The file, from now on; the present one if left out.
         overwrite
-            Whether to write over what somebody else has written since, or over another file.
+            Whether to overwrite changes by another program, or another file.
 
         Raises
         ------
         SandboxError
-            If it has no file yet, the file is not as it was read, or it cannot be written.
+            If there is no file yet, it was changed since it was read, or it cannot be written.
         """
         target = path or self.path
         if target is None:
@@ -196,22 +196,22 @@ class Draft:
             return False
         try:
             return content(self.path) != self._held
-        except LevelError:  # it is a folder now, or cannot be read
+        except LevelError:  # now a folder, or not readable
             return True
 
     def reload(self) -> None:
-        """Take over what its file holds now, as a step that can be undone.
+        """Replace the text by the present content of the file, as an undoable step.
 
         Raises
         ------
         SandboxError
-            If it has no file, or the file cannot be read, or has mistakes.
+            If there is no file, or it cannot be read, or has mistakes.
         """
         if self.path is None:
             raise SandboxError(Message("the level has no file yet; there is nothing to read again"))
         held = content(self.path)
         text = decoded(held, str(self.path))
-        parse(text, str(self.path))  # what has mistakes is not taken over
+        parse(text, str(self.path))  # refuses a file with mistakes
         self.change(text, "read the file again")
         self._held, self.saved = held, text
 

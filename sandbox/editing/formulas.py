@@ -1,4 +1,4 @@
-"""Changes of numbers and formulas that keep the typed text readable."""
+"""Changes of numbers and formulas that keep them readable."""
 
 import ast
 import re
@@ -9,22 +9,22 @@ from sandbox.editing.json_layout import Json, plain
 from sandbox.model.expressions import Expression, Values
 
 _LOOSE = (ast.IfExp, ast.Compare, ast.BoolOp, ast.UnaryOp)
-"""Nodes that need brackets before something is added: they bind less tightly than a sum."""
+"""Nodes that need brackets before something is added, as they bind less tightly than a sum."""
 
 _TIGHT = (ast.Name, ast.Call, ast.Constant)
 """Nodes that never need brackets."""
 
 ROUND = 10
-"""Decimals of an angle in degrees: a rounding of 2e-12 rad."""
+"""Decimals of an angle in degrees, which round it by 2e-12 rad."""
 
 DIGITS = 12
-"""Of a length or an angle that is computed: what lies behind them is rounding."""
+"""Significant digits of a computed length or angle; those beyond are rounding errors."""
 
 
 def shifted(expression: Expression, by: float) -> float | str:
     """Return a number or formula plus a constant: `r` becomes `r + 0.5`.
 
-    A number that the formula ends with takes it up: `r + 0.5` becomes `r + 0.7`.
+    If a number is added at the end of a formula, it changes: `r + 0.5` becomes `r + 0.7`.
     """
     source = expression.source
     if not by:
@@ -47,7 +47,7 @@ def scaled(expression: Expression, by: float) -> float | str:
 
 
 def negative(expression: Expression) -> float | str:
-    """Return the opposite of a number, or of a formula: `-g` becomes `g`, `-a*deg` `a*deg`."""
+    """Return the negative of a number or formula: `-g` becomes `g`, and `-a*deg` `a*deg`."""
     source = expression.source
     if not isinstance(source, str):
         return plain(-source)
@@ -60,12 +60,12 @@ def negative(expression: Expression) -> float | str:
 
 
 def rounded(value: float) -> float:
-    """Return a length or an angle without what is rounding."""
+    """Return a length or an angle without the digits that are rounding errors."""
     return float(f"{value:.{DIGITS}g}") if abs(value) > 10.0**-DIGITS else 0.0
 
 
 def sum_of(parts: Mapping[str, float]) -> Json:
-    """Return a sum of functions, each times a number, as a formula; `""` stands for 1."""
+    """Return a linear combination of functions as a formula; `""` stands for the constant 1."""
     terms = ""
     for function, factor in parts.items():
         if size := plain(abs(rounded(factor))):
@@ -76,21 +76,21 @@ def sum_of(parts: Mapping[str, float]) -> Json:
 
 
 def _is_negative(tree: ast.expr) -> bool:
-    """Whether the first factor of a product is the opposite of something: that of `-a*b` is."""
+    """Return whether the first factor of a product has a minus sign, as that of `-a*b`."""
     while isinstance(tree, ast.BinOp) and isinstance(tree.op, ast.Mult | ast.Div):
         tree = tree.left
     return isinstance(tree, ast.UnaryOp) and isinstance(tree.op, ast.USub)
 
 
 def towards(expression: Expression, value: float, values: Values) -> float | str:
-    """Return a number, or in the place of a formula the formula shifted to it."""
+    """Return a new value for an expression; a formula is shifted by a constant to this value."""
     if not expression.names:
         return plain(value)
     return shifted(expression, value - expression(values))
 
 
 def turned(angle: Expression, by: float) -> float | str:
-    """Return an angle plus a constant [rad], as a formula in degrees."""
+    """Return an angle plus a constant [rad]; a number becomes a formula in degrees."""
     if angle.names:
         return shifted(angle, by)
     told = plain(round(degrees(angle({}) + by), ROUND))
@@ -98,16 +98,16 @@ def turned(angle: Expression, by: float) -> float | str:
 
 
 def renamed(source: str, name: str, new: str) -> str:
-    """Return a formula in which a parameter has another name."""
+    """Return a formula in which a parameter is renamed."""
     return re.sub(rf"(?<![\w.]){re.escape(name)}(?!\w)", new, source)
 
 
 def _apart(source: str) -> tuple[str, float]:
-    """Return a formula without the number that is added to it at its end, and that number."""
+    """Split a formula into that without the number added at its end, and this number."""
     tree = _tree(source)
     if isinstance(tree, ast.BinOp) and isinstance(last := tree.right, ast.Constant):
         before, behind = source[: last.col_offset].rstrip(), source[last.end_col_offset :]
-        if before.endswith(("+", "-")) and not behind.strip():  # neither is in brackets
+        if before.endswith(("+", "-")) and not behind.strip():  # neither operand is in brackets
             sign = -1 if isinstance(tree.op, ast.Sub) else 1
             return before[:-1].rstrip(), sign * float(str(last.value))
     return (f"({source})" if isinstance(tree, _LOOSE) else source), 0.0
@@ -122,7 +122,7 @@ def _bracketed(source: str) -> str:
 
 
 def _unbracketed(source: str) -> str:
-    """Return a formula without the brackets around the whole of it."""
+    """Return a formula without brackets around the whole."""
     inner = source[1:-1]
     if source.startswith("(") and source.endswith(")"):
         try:

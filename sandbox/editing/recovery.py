@@ -1,7 +1,7 @@
-"""Recovery files: unsaved drawings survive if the window dies.
+"""Recovery files, by which unsaved drafts survive if the window dies.
 
-Each draft has a file of its own in the user's data folder, whole or not there at all. It goes when
-the draft is saved or closed. What a process has left that is no more can be recovered.
+Each draft has its own file in the user's data folder, written atomically. It is deleted when the
+draft is saved or closed. The files left by a process that has ended can be recovered.
 """
 
 import json
@@ -21,10 +21,10 @@ from sandbox.model.files import data_folder, lives, make_folder, read_ordinary, 
 from sandbox.model.message import NOTHING, Message
 
 LARGEST = 20_000_000
-"""The largest file that is read [bytes]; a larger one was not written by this program."""
+"""bytes, the largest file that is read; a larger one was not written by this program."""
 
 LATEST = 32e9
-"""s, since 1970: in the year 2984, before any system's calendar ends."""
+"""s since 1970, the latest time, in the year 2984, before any system's calendar ends."""
 
 _ENDING = ".draft.json"
 _OPEN = set[str]()
@@ -32,37 +32,37 @@ _OPEN = set[str]()
 
 
 def folder() -> Path:
-    """Return where drafts are kept; it need not be there."""
+    """Return the folder of the drafts, which need not exist."""
     return data_folder() / "drafts"
 
 
 class Kept(BaseModel):
-    """A draft, as it is kept."""
+    """The content of a recovery file."""
 
     process: int
-    """of the window in which it was drawn"""
+    """the id of the process that wrote it"""
     path: Path | None
-    """of its file, if it has one"""
+    """the file of the draft, if it has one"""
     saved: str
-    """what that holds, or what it began with"""
+    """the saved or the initial text"""
     text: str
-    """what it had become"""
+    """the unsaved text"""
     when: Annotated[float, Field(ge=0, le=LATEST)]
     """s, since 1970"""
 
 
 class Recovery:
-    """Keeps one draft, for as long as it differs from what is saved."""
+    """Keeps a recovery file of one draft while it has unsaved changes."""
 
     def __init__(self) -> None:
         self._name = f"{uuid4().hex}{_ENDING}"
         self._text: str | None = None
 
     def keep(self, draft: Draft) -> Message:
-        """Save the present draft for recovery; return why that failed, if so.
+        """Write the recovery file, and return the reason if that failed.
 
-        What is saved is not kept, and what is kept already is not written again, so this may be
-        called as often as one likes.
+        A saved draft needs none, and an unchanged one is not written again, so that this may be
+        called often.
         """
         if not draft.changed:
             self.forget()
@@ -80,7 +80,7 @@ class Recovery:
         return NOTHING
 
     def forget(self) -> None:
-        """Keep nothing any more: the draft was saved, or closed on purpose."""
+        """Delete the recovery file, as the draft was saved, or closed on purpose."""
         with suppress(OSError):
             (folder() / self._name).unlink(missing_ok=True)
         self._text = None
@@ -88,7 +88,7 @@ class Recovery:
 
 
 class Recoverable:
-    """A draft that a process has left."""
+    """A draft left by a process that has ended."""
 
     def __init__(self, file: Path, kept: Kept) -> None:
         self._file = file
@@ -96,12 +96,12 @@ class Recoverable:
 
     @property
     def path(self) -> Path | None:
-        """Of the file that it was to be saved to, if it had one."""
+        """The file of the draft, if it had one."""
         return self._kept.path
 
     @property
     def title(self) -> str:
-        """What its text says that it is called; empty if it does not say."""
+        """The title of the level; empty if it has none."""
         try:
             said = json.loads(self._kept.text)
         except (ValueError, RecursionError):
@@ -110,14 +110,13 @@ class Recoverable:
 
     @property
     def when(self) -> float:
-        """When it was kept [s, since 1970]."""
+        """The time at which it was written [s since 1970]."""
         return self._kept.when
 
     def draft(self) -> Draft:
         """Return the recovered draft, as an undoable change of the saved file.
 
-        Where its file has changed since, or is gone, the draft has no file, so that neither is
-        lost.
+        If the file has changed since, or is gone, the draft has no file, so that neither is lost.
         """
         kept = self._kept
         if kept.path is not None:
@@ -131,13 +130,13 @@ class Recoverable:
         return draft
 
     def forget(self) -> None:
-        """Do not offer it again."""
+        """Delete the recovery file."""
         with suppress(OSError):
             self._file.unlink(missing_ok=True)
 
 
 def recoverable() -> list[Recoverable]:
-    """Return the drafts that processes have left that are no more, the newest first."""
+    """Return the drafts left by processes that have ended, the newest first."""
     return sorted(_left(), key=lambda one: -one.when)
 
 
@@ -145,7 +144,7 @@ def _left() -> Iterator[Recoverable]:
     for file in folder().glob(f"*{_ENDING}"):
         if file.name in _OPEN:
             continue
-        with suppress(OSError, ValidationError):  # what something else has written is left alone
+        with suppress(OSError, ValidationError):  # files of other programs are ignored
             kept = Kept.model_validate_json(read_ordinary(file, LARGEST) or b"")
             if kept.process == os.getpid() or not lives(kept.process):
                 yield Recoverable(file, kept)

@@ -7,9 +7,9 @@ from sandbox.model.shorthand.expansion import write_out
 
 
 def plain(text: str) -> str:
-    """Return a level in which nothing repeats and no group is placed: all of it stands there.
+    """Return a level in which all repetitions and placed groups are written out.
 
-    A text without shorthand stays as it is, to the character; so does one that has mistakes in it.
+    A text without shorthand, or with mistakes in it, is returned unchanged.
     """
     try:
         typed = json.loads(text)

@@ -1,4 +1,4 @@
-"""The level under edit as the tools see it: text, drawing, selection, and every change."""
+"""The level under edit as the tools see it: its text, drawing, selection and changes."""
 
 import json
 from collections.abc import Callable, Collection, Mapping, Sequence
@@ -19,37 +19,37 @@ from sandbox.model.level import Level
 from sandbox.model.message import Message
 from sandbox.model.shapes import XY
 
-ASIDE = 40.0  # px, of a copy from what was copied
-MARGIN = 6.0  # px; so near to a part is on it
+ASIDE = 40.0  # px, from the original to its copy
+MARGIN = 6.0  # px, the largest distance at which a click is on a part
 
 Found = TypeVar("Found")
 
 
 class Work:
-    """What is on the workbench.
+    """The level under edit.
 
     Attributes
     ----------
     fixed
-        The fields of bodies that cannot be set here.
+        The fields of bodies that cannot be set.
     draft
-        The level's text, its undo and its file.
+        The level's text, with its undo steps and its file.
     text
-        What is edited: the draft's text, with everything written out that repeats or is placed.
+        The edited text: that of the draft, with repetitions and placed groups written out.
     document
-        What that says.
+        The data of the text.
     sketch
-        The same as it is drawn.
+        The drawing of the text.
     camera
         The camera of the stage.
     selected
-        The parts that are selected, the last one chosen at the end.
+        The selected parts, the latest last.
     ignored
-        The bodies to which nothing snaps: those that are moved.
+        The bodies to which nothing snaps, since they are being moved.
     version
-        Another object whenever the text has changed.
+        An object that differs after every change of the text.
     news
-        Another object whenever something else is to be shown.
+        An object that differs whenever the display must change.
     """
 
     fixed: Collection[str] = ()
@@ -61,18 +61,18 @@ class Work:
         self._message: str | None = None
         self.selected: tuple[Part, ...] = ()
         self._copied = ""
-        self._left: list[tuple[Part, ...]] = []  # what was selected when each step was undone
+        self._left: list[tuple[Part, ...]] = []  # the selection when each step was undone
         self._looked: tuple[object, dict[object, Any]] = (None, {})
         self.take(Draft.empty())
 
     def take(self, draft: Draft) -> None:
-        """Work on another level."""
+        """Edit another level."""
         self.draft, self.selected = draft, ()
         self._left.clear()
         self.refresh()
 
     def refresh(self) -> None:
-        """Draw what the text says now."""
+        """Draw the present text."""
         self.text = plain(self.draft.text)
         self.document: Mapping[str, Any] = json.loads(self.text)
         self.sketch = Sketch(self.document)
@@ -80,7 +80,7 @@ class Work:
         self.select(self.selected)
 
     def once(self, look: Callable[[Level], Found]) -> Found:
-        """Return what is found in the level, and look again only when it has changed."""
+        """Return the result of a function of the level, cached until the level changes."""
         if self._looked[0] is not self.version:
             self._looked = self.version, {}
         known = self._looked[1]
@@ -90,7 +90,7 @@ class Work:
         return found
 
     def show(self) -> None:
-        """Have the page drawn again."""
+        """Let the page be drawn again."""
         self.news = object()
 
     def tell(self, text: str) -> None:
@@ -139,12 +139,12 @@ class Work:
 
     @property
     def level(self) -> Level:
-        """The level that the text says.
+        """The level of the text.
 
         Raises
         ------
         SandboxError
-            If it says none.
+            If the text has mistakes.
         """
         level = self.draft.level
         if level is None:
@@ -153,11 +153,11 @@ class Work:
 
     @property
     def mistake(self) -> Message:
-        """The first sentence of the loader about the text."""
+        """The first mistake of the text."""
         return _first(self.draft.mistakes)
 
     def make(self, said: str, edit: Callable[[str, Level], Made], family: str = "bodies") -> bool:
-        """Put something new into the level and select it; return whether that was possible."""
+        """Add parts to the level and select them, and return whether that was possible."""
         names: list[str] = []
 
         def made(text: str, level: Level) -> str:
@@ -171,14 +171,14 @@ class Work:
         return done
 
     def undo(self) -> None:
-        """Take the last step back."""
+        """Undo the last step."""
         messages = later("Undone: {step}"), later("Nothing to undo")
         if self.draft.undoes:
             self._left.append(self.selected)
         self._stepped(*messages, self.draft.undo())
 
     def redo(self) -> None:
-        """Take the step again that was taken back last, and select what it had left selected."""
+        """Redo the last undone step, and restore the selection that it had left."""
         messages = later("Done again: {step}"), later("Nothing to redo")
         self._stepped(*messages, self.draft.redo())
         if self._left:
@@ -189,21 +189,21 @@ class Work:
         self.refresh()
 
     def delete(self) -> None:
-        """Take out what is selected."""
+        """Delete the selection."""
         names = [name for _, name in self.selected]
         if names:
             said = say("delete {names}", names=", ".join(names))
             self.change(said, lambda text, level: bodies.take_out(text, level, names))
 
     def nudge(self, across: int, upwards: int, share: float) -> None:
-        """Move what is selected by a share of a step of the grid."""
+        """Move the selected bodies by a share of a step of the grid."""
         step, names = self.snapping.grid * share, self.chosen
         by = across * step, upwards * step
         if names:
             self.change(say("move"), lambda t, level: transforms.move(t, level, names, by), "nudge")
 
     def copy(self) -> None:
-        """Copy the bodies that are selected, with the joints between them."""
+        """Copy the selected bodies, with the joints among them."""
         try:
             self._copied = copying.copy(self.text, self.level, self.chosen)
         except SandboxError as error:
@@ -215,12 +215,12 @@ class Work:
         self.make(say("paste"), lambda text, level: copying.paste(text, level, copied, by))
 
     def duplicate(self) -> None:
-        """Put what is selected a second time beside it, and select that."""
+        """Duplicate the selected bodies beside the originals, and select the copies."""
         names, by = self.chosen, self._aside
         self.make(say("duplicate"), lambda text, level: copying.duplicate(text, level, names, by))
 
     def group(self) -> None:
-        """Let the bodies that are selected be selected together from now on."""
+        """Make the selected bodies a group, which is selected as a whole."""
         names = self.chosen
         if self.change(say("group"), lambda text, level: grouping.group(text, level, names)):
             self.tell(say("A click selects the group now, a second one the body alone"))
@@ -232,13 +232,13 @@ class Work:
 
     @property
     def _aside(self) -> XY:
-        """How far copies are put aside [m]."""
+        """The displacement of copies [m]."""
         return ASIDE / self.camera.scale, ASIDE / self.camera.scale
 
     # what is selected
 
     def select(self, parts: Sequence[Part]) -> None:
-        """Select parts that are there, in place of those that are."""
+        """Replace the selection by those parts that exist."""
         there: Mapping[str, Collection[str]] = {
             "bodies": self.sketch.bodies,
             "joints": self.sketch.joints,
@@ -253,23 +253,23 @@ class Work:
 
     @property
     def chosen(self) -> list[str]:
-        """The bodies that are selected."""
+        """The selected bodies."""
         return [name for family, name in self.selected if family == "bodies"]
 
     @property
     def groups(self) -> Sequence[Sequence[str]]:
-        """The bodies that are selected together; none while the level has mistakes."""
+        """The groups of bodies; none while the level has mistakes."""
         return self.draft.level.view.together if self.draft.level else ()
 
     def with_group(self, part: Part) -> tuple[Part, ...]:
-        """Return what is selected with a part: the bodies of its group, or it alone."""
+        """Return a part, with the other bodies of its group if it has one."""
         family, name = part
         if family != "bodies" or self.draft.level is None:
             return (part,)
         return tuple((family, other) for other in grouping.group_of(self.draft.level, name))
 
     def part_at(self, pixel: XY) -> Part | None:
-        """Return the body or joint at a pixel: pins and what moves come before lines and floors."""
+        """Return the body or joint at a pixel: pins, moving bodies, other joints, other bodies."""
         reach, point = MARGIN / self.camera.scale, self.camera.to_world(pixel)
         joint = self.sketch.joint_at(point, reach)
         body = self.sketch.body_at(point, 0.0 if joint else reach)
@@ -279,12 +279,12 @@ class Work:
         return ("bodies", body) if body else None
 
     def snapped_by(self, names: Sequence[str], by: XY) -> Snapped:
-        """Return by how much to move bodies so that they touch what they come near [m]."""
+        """Return the displacement with which bodies touch what they come near [m]."""
         return self.snapping.moved(names, by)
 
 
 def _first(mistakes: Sequence[Mistake]) -> Message:
-    """Return the first of some mistakes, without its place in the text, which nobody sees."""
+    """Return the first of some mistakes, without its line, as the text is not visible."""
     first = mistakes[0]
     if not first.path:
         return first.rule

@@ -1,7 +1,8 @@
-"""The editor: it takes the mouse while its page is open, and switches to the run and back.
+"""The editor, which handles the mouse while its page is open, and switches to the run and back.
 
-What is built is drawn at its start, as its text says it. Once time runs the run is shown, the hand
-is back, and tools throw things into the run; to go back to the start is to go back to building.
+The level under edit is drawn at its start, from its text. Once time runs, the run is shown, the
+mouse grabs bodies again, and tools add things to the run; going back to the start is going back to
+building.
 """
 
 from typing import TYPE_CHECKING
@@ -30,7 +31,7 @@ if TYPE_CHECKING:
 
 
 class Editor:
-    """What the Build page finds out, does and shows; there is one a window.
+    """The worker of the Build page, one for each window.
 
     Attributes
     ----------
@@ -39,17 +40,17 @@ class Editor:
     trial
         The runs of the level.
     drafts
-        The other levels that were edited.
+        The drafts of all edited levels.
     tools
-        What changes the level, or its run.
+        The tools that change the level, or its run.
     applying
-        Plays what was changed, or says why it cannot run.
+        Applies changes to the session, or gives the reason why the level cannot run.
     trying
-        Goes from building to the run and back.
+        Switches between building and the run.
     saving
-        The level's file.
+        Saves and reads the level's file.
     complete
-        Takes the first name that the page offers, and tells whether one is.
+        Accepts the first name that the page offers, and returns whether there is one.
     """
 
     def __init__(self) -> None:
@@ -63,23 +64,23 @@ class Editor:
 
     @property
     def bench(self) -> Work:
-        """What is on the stage, and tools change: the level, or its run."""
+        """The level or its run, whichever is on the stage, and changed by the tools."""
         return self.tools.bench
 
     @property
     def news(self) -> object:
-        """Another object whenever something else is to be shown."""
+        """An object that differs whenever the display must change."""
         return self.bench.news
 
     @property
     def running(self) -> bool:
-        """Whether something is still to be tried."""
+        """Whether there are changes to be applied."""
         return self.applying.pending
 
     def follow(self, session: Session, seconds: float, *, watched: bool) -> str | None:
-        """Take up the level that is shown, and let the session play its changes."""
+        """Edit the level that is shown, and apply its changes to the session."""
         if not watched:
-            self.complete = bool  # or a page that is gone would stay, with its session
+            self.complete = bool  # else a closed page would stay in memory, with its session
         self.applying.follow(session, seconds, watched=watched)
         if self.drafts.follow(self.work.draft, seconds):
             self.bench.show()
@@ -88,29 +89,29 @@ class Editor:
         return self.bench.take_message() or self.work.take_message()
 
     def cancel(self) -> None:
-        """Keep what is not saved for the next time."""
+        """Write recovery files for unsaved changes."""
         self.drafts.keep()
 
     # which level
 
     def begin(self, session: Session, draft: Draft) -> None:
-        """Edit another draft, and let the session play it."""
+        """Edit another draft, and let the session run it."""
         self.drafts.add(draft)
         self.work.take(draft)
         self.tools.choose(FIRST)
         self.applying.apply(session)
 
     def new(self, session: Session) -> None:
-        """Begin an empty scene; the level edited before keeps its changes."""
+        """Start an empty scene; the previous level keeps its changes."""
         self.begin(session, Draft.empty())
 
     def save(self, session: Session) -> None:
-        """Save the level that is shown, whichever page is open, or ask for its name."""
+        """Save the level that is shown, whichever page is open, or ask for a name."""
         self.applying.take_up(session)
         self.saving.save()
 
     def keep_run(self, session: Session) -> None:
-        """Go on building with the present state of the run as a level of its own."""
+        """Edit the present state of the run as a new level."""
         try:
             draft = self.trial.live.kept()
         except SandboxError as error:
@@ -133,22 +134,22 @@ class Editor:
         return command == "reload"
 
     def key(self, event: pygame.event.Event, session: Session) -> bool:
-        """Do what a key means while something is built, and return whether it means anything."""
+        """Handle a key, and return whether it has a meaning here."""
         return keys.press(self, event, session)
 
     def process(
         self, event: pygame.event.Event, area: pygame.Rect, stage: Stage, session: Session
     ) -> bool:
-        """Let the tool in hand do what the mouse asks for."""
+        """Pass a mouse event to the current tool, and return whether it was for it."""
         self.trying.follow(session)
         return self._on_stage.process(event, area, stage)
 
     def go_on(self) -> None:
-        """Let time run again, once nothing is being drawn into the run."""
+        """Let time run again unless something is being drawn into the run."""
         self._on_stage.go_on()
 
     def draw(self, surface: pygame.Surface, stage: Stage, pen: Pen, session: Session) -> bool:
-        """Draw what is built, unless time runs."""
+        """Draw the level under edit, and return whether it is shown rather than the run."""
         self.work.camera = stage.camera
         if self.trying.is_shown(session):
             return False
@@ -156,5 +157,5 @@ class Editor:
         return True
 
     def draw_over(self, surface: pygame.Surface, stage: Stage, pen: Pen) -> None:
-        """Draw over the run what is selected in it, and what is being drawn into it."""
+        """Draw the selection over the run, and the preview of what is added to it."""
         self._on_stage.draw_over(surface, stage, pen)

@@ -1,4 +1,4 @@
-"""What the inspector shows of the selection, and how it sets fields."""
+"""The inspector's view of the selection, and the setting of fields."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
@@ -35,14 +35,14 @@ ALIKE = (
     "type", "mass", "friction", "static_friction", "restitution", "sensor", "color", "hidden",
     "layer",
 )  # fmt: skip
-"""The fields that several bodies are given at once."""
+"""The fields that can be set for several bodies at once."""
 
 MOST_NAMES = 6
-"""How many names are offered while a name is typed."""
+"""The largest number of names offered while one is typed."""
 
 
 def subject(work: Work) -> str:
-    """Return what is inspected, in words."""
+    """Return a description of the inspected parts."""
     match work.selected:
         case ():
             return say("The level")
@@ -55,7 +55,7 @@ def subject(work: Work) -> str:
 
 
 def rows(work: Work) -> Sequence[Row]:
-    """Return what can be set of what is inspected; of several bodies what they may have alike."""
+    """Return the rows for the selection; for several bodies, those of fields they can share."""
     match work.selected:
         case () if not work.fixed:
             return fields.rows(Level, work.document, ())
@@ -70,7 +70,7 @@ def rows(work: Work) -> Sequence[Row]:
 
 
 def _alike(work: Work) -> Iterator[Row]:
-    """Yield what several bodies may have alike; where they differ, a field is empty."""
+    """Yield the rows for fields that bodies can share; where they differ, a field is empty."""
     first, *others = (work.document["bodies"][name] for name in work.chosen)
     for row in fields.rows(Body, first, ("bodies", work.chosen[0])):
         if isinstance(row, fields.Section) or len(row) > 1 or (key := _field(row)) not in ALIKE:
@@ -82,7 +82,7 @@ def _alike(work: Work) -> Iterator[Row]:
 
 
 def _places(work: Work, path: Path) -> list[Path]:
-    """Return where a field stands: in each of the bodies, if several are selected."""
+    """Return the paths of a field: one in each body, if several are selected."""
     if len(work.selected) < 2:
         return [path]
     return [("bodies", name, *path[2:]) for name in work.chosen]
@@ -94,7 +94,7 @@ def _field(row: Row) -> str | int:
 
 
 def assign(work: Work, row: Sequence[Entry], entry: Entry, typed: str) -> str:
-    """Set a field to what was typed; return why that is impossible, or nothing."""
+    """Set a field to a typed text; return the reason if that is impossible, else an empty text."""
     try:
         if len(entry.path) == 2 and entry.path[0] in ("bodies", "joints"):
             _rename(work, entry, typed.strip())
@@ -111,7 +111,7 @@ def assign(work: Work, row: Sequence[Entry], entry: Entry, typed: str) -> str:
 
 
 def _rename(work: Work, entry: Entry, name: str) -> None:
-    """Call a body or a joint otherwise, wherever it is mentioned; it stays selected."""
+    """Rename a body or a joint wherever it is mentioned; it stays selected."""
     family = str(entry.path[0])
     work.put(
         rename(work.text, entry.path, name),
@@ -121,7 +121,7 @@ def _rename(work: Work, entry: Entry, name: str) -> None:
 
 
 def _assigned(text: str, row: Sequence[Entry], entry: Entry, typed: str) -> str:
-    """Return the text with another value; of a point that is not said both halves are."""
+    """Return the text with a new value; a point that was left out gets both coordinates."""
     if len(row) > 1 and not all(each.shown for each in row):
         whole = [float(each.default or 0) for each in row]
         text = put(text, entry.path[:-1], whole)
@@ -142,7 +142,7 @@ def completions(work: Work, entry: Entry, typed: str) -> list[str]:
 
 
 def numbers(work: Work) -> frozenset[Path]:
-    """Return what can be made a parameter: what is said, and is no formula of others yet."""
+    """Return the paths of the numbers that can be made parameters, as they use no names yet."""
     if work.fixed or work.draft.level is None:
         return frozenset()
     return work.once(_numbers)
@@ -155,7 +155,8 @@ def _numbers(level: Level) -> frozenset[Path]:
 def parametrise(work: Work, entry: Entry) -> None:
     """Turn a number into a parameter, which gets a slider on the level's page.
 
-    The angle of a slope, or of what lies on it, is that of both. Several bodies have it alike.
+    For a slope or a body on it, the angle of both is replaced. Several selected bodies share the
+    parameter.
     """
 
     def edit(text: str, level: Level) -> str:
@@ -174,12 +175,12 @@ def parametrise(work: Work, entry: Entry) -> None:
 
 
 def declared(work: Work) -> tuple[str, ...]:
-    """Return the effects that act."""
+    """Return the declared effects."""
     return tuple(work.document.get("effects", ()))
 
 
 def switch(work: Work, effect: str) -> None:
-    """Let an effect act, as it is tried where nothing is said of it, or act no more."""
+    """Switch an effect on, with default settings, or off."""
     if effect in declared(work):
         said = say("switch {effect} off", effect=say(effect))
         work.change(said, lambda text, level: effects.drop(text, level, effect))
@@ -190,14 +191,14 @@ def switch(work: Work, effect: str) -> None:
 
 
 def _example(work: Work, effect: str) -> Mapping[str, Any]:
-    """Return an example of an effect that requires settings."""
+    """Return example settings of an effect that requires some."""
     bodies = work.sketch.bodies.items()
     moving = [name for name, body in bodies if body.outline.heavy]
     return example(effect, moving, [name for name, body in bodies if not body.outline.heavy])
 
 
 def suggestions(work: Work) -> list[Act]:
-    """Return the set-ups that are recognised, and what adds their checks."""
+    """Return the actions that add the checks of the recognised set-ups."""
     if work.draft.level is None:
         return []
     return [

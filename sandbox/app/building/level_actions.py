@@ -1,4 +1,4 @@
-"""What can be added to a level as a whole, and taken out: checks, ghosts, a challenge."""
+"""Actions that add checks, ghosts and a challenge to a level, and remove them."""
 
 from functools import partial
 from typing import Literal
@@ -13,11 +13,11 @@ from sandbox.model.expressions import Expression
 from sandbox.model.level import Level
 
 MOST_TOLD = 12
-"""How many checks have a button that takes them out, and how many ghosts."""
+"""The largest number of checks, and of ghosts, that have a button to remove them."""
 
 
 def stated(work: Work) -> list[Act]:
-    """Return what adds a check, and what takes out those that there are, and ghosts."""
+    """Return the actions that add or remove checks, ghosts and a challenge, or change events."""
     if work.draft.level is None:
         return []
     level = work.level
@@ -49,7 +49,7 @@ def stated(work: Work) -> list[Act]:
 
 
 def _challenge(work: Work, level: Level, moving: list[str]) -> list[Act]:
-    """Return what makes the level a task, or what takes the task out."""
+    """Return the action that adds a challenge, or removes the present one."""
     if level.challenge is not None:
         tip = say("the level asks for nothing any more")
         drop = partial(
@@ -72,7 +72,7 @@ def _set_task(work: Work, body: str) -> None:
 
 
 def _waiting(work: Work, level: Level) -> list[Act]:
-    """Return what lets events wait for a quantity, in place of a time."""
+    """Return the actions that let events wait for a quantity instead of a time."""
     tip = say("it waits until a quantity crosses a value; its fields are below, under events")
     return [
         Act(say("{event}: when ...", event=name), tip, partial(_wait, work, name))

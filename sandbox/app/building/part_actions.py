@@ -1,4 +1,4 @@
-"""What can be done with the one part that is selected, besides setting its fields."""
+"""Actions on a single selected part, besides setting its fields."""
 
 from collections.abc import Callable, Iterator
 from functools import partial
@@ -20,11 +20,11 @@ AS_A: dict[str, tuple[str, str]] = {
     "hoop": (later("As a hoop"), later("hollow: what is within it touches its inner side")),
     "arc": (later("As an arc"), later("a part of a circle that stands still, from start to end")),
 }
-"""The kinds that a round body can be turned into."""
+"""The captions and tooltips of the shapes into which a round body can be changed."""
 
 
 def part_actions(work: Work) -> list[Act]:
-    """Return what can be done with the part that is selected; nothing if several are."""
+    """Return the actions on the selected part; none if several are selected."""
     level = work.draft.level
     if level is None or len(work.selected) != 1:
         return []
@@ -65,7 +65,7 @@ def _of_body(work: Work, level: Level, name: str) -> Iterator[Act]:
 
 
 def _happen(work: Work, said: str, edit: Callable[[str, Level, str], str], name: str) -> None:
-    """Let an event do something to a part."""
+    """Add an event that acts on a part."""
     if work.change(said, lambda text, level: edit(text, level, name)):
         work.tell(say("When that happens is in the level's own fields, under events (Esc)"))
 

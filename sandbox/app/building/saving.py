@@ -1,4 +1,4 @@
-"""The file of the level under edit: saved, saved under another name, and read again."""
+"""The file of the level under edit: save, save as, and reload."""
 
 from pathlib import Path
 
@@ -16,7 +16,7 @@ class Saving:
     Attributes
     ----------
     naming
-        Whether a person is asked under which name to save.
+        Whether the page asks for a name to save under.
     """
 
     def __init__(self, work: Work, drafts: Drafts, tools: Toolbox) -> None:
@@ -26,7 +26,7 @@ class Saving:
     def save(self, path: Path | None = None, *, overwrite: bool = False) -> None:
         """Save the level to its file, or to another.
 
-        Without a file of its own it asks for a name; a level of the project has none.
+        If it has no file of its own, as a level of the project, a name is asked for.
         """
         work, draft = self._work, self._work.draft
         if path is None and not self._drafts.is_own(draft):
@@ -49,12 +49,12 @@ class Saving:
         self._tools.bench.show()
 
     def stop_naming(self) -> None:
-        """Go on without saving."""
+        """Stop asking for a name."""
         self.naming = False
         self._tools.bench.show()
 
     def reload(self) -> None:
-        """Read the file again, as a step that can be undone."""
+        """Read the file again, as an undoable step."""
         try:
             self._work.draft.reload()
         except SandboxError as error:
@@ -66,5 +66,5 @@ class Saving:
 
     @property
     def proposed(self) -> Path:
-        """The name that is proposed for the file."""
+        """The proposed name of the file."""
         return self._drafts.proposed(self._work.draft, str(self._work.document.get("title", "")))

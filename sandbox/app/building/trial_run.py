@@ -1,4 +1,4 @@
-"""The trial run of a level under edit: started, paused, altered on the way, and undone."""
+"""The trial runs of a level under edit: they can be left, resumed, changed and undone."""
 
 import json
 from collections.abc import Sequence
@@ -10,11 +10,11 @@ from sandbox.app.runs.session import Session
 from sandbox.model.expressions import Values
 
 MOST = 50
-"""How many runs are kept, each of a different text."""
+"""The largest number of runs that are kept, each of a different text."""
 
 
 class Run(NamedTuple):
-    """What makes a run the same again, and when it was left."""
+    """What is needed to repeat a run, and the time at which it was left."""
 
     actions: Sequence[Action]
     steps: int
@@ -24,22 +24,22 @@ class Run(NamedTuple):
 
 
 class Trial:
-    """What is known of the runs of a level under edit.
+    """The runs of a level under edit.
 
     Attributes
     ----------
     live
-        The run that is shown, as tools see it.
+        The run on the stage, as the tools see it.
     """
 
     def __init__(self) -> None:
         self.live = Live()
         self._left: dict[str, Run] = {}
         self._undone: list[Action] = []
-        self._latest: str | None = None  # the text whose run was left last, and undone so
+        self._latest: str | None = None  # the text whose run was left last, and can be redone
 
     def leave(self, session: Session) -> None:
-        """Note a run before it is left for its start."""
+        """Store a run before going back to its start."""
         text = session.original.text
         steps = session.world.steps if session.sought is None else session.sought
         if steps:
@@ -51,43 +51,43 @@ class Trial:
             del self._left[next(iter(self._left))]
 
     def left(self, text: str) -> Run | None:
-        """Return the run that was left of a text, if one was."""
+        """Return the run that was left of a text; None if there is none."""
         return self._left.get(text)
 
     def come_back(self, session: Session, text: str) -> None:
-        """Take the run of a text again that was left, to where it was left."""
+        """Repeat the run of a text up to where it was left."""
         run = self._left[text]
         self._latest = None
         session.resume(run.actions, run.steps, run.values)
 
     def is_undone(self, text: str) -> bool:
-        """Whether the next redo returns to the run."""
+        """Return whether the next redo returns to the run."""
         return self._latest == text and text in self._left
 
     @staticmethod
     def changed(session: Session) -> bool:
-        """Whether the run that is shown was changed on the way."""
+        """Return whether the run was changed on the way."""
         return any(action.kind == "alter" for action in session.all_actions)
 
     def take_back(self, session: Session) -> None:
-        """Take back the last change of a run that was changed: it stands where that was done."""
+        """Undo the last change of a run, and return to the step at which it was made."""
         actions = session.all_actions
         *_, last = (i for i, action in enumerate(actions) if action.kind == "alter")
         self._undone.append(actions[last])
         session.resume(actions[:last], actions[last].step)
 
     def is_taken_back(self, session: Session) -> bool:
-        """Whether the run stands where a change of it was taken back."""
+        """Return whether the run is at the step at which a change was undone."""
         here = session.world.steps, session.sought
         return bool(self._undone) and here == (self._undone[-1].step, None)
 
     def do_again(self, session: Session) -> bool:
-        """Change the run again where that was taken back; return whether that was so.
+        """Redo a change that was undone at this step, and return whether there was one.
 
         Raises
         ------
         SandboxError
-            If that cannot be; then all stays as it was.
+            If it is impossible; nothing is changed then.
         """
         if not self.is_taken_back(session):
             self._undone.clear()

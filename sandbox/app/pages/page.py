@@ -17,31 +17,31 @@ from sandbox.app.widgets.sheet import Panel, Sheet, below
 from sandbox.model.level import Level
 
 Row = tuple[Color | None, str]
-"""A colour (None for the run that is played), and what is drawn in it."""
+"""A colour (None for the run that is played), and the caption of what is drawn in it."""
 
 
 class Worker(Protocol):
-    """What a page finds out in the background; there is one a window, whatever is shown."""
+    """The background work of a page; each window has one, whatever it shows."""
 
     @property
     def news(self) -> object:
-        """Another object whenever something else is to be shown."""
+        """An object that differs whenever the display must change."""
         ...
 
     @property
     def running(self) -> bool:
-        """Whether something is being worked on."""
+        """Whether work is under way."""
         ...
 
     def follow(self, session: Session, seconds: float, *, watched: bool) -> str | None:
-        """Let some time pass [s], every frame; return a message, None if there is none.
+        """Let time pass [s], every frame; return a message, None if there is none.
 
-        `watched` says whether its page is the one that is chosen.
+        `watched` is whether its page is the chosen one.
         """
         ...
 
     def cancel(self) -> None:
-        """End the work."""
+        """Cancel the work."""
         ...
 
 
@@ -50,58 +50,58 @@ W = TypeVar("W", bound=Worker)
 
 @runtime_checkable
 class OnStage(Protocol):
-    """What mouse and keys are for on the stage while its page is open, before all others.
+    """A worker that handles mouse and keys on the stage first, while its page is open.
 
-    A page's worker that is one takes the hand's place, and may draw in place of the run.
+    It replaces the hand that grabs bodies, and may draw in place of the run.
     """
 
     def command(self, command: str, session: Session) -> bool:
-        """Do what a command of the window means here; return whether it means something else."""
+        """Handle a command of the window, and return whether the window must not execute it."""
         ...
 
     def key(self, event: pygame.event.Event, session: Session) -> bool:
-        """Do what a pressed key means here, and return whether it means anything."""
+        """Handle a pressed key, and return whether it has a meaning here."""
         ...
 
     def process(
         self, event: pygame.event.Event, area: pygame.Rect, stage: Stage, session: Session
     ) -> bool:
-        """Do what the mouse asks for, and return whether that was for this."""
+        """Handle a mouse event, and return whether it has a meaning here."""
         ...
 
     def draw(self, surface: pygame.Surface, stage: Stage, pen: Pen, session: Session) -> bool:
-        """Draw what is made on the stage's surface; return whether that stands for the run."""
+        """Draw on the stage, and return whether that replaces the run."""
         ...
 
     def draw_over(self, surface: pygame.Surface, stage: Stage, pen: Pen) -> None:
-        """Draw over the run, where that is drawn."""
+        """Draw over the run, if it is drawn."""
         ...
 
 
 @runtime_checkable
 class Zoomed(Protocol):
-    """What a page shows that the wheel zooms, before it scrolls the page."""
+    """A page with a part that the wheel zooms, instead of scrolling the page."""
 
     def wheel(self, notches: float, pixel: tuple[int, int]) -> bool:
-        """Zoom about the mouse, if it is over that, and return whether it is."""
+        """Zoom about the mouse if it is over the part, and return whether it is."""
         ...
 
     def home(self) -> bool:
-        """Show all of it, and return whether that was not the case."""
+        """Reset the zoom, and return whether there was one."""
         ...
 
 
 @runtime_checkable
 class Leading(Protocol):
-    """A page with buttons that call for a command of the window."""
+    """A page with buttons for commands of the window."""
 
     def leads(self, button: object) -> str | None:
-        """Return the command that a button of its calls for; None if it is another one."""
+        """Return the command of a button; None if it is not one of these."""
         ...
 
 
 class Desk(NamedTuple):
-    """What a page works with."""
+    """The objects with which pages work."""
 
     session: Session
     workers: Sequence[Worker]
@@ -128,17 +128,17 @@ def worker(workers: Sequence[Worker], kind: type[W]) -> W:
 
 
 class PageCommand(NamedTuple):
-    """A command that a page understands, from anywhere in the window."""
+    """A command of a page, available in the whole window."""
 
     name: str
     character: str
-    """the key that calls for it; a capital letter is that letter with Shift; none if empty"""
+    """its key; a capital letter is that letter with Shift; none if empty"""
     text: str
-    """what the help says"""
+    """its description in the help"""
     act: Callable[[Desk], str | None]
-    """does it, and returns what is to be told; a `SandboxError` is told, too"""
+    """executes it, and returns a message, if any; a `SandboxError` is shown as one"""
     control: int | None = None
-    """a key that calls for it together with Ctrl"""
+    """its key together with Ctrl"""
 
     @property
     def binding(self) -> Binding:
@@ -154,7 +154,7 @@ class PageCommand(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Page:
-    """The declaration of a page. It stands in its folder's `__init__.py`.
+    """The declaration of a page, in the `__init__.py` of its folder.
 
     Raises
     ------
@@ -165,33 +165,33 @@ class Page:
     name: str
     """the name of its folder"""
     caption: str
-    """of its tab"""
+    """the caption of its tab"""
     text: str
-    """what the help and its tab's tool tip say"""
+    """its description, in the help and the tooltip of its tab"""
     key: str = ""
-    """the letter or sign that opens it; without one its tab does, and the key of the next page"""
+    """the character that opens it; if empty, only its tab and the key for the next page do"""
     card: Callable[[Pen, int, Session], pygame.Surface] | None = None
-    """draws what it tells, so wide [px]; a page without a panel shows this and nothing else"""
+    """draws its contents with a width [px]; a page without a panel shows only this"""
     panel: Callable[[Sheet, Desk], Panel] | None = None
-    """makes what can be clicked on"""
+    """makes its widgets"""
     worker: Callable[[], Worker] | None = None
-    """makes what it finds out in the background"""
+    """makes its background worker"""
     commands: tuple[PageCommand, ...] = ()
     keys: tuple[tuple[str, str], ...] = ()
-    """keys and what they do while it is open, and not otherwise: what the help tells then"""
+    """the keys that have a meaning only while it is open, and their descriptions in the help"""
     energy: bool = True
-    """whether the energies stand below it"""
+    """whether the energies are shown below it"""
     books: bool = False
-    """whether it tells where energy or momentum come from and go: it is booked while it is open"""
+    """whether it shows where energy or momentum comes from and goes, recorded while it is open"""
     suits: Callable[[Level], bool] | None = None
-    """which levels it is made for: with those it is opened, and with others the first page is"""
+    """whether a level is opened with this page, instead of the first"""
     recalls: bool = False
-    """whether it tells what was recorded, while the run itself is on its way there"""
+    """whether it shows the recorded state while the run is still on its way there"""
     overlay: str = ""
-    """an overlay of the stage that is drawn while the page is shown, also if it is switched off"""
+    """an overlay of the stage that is drawn while the page is shown, even if switched off"""
     beside: Callable[[Session], Sequence[Row]] | None = None
-    """what runs over each other on the stage for its sake, the run that is played first; empty
-    where nothing does. A still picture shows the page's card then, in place of the checks."""
+    """the runs that the page superimposes on the stage, that of the session first; empty if none.
+    A still picture then shows the page's card in place of the checks."""
 
     def __post_init__(self) -> None:
         for part in ("name", "caption", "text"):
@@ -209,12 +209,12 @@ class Page:
 
     @property
     def command(self) -> str:
-        """The command that opens it."""
+        """The command that opens the page."""
         return f"{self.name} page"
 
     @property
     def bindings(self) -> tuple[Binding, ...]:
-        """Its keys: one opens it, the others call for what it understands."""
+        """Its keys: the one that opens it, and those of its commands."""
         taken = {command.character for command in self.commands}
         opening = "".join(c for c in dict.fromkeys((self.key, self.key.upper())) if c not in taken)
         return (
@@ -227,19 +227,19 @@ class Page:
         )
 
     def open(self, sheet: Sheet, desk: Desk) -> Panel:
-        """Put what it shows on a sheet."""
+        """Make its contents on a sheet."""
         if self.panel is not None:
             return self.panel(sheet, desk)
         assert self.card is not None
         return CardPanel(sheet, desk.session, self.card)
 
     def runs(self, session: Session) -> Sequence[Row]:
-        """Return what runs over each other on the stage for its sake."""
+        """Return the runs that the page superimposes on the stage."""
         return self.beside(session) if self.beside is not None else ()
 
 
 class CardPanel:
-    """A page that is a card, and nothing to click on."""
+    """A page with a card only, without widgets."""
 
     def __init__(
         self, sheet: Sheet, session: Session, card: Callable[[Pen, int, Session], pygame.Surface]
@@ -249,7 +249,7 @@ class CardPanel:
         self.update()
 
     def process(self, _event: pygame.event.Event) -> str | None:
-        """Return nothing: there is nothing to click on."""
+        """Return None, as there are no widgets."""
         return None
 
     def update(self) -> None:

@@ -46,18 +46,17 @@ def entries() -> list[Entry]:
 
 
 def rank(entry: Entry, words: Sequence[str]) -> tuple[int, int]:
-    """Return what orders levels that have all of some words: the least comes first.
+    """Return the sort key of a level that contains all of some words; the least comes first.
 
-    A title says more than a summary, the whole phrase more than its words; of two titles that say
-    as much, the shorter one says less beside it. A title that is shown translated counts as its
-    author put it, too.
+    A match in the title precedes one in the summary, the whole phrase precedes single words, and a
+    shorter title a longer one. Both the translated and the original title count.
     """
     titles = {entry.title.casefold(), entry.original.title.casefold()}
     return min(_rank(title, entry.words, words) for title in titles)
 
 
 def _rank(title: str, text: str, words: Sequence[str]) -> tuple[int, int]:
-    """Return the same for one title of a level, and for all the words by which it is found."""
+    """Return the sort key for one title of a level, and the text by which it is found."""
     phrase = " ".join(words)
     if phrase in title:
         return 0, len(title)
@@ -67,19 +66,19 @@ def _rank(title: str, text: str, words: Sequence[str]) -> tuple[int, int]:
 
 
 class LevelList:
-    """A column of buttons, one a level, below a field that finds those with some words in them.
+    """A column of buttons, one for each level, below a search field.
 
-    A button is made when its row comes into sight, and goes when that is far: all of them take a
-    tenth of a second, and some 25 MB.
+    A button is made when its row becomes visible, and removed when the row is far away, since
+    making all takes a tenth of a second and about 25 MB.
 
     Attributes
     ----------
     column
-        Holds all of it.
+        The container of all widgets.
     field
-        Where the words are typed.
+        The search field.
     rows
-        The buttons that are there.
+        The buttons made so far.
     """
 
     def __init__(
@@ -111,9 +110,9 @@ class LevelList:
         self._none = self._image(manager, pen, say("No level matches."), theme.DIM, bold=False)
         self._headings: dict[str, UIImage] = {}
         self._levels = tuple(levels)
-        self._tops: dict[Entry, int] = {}  # px: where the rows of those that are found are
+        self._tops: dict[Entry, int] = {}  # px, the heights of the rows found
         self.rows: dict[Entry, Row] = {}
-        self._seen: float | None = None  # px: down to where it was scrolled when rows were made
+        self._seen: float | None = None  # px, the scroll position when rows were last made
         self._chosen: Path | None = None
         self._progress = Progress()
         for chapter in dict.fromkeys(level.chapter for level in levels):
@@ -122,9 +121,9 @@ class LevelList:
         self._show()
 
     def _ways(self, manager: UIManager, pen: Pen, width: int) -> Iterator[tuple[UIButton, str]]:
-        """Make the buttons that lead to other levels, with the commands that they call for.
+        """Make the buttons that lead to other levels, and yield them with their commands.
 
-        The room that their captions leave is shared.
+        They share the room that their captions leave.
         """
         ways = {"home": say("Home"), "new scene": say("New"), "open file": say("Open …")}
         needed = {command: pen.write(text, CAPTION).width for command, text in ways.items()}
@@ -157,7 +156,7 @@ class LevelList:
         )
 
     def update(self, kept: UIElement | None = None) -> None:
-        """Make the rows that have come into sight, and drop those that are far; one is kept."""
+        """Make the rows that have become visible, and remove distant ones except `kept`."""
         top, height = scrolled(self._container), self._container.rect.height
         if top == self._seen:
             return
@@ -169,13 +168,13 @@ class LevelList:
                 self.rows.pop(level).kill()  # type: ignore[no-untyped-call]
 
     def reach(self, here: UIElement | None) -> None:
-        """Make the rows to which the keyboard may go from a widget: beside it, and at the ends."""
+        """Make the rows that Tab may reach from a widget: its neighbours, the first, the last."""
         listed = list(self._tops)
         at = next((listed.index(level) for level, row in self.rows.items() if row is here), 0)
         self._make(listed[max(at - 1, 0) : at + 2] + listed[:1] + listed[-1:])
 
     def complete(self) -> None:
-        """Make all rows of the search result; those out of sight go with the next scrolling."""
+        """Make all rows of the search result; the next scrolling removes distant ones."""
         self._make(self._tops)
 
     def _between(self, above: float, below: float) -> list[Entry]:
@@ -183,13 +182,13 @@ class LevelList:
         return [level for level, y in self._tops.items() if above < y < below]
 
     def _make(self, levels: Iterable[Entry]) -> None:
-        """Make the rows of some levels, as far as they are not there yet."""
+        """Make the missing rows of some levels."""
         for level in levels:
             if level not in self.rows:
                 self.rows[level] = self._row(level)
 
     def _row(self, level: Entry) -> Row:
-        """Return a new button, in its place."""
+        """Return a new button at its place."""
         caption, told = self._caption(level)
         place = self._px(MARGIN), self._tops[level], self._width, self._px(ROW)
         row = Row(
@@ -200,7 +199,7 @@ class LevelList:
         return row
 
     def _caption(self, level: Entry) -> tuple[str, str | None]:
-        """Return what stands on a level's button, and what it says while the mouse rests on it."""
+        """Return the caption of a level's button, and its tooltip."""
         stars = self._progress.stars(level.original.title)
         mark = f"   {stars * STAR}" if stars else ""
         room = self._width - self._px(18) - self._pen.write(mark, 13).width
@@ -209,16 +208,16 @@ class LevelList:
         return shown + mark, earned if shown == level.title else level.title
 
     def mark_stars(self) -> None:
-        """Let the rows show the stars that have been earned by now."""
+        """Show the stars earned so far in the rows."""
         self._progress = Progress()
         for level, row in self.rows.items():
             caption, row.tool_tip_text = self._caption(level)
             row.set_text(caption)
 
     def _show(self) -> None:
-        """Put what is sought for in rows, and hide the rest; the chapters head all of them only."""
+        """Place the rows of the search result, and hide others; headings only without a search."""
         found, self._tops, self._seen, y = self.found, {}, None, 0
-        tops: dict[str, int] = {}  # px: where the headings are
+        tops: dict[str, int] = {}  # px, the heights of the headings
         for level in found:
             if level.chapter not in tops and not self.sought.strip():
                 tops[level.chapter] = y
@@ -244,12 +243,12 @@ class LevelList:
 
     @property
     def sought(self) -> str:
-        """What is looked for."""
+        """The text of the search field."""
         return str(self.field.get_text())
 
     @property
     def found(self) -> list[Entry]:
-        """The levels that have each of the words that are looked for, the likeliest first."""
+        """The levels that contain all words of the search, the likeliest first."""
         words = self.sought.casefold().split()
         found = [e for e in self._levels if all(word in e.words for word in words)]
         return sorted(found, key=lambda e: rank(e, words)) if words else found
@@ -262,7 +261,7 @@ class LevelList:
             self.choose(self._chosen)
 
     def choose(self, path: Path | None) -> None:
-        """Mark a level as the one that is played, and bring it into view."""
+        """Mark a level as the one that is played, and scroll to it."""
         self._chosen = path
         for level, row in self.rows.items():
             press(row, level.path == path)
@@ -273,7 +272,7 @@ class LevelList:
                     scroll(self._container, y - height / 2)
 
     def process(self, event: pygame.event.Event) -> Path | None:
-        """Return the level that was clicked on, or the first that was found, if one was."""
+        """Return the level that was clicked on, or with Enter the first found; None if neither."""
         if event.type == UI_BUTTON_PRESSED:
             pressed = (e.path for e, row in self.rows.items() if row is event.ui_element)
             return next(pressed, None)

@@ -45,25 +45,25 @@ class Panels:
     Attributes
     ----------
     manager
-        pygame_gui's.
+        The manager of pygame_gui.
     layout
-        How the window is divided.
+        The division of the window.
     list, side
         The two columns; None while they are hidden.
     controls
-        The bar below: that of the run, or of the cards while they are shown.
+        The bar at the bottom: that of the run, or that of the home page while it is shown.
     energy
-        How the energy is shown; None as long as nobody has chosen.
+        The view of the energy; None until it is chosen.
     page
-        The command of the side panel's tab that is chosen.
+        The command of the chosen tab of the side panel.
     refusal
-        The page that says why the level cannot be opened; None if it can.
+        The page with the reason why the level cannot be opened; None if it can.
     home
-        The cards of the levels, in place of the stage while they are shown.
+        The home page with the cards of the levels, in place of the stage while it is shown.
     focus
-        Where the keyboard is among the widgets.
+        The keyboard focus.
     offer
-        The button that runs a level that had to stop at another rate; None if there is none.
+        The button that runs a failed level again at another rate; None if there is none.
     """
 
     def __init__(
@@ -74,7 +74,7 @@ class Panels:
         self.energy: View | None = None
         self._advised: float | None = None
         self.side: SidePanel | None = None
-        self._listed: object = None  # what the list was built for
+        self._listed: object = None  # the key for which the list was built
         self._sought = ""
         self.list: LevelList | None = None
         self.page = register.PAGES[0].command
@@ -83,7 +83,7 @@ class Panels:
         self.renew(size)
 
     def renew(self, size: tuple[int, int]) -> None:
-        """Make all in the present theme, scale and language, from the next building on."""
+        """Use the present theme, scale and language, from the next `build` on."""
         self._dialog: OpenDialog | None = None
         self._sought = self.sought
         self.list = None
@@ -92,15 +92,15 @@ class Panels:
             size, theme.widgets(self._pen.scale), enable_live_theme_updates=False,
             starting_language=language.used(),
         )  # fmt: skip
-        set_default_manager(self.manager)  # the first would stay for good, with all its widgets
+        set_default_manager(self.manager)  # else the first stays in memory, with its widgets
         self.home.renew()
 
     def hide_or_show(self, column: str) -> None:
-        """Hide a column, `levels` or `side`, or show it again, from the next building on."""
+        """Hide a column, `levels` or `side`, or show it again, from the next `build` on."""
         self._hidden ^= {column}
 
     def show(self, page: str) -> None:
-        """Show a page of the side column, from the next building on."""
+        """Show a page of the side column, from the next `build` on."""
         self.page = page
         self._hidden -= {"side"}
 
@@ -108,7 +108,7 @@ class Panels:
         self, size: tuple[int, int], entries: Sequence[Entry], path: Path | None,
         session: Session | None, refused: SandboxError | None,
     ) -> None:  # fmt: skip
-        """Build everything, for the level of a session or for why there is none."""
+        """Build all widgets, for the level of a session, or for the error if there is none."""
         manager, pen = self.manager, self._pen
         manager.set_window_resolution(size)
         shown = session is not None and not self.home.open
@@ -119,7 +119,7 @@ class Panels:
         self._clear((size, layout.levels.width, tuple(entries)))
         if self.list is None and layout.levels.width:
             self.list = LevelList(manager, pen, layout.levels, entries, self._sought)
-            if self.focus.lost:  # maybe by a row out of sight, which is to have it again
+            if self.focus.lost:  # perhaps the focus of a hidden row, which gets it again
                 self.list.complete()
         if self.list is not None:
             self.list.choose(path)
@@ -146,7 +146,7 @@ class Panels:
         self.offer = None
 
     def _clear(self, listed: object) -> None:
-        """Remove all but a list that is built for the same: making it takes a tenth of a second."""
+        """Remove all widgets but a list with the same key, which takes a tenth of a second."""
         self.close_dialog()
         self.manager.set_focus_set(None)
         if self.list is not None and listed != self._listed:
@@ -166,35 +166,35 @@ class Panels:
             self.list.update(self.focus.element(self.manager, self.layout))
 
     def mark_stars(self) -> None:
-        """Let the list show the stars that have been earned by now."""
+        """Show the stars earned so far in the list."""
         if self.list is not None:
             self.list.mark_stars()
 
     def turn(self, pages: float) -> None:
-        """Scroll whatever can be scrolled by a part of its height."""
+        """Scroll the side panel or the refusal by a multiple of its height."""
         turned = self.side or self.refusal
         if turned is not None:
             turned.turn(pages)
 
     def go_on(self, direction: int) -> None:
-        """Give the keyboard to the next widget, or to the one before: to rows out of sight, too."""
+        """Move the focus to the next or the previous widget, including rows out of sight."""
         if self.list is not None:
             self.list.reach(self.focus.element(self.manager, self.layout))
         self.focus.go(self.manager, self.layout, direction)
 
     def seek(self) -> None:
-        """Let a person type what level to look for."""
+        """Focus the search field."""
         if self.list is not None:
             self.manager.set_focus_set(self.list.field.get_focus_set())
             self.list.field.select_range = [0, len(self.list.sought)]
 
     def list_all(self) -> None:
-        """Look for no level any more."""
+        """Clear the search."""
         if self.list is not None:
             self.list.clear()
 
     def let_go(self) -> None:
-        """Leave the field that is typed in as it was; if none is, look for no level any more."""
+        """Close the dialog, or revert and leave the field with the focus, or clear the search."""
         if self.dialog is not None:
             self.close_dialog()
             return
@@ -205,24 +205,24 @@ class Panels:
         self.manager.set_focus_set(None)
 
     def ask_for_file(self, folder: Path) -> None:
-        """Let a person choose a file, at first in a folder."""
+        """Open the file dialog in a folder."""
         self.close_dialog()
         self.manager.set_focus_set(None)
         self._dialog = OpenDialog(self.manager, self.layout.stage, folder)
 
     def close_dialog(self) -> None:
-        """Ask for no file any more."""
+        """Close the file dialog."""
         if self.dialog is not None:
             self.dialog.kill()  # type: ignore[no-untyped-call]
 
     @property
     def dialog(self) -> OpenDialog | None:
-        """Where a file is chosen; None while none is."""
+        """The file dialog; None while it is closed."""
         shown = self._dialog is not None and self._dialog.alive()  # type: ignore[no-untyped-call]
         return self._dialog if shown else None
 
     def wanted(self, event: pygame.event.Event) -> Path | None:
-        """Return the level that was chosen in the list or in the dialog, if one was."""
+        """Return the level that was chosen in the list or in the dialog; None if none was."""
         path = self._dialog.picked(event) if self._dialog is not None else None
         if path is None and self.list is not None:
             path = self.list.process(event)
@@ -234,12 +234,12 @@ class Panels:
         return way or self.controls.process(event)
 
     def follow_home(self) -> None:
-        """Let the home page show what is looked for in the list."""
+        """Show the search result of the list on the home page."""
         found = self.list.found if self.list is not None else self._entries
         self.home.update(self.layout.stage, found, self.sought)
 
     def advise(self, rate: float | None) -> None:
-        """Offer to run again at a rate [Hz], or offer nothing."""
+        """Offer to run again at a rate [Hz]; None offers nothing."""
         if self.home.open:
             rate = None
         if self.offer is not None and (rate is None or self._advised != rate):
@@ -250,22 +250,22 @@ class Panels:
         self._advised = rate
 
     def accepts(self, event: pygame.event.Event) -> bool:
-        """Whether an event takes the offer."""
+        """Return whether an event accepts the offer."""
         pressed = event.type == UI_BUTTON_PRESSED
         return pressed and self.offer is not None and event.ui_element is self.offer
 
     @property
     def typing(self) -> bool:
-        """Whether something is being typed into a field, or a file chosen."""
+        """Whether a field has the focus, or the file dialog is open."""
         focused = self.manager.focused_set or ()
         return self.dialog is not None or any(isinstance(each, Field) for each in focused)
 
     @property
     def _seeking(self) -> bool:
-        """Whether it is being typed what level to look for."""
+        """Whether the search field has the focus."""
         return self.list is not None and self.list.field.is_focused
 
     @property
     def sought(self) -> str:
-        """What is looked for in the list that is shown."""
+        """The text of the search field; empty if the list is hidden."""
         return self.list.sought if self.list is not None else ""

@@ -1,4 +1,4 @@
-"""Making a level a task: its parameters are free, and a body has to end in a place."""
+"""Making a level a challenge: its parameters are free, and a body has to end in a region."""
 
 from collections.abc import Sequence
 
@@ -11,29 +11,29 @@ from sandbox.model.level import Level
 from sandbox.model.message import Message
 
 DIGITS = 6
-"""Decimals of the bounds of a place [m]."""
+"""Decimals of the bounds of the region [m]."""
 
 STEP = 1.0
-"""m, how far to the right of where a body begins its place is if nothing stands there."""
+"""m, the distance to the right at which the region begins if there is no target, and its width."""
 
 
 def add_challenge(text: str, level: Level, body: str, task: str, labels: Sequence[str]) -> str:
-    """Return a level with a task: to bring a body, by the parameters, to where something stands.
+    """Return a level with a challenge: to bring a body to a target by setting the parameters.
 
-    That is all that stands still but for the widest, which is the ground: over its width, and not
-    above its top. What the parameters are now counts as the solution.
+    The target consists of all static bodies except the widest, the ground: the body must end
+    between its sides, and not above its top. The present parameters are the solution.
 
     Parameters
     ----------
     text, level, body
-        Of the level, and which body.
+        The text of the level, the level, and the name of the body.
     task, labels
-        What is asked for, and what of the place across and of that upwards.
+        The description of the task, and the labels of the horizontal and the vertical goal.
 
     Raises
     ------
     SandboxError
-        If the level has no parameters, or a task already.
+        If the level has no parameters, or a challenge already.
     """
     if not level.parameters:
         raise SandboxError(
@@ -59,12 +59,12 @@ def add_challenge(text: str, level: Level, body: str, task: str, labels: Sequenc
 
 
 def drop_challenge(text: str) -> str:
-    """Return a level without its task."""
+    """Return a level without its challenge."""
     return without_meaning(remove(text, ("challenge",)))
 
 
 def _bounds(level: Level, body: str) -> tuple[dict[str, Json], dict[str, Json]]:
-    """Return between what a place lies across, and what it lies below [m]."""
+    """Return the horizontal and the vertical bounds of the region [m]."""
     where = placed(level)
     target = _target(list(where.values()))
     if not target:
@@ -75,7 +75,7 @@ def _bounds(level: Level, body: str) -> tuple[dict[str, Json], dict[str, Json]]:
 
 
 def _target(bodies: Sequence[Placed]) -> list[Placed]:
-    """Return what stands still, without the ground."""
+    """Return the static bodies without the ground."""
     still = [one for one in bodies if one.body.type == "static"]
     ground = max(still, key=lambda one: (one.bounds[1] - one.bounds[0]).real, default=None)
     return [one for one in still if one is not ground]

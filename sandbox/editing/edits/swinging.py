@@ -1,6 +1,6 @@
-"""The angle of what hangs from a peg as one parameter: what it hangs on keeps its length.
+"""Making the angle of a hanging body a parameter; its rod or rope keeps its length.
 
-Its position is then a sum such as `2 - 3*sin(angle*deg)`.
+A coordinate is then a sum such as `2 - 3*sin(angle*deg)`.
 """
 
 from cmath import phase, rect
@@ -21,17 +21,17 @@ from sandbox.model.level_parts import names_in
 from sandbox.model.message import Message
 
 ASIDE = 30.0
-"""deg, by which what hangs straight down is drawn aside."""
+"""deg, the angle to which a body that hangs straight down is drawn aside."""
 
 STRAIGHT = 1e-6
-"""deg, up to which it hangs straight down."""
+"""deg, the largest angle at which a body hangs straight down."""
 
 RANGES = ((5, 60), (0, 90), (0, 175))
-"""deg, of the slider, if the angle is within."""
+"""deg, possible ranges of the slider; the first that contains the angle is used."""
 
 
 def peg_of(level: Level, name: str) -> complex | None:
-    """Return the point of the plane [m] from which a body hangs on one rod or rope, if it does."""
+    """Return the point of the plane [m] from which a body hangs on a rod or rope, or None."""
     held = [joint for joint in level.joints.values() if name in bodies_of(joint)]
     if len(held) != 1 or not isinstance(held[0], Rod | Rope) or held[0].length is not None:
         return None
@@ -42,21 +42,21 @@ def peg_of(level: Level, name: str) -> complex | None:
 
 
 def swing(text: str, level: Level, name: str) -> str:
-    """Return a level in which the angle of what hangs is a parameter.
+    """Return a level in which the angle of a hanging body is a parameter.
 
-    What hangs straight down is drawn aside.
+    A body that hangs straight down is drawn aside.
 
     Parameters
     ----------
     text, level
-        Of the level.
+        The text of the level, and the level.
     name
-        Of a body on a rod or a rope.
+        The name of a body on a rod or a rope.
 
     Raises
     ------
     SandboxError
-        If it does not hang from a point of the plane, or a formula says where it is.
+        If it does not hang from a point of the plane, or its position is a formula already.
     """
     peg = peg_of(level, name)
     if peg is None:
@@ -84,7 +84,7 @@ def swing(text: str, level: Level, name: str) -> str:
 
 
 def _free_side(where: Mapping[str, Placed], name: str, peg: complex, length: float) -> float:
-    """Return to which side something can be drawn, to the left if it can [deg]."""
+    """Return the angle of a side without obstacles, preferably the left [deg]."""
     for turned in (-ASIDE, ASIDE):
         way = peg + rect(length, turned * pi / 180 - pi / 2) - where[name].center
         if all(

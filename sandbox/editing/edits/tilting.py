@@ -1,4 +1,4 @@
-"""The angle of a slope as one parameter: what lies on it turns with it, about its lower end.
+"""Making the angle of a slope a parameter; bodies on it turn with it, about its lower end.
 
 A position is then a sum such as `-4 + 2*cos(angle*deg) - 0.5*sin(angle*deg)`.
 """
@@ -22,13 +22,13 @@ from sandbox.model.message import Message
 from sandbox.model.shapes import Segment, evaluate
 
 TOUCHING = 1e-6
-"""m, bodies closer than this touch."""
+"""m, the largest gap at which bodies touch."""
 
 LEVEL = 1e-6
-"""rad, up to which a surface counts as level, not as a slope."""
+"""rad, the largest angle at which a surface counts as horizontal, not as a slope."""
 
 FLAT = 1e-7
-"""deg, up to which a body on a slope counts as lying flat."""
+"""deg, the largest difference of angles at which a body lies flat on a slope."""
 
 RANGES = ((5, 60), (0, 90))
 """deg, possible ranges of the slider; the first that contains the slope is used."""
@@ -38,16 +38,16 @@ class _Tilt(NamedTuple):
     """A slope that turns about its lower end."""
 
     foot: complex  # m
-    angle: float  # rad, at which it is; negative where it rises to the left
+    angle: float  # rad, the present angle; negative if the slope rises to the left
     formula: str
     name: str  # of the parameter
 
     def inside(self, point: complex) -> complex:
-        """Return where a point is along the slope and above it [m]."""
+        """Return the coordinates of a point along and normal to the slope [m]."""
         return (point - self.foot) / rect(1, self.angle)
 
     def vector(self, local: complex, start: complex = 0j) -> list[Json]:
-        """Return what is so along the slope, and that from a start, as formulas."""
+        """Return the formulas of a vector given along and normal to the slope, added to a start."""
         sign = -1 if self.formula.startswith("-") else 1
         cos, sin = (f"{function}({self.name}*deg)" for function in ("cos", "sin"))
         x = {"": start.real, cos: local.real, sin: -sign * local.imag}
@@ -55,7 +55,7 @@ class _Tilt(NamedTuple):
         return [sum_of(x), sum_of(y)]
 
     def turned(self, angle: float) -> str:
-        """Return the angle of a body that turns with the slope [rad]."""
+        """Return the formula for the angle of a body that turns with the slope [rad]."""
         more = rounded(degrees(angle - self.angle))
         if abs(more) < FLAT:
             return self.formula
@@ -63,10 +63,9 @@ class _Tilt(NamedTuple):
 
 
 def slope_of(level: Level, name: str) -> str | None:
-    """Return the slope that a body is, or that it lies on; None if there is no such slope.
+    """Return a body that is a slope, or the slope on which it lies; None if there is none.
 
-    A slope is a straight line that stands still. One that is level counts if it is asked about by
-    itself.
+    A slope is a static segment. A horizontal one counts only if it is the body itself.
     """
     where = placed(level)
     if _is_straight(where[name]):
@@ -78,21 +77,21 @@ def slope_of(level: Level, name: str) -> str | None:
 
 
 def tilt(text: str, level: Level, name: str) -> str:
-    """Return a level in which the angle of a slope is a parameter; what lies on it turns along.
+    """Return a level in which the angle of a slope is a parameter; bodies on it turn with it.
 
-    So do the points of the plane that only such bodies are tied to.
+    So do the points of the plane to which only such bodies are tied.
 
     Parameters
     ----------
     text, level
-        Of the level.
+        The text of the level, and the level.
     name
-        Of the slope, or of a body that lies on it.
+        The name of the slope, or of a body on it.
 
     Raises
     ------
     SandboxError
-        If there is no slope, or formulas say already where something of it is.
+        If there is no slope, or a position or an angle is a formula already.
     """
     slope = slope_of(level, name)
     if slope is None:
@@ -126,7 +125,7 @@ def _rises(one: Placed) -> bool:
 
 
 def _lying_on(where: Mapping[str, Placed], slope: str) -> list[str]:
-    """Return what forces move and touches a slope, or something else that lies on it."""
+    """Return the dynamic bodies that touch a slope, directly or through others."""
     found, pending = list[str](), [slope]
     while pending:
         under = where[pending.pop()]
@@ -154,7 +153,7 @@ def _tilt(slope: Placed, name: str) -> _Tilt:
 
 
 def _line(slope: Placed, tilted: _Tilt) -> Changes:
-    """Return a slope as a line along its own x axis, from its lower end."""
+    """Return the changes that make a slope a segment of its own x axis, from its lower end."""
     path = ("bodies", slope.name)
     along = (rounded(tilted.inside(corner).real) for corner in slope.corners)
     start, end = ([plain(x), 0] for x in along)
@@ -167,7 +166,7 @@ def _line(slope: Placed, tilted: _Tilt) -> Changes:
 
 
 def _turned(one: Placed, tilted: _Tilt) -> Changes:
-    """Return a body that turns with the slope that it lies on."""
+    """Return the changes that let a body turn with its slope."""
     path, body = ("bodies", one.name), one.body
     changes: Changes = {
         (*path, "position"): tilted.vector(tilted.inside(one.center), tilted.foot),
@@ -181,7 +180,7 @@ def _turned(one: Placed, tilted: _Tilt) -> Changes:
 def _tied(
     level: Level, where: Mapping[str, Placed], moved: Collection[str], tilted: _Tilt
 ) -> Changes:
-    """Return how the points of the plane turn along that only such bodies are tied to."""
+    """Return the changes of the points of the plane to which only moved bodies are tied."""
     values, changes = next(iter(where.values())).values, Changes()
     for name, joint in level.joints.items():
         held = set(bodies_of(joint))

@@ -1,8 +1,8 @@
-"""Known set-ups, recognised in a level, and the closed forms that it may be held against.
+"""Known set-ups, recognised in a level, and their closed forms as checks.
 
-A module a set-up; each has a function from a `Scene` to suggestions, and stands in the list here.
-Nothing is suggested that the scene does not keep: where something is in the way, a check is about
-a time before it is met.
+Each set-up has a module with a function from a `Scene` to suggestions, which is listed here. Only
+checks that the scene fulfils are suggested: if something is in the way, a check is at a time before
+it is met.
 """
 
 import json
@@ -44,16 +44,16 @@ _KNOWN: tuple[Callable[[Scene], Iterator[Suggestion]], ...] = (
 
 
 _OF_MANY: tuple[Callable[[Scene], Iterator[Suggestion]], ...] = (capstan.suggestions,)
-"""Those that have many bodies, and are found by their joints."""
+"""The set-ups of many bodies, which are found by their joints."""
 
 MOST_MOVING = 12
-"""Up to how many moving bodies other set-ups are looked for."""
+"""The largest number of moving bodies among which other set-ups are searched."""
 
 
 def suggestions(level: Level) -> list[Suggestion]:
-    """Return the closed forms of the known set-ups that a level is, and does not check yet.
+    """Return the closed forms of the known set-ups in a level that it does not check yet.
 
-    In a crowd few are looked for: each body would be followed among all the others.
+    Among many bodies only a few set-ups are searched, as each body is followed among all others.
     """
     checked = {check.quantity for check in level.checks}
     found = _recognised(level)
@@ -61,7 +61,7 @@ def suggestions(level: Level) -> list[Suggestion]:
 
 
 def _recognised(level: Level, *, thorough: bool = False) -> list[Suggestion]:
-    """Return the known set-ups that a level is."""
+    """Return the known set-ups in a level."""
     crowd = sum(body.type == "dynamic" for body in level.bodies.values()) > MOST_MOVING
     scene = Scene(level, level.defaults, thorough)
     return [one for known in (_OF_MANY if crowd else _KNOWN) for one in known(scene)]
@@ -70,8 +70,8 @@ def _recognised(level: Level, *, thorough: bool = False) -> list[Suggestion]:
 def followed(before: Level, text: str) -> str:
     """Return a changed level with its suggested checks updated.
 
-    Those that were just as they would be suggested become as they would be suggested now, and go
-    where their quantity no longer has a closed form; others stay as somebody made them.
+    Checks that equal the former suggestions are replaced by the present ones, and removed if their
+    quantity no longer has a closed form. Checks that a person has changed stay.
 
     Parameters
     ----------
@@ -96,10 +96,9 @@ def followed(before: Level, text: str) -> str:
 
 
 def take(text: str, level: Level, suggestion: Suggestion) -> str:
-    """Return a level with the checks of a suggestion, and with what else they need.
+    """Return a level with the checks of a suggestion, and the rate and located bodies they need.
 
-    Where they are about a time before something is met, that is before it for all values of the
-    parameters.
+    If a check is at a time before something is met, this holds for all values of the parameters.
 
     Raises
     ------

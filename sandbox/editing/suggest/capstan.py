@@ -1,6 +1,6 @@
-"""Two weights on a rope of knots over a rough drum: it slips where m2 > m1 e^(μ φ), else it holds.
+"""Two weights on a rope of knots over a rough drum, which slips if m2 > m1 e^(μ φ).
 
-As it slips, a = g (m2 − m1 e^(μ φ))/(m2 + m1 e^(μ φ)), and the pulls differ by e^(μ φ).
+If it slips, a = g (m2 − m1 e^(μ φ))/(m2 + m1 e^(μ φ)), and the ratio of tensions is e^(μ φ).
 """
 
 from cmath import phase
@@ -26,22 +26,22 @@ from sandbox.model.level_parts import names_in
 from sandbox.model.shapes import Disc
 
 SLANT = 0.1
-"""rad, by which a rope may be off the upright where it hangs."""
+"""rad, the largest angle between a hanging end of the rope and the vertical."""
 
 RUNS = 0.02
-"""rad, by which the rope may have run on over the drum, so that its wrap is what it was."""
+"""rad, the largest angle by which the rope may slip, so that its angle of wrap hardly changes."""
 
 LEAST = 0.01
-"""Of the closed form: knots lie on a polygon."""
+"""The least tolerance of the checks, as the knots form a polygon."""
 
 LATEST = 0.2
-"""s, at which a check asks at the latest."""
+"""s, the latest time of a check."""
 
 EDGE = 0.03
-"""How near to the largest weight that holds nothing is said of a weight."""
+"""The relative distance from the limit of slipping within which nothing is suggested."""
 
 DIGITS = 9
-"""Of an angle of wrap, behind the point [rad]."""
+"""Decimals of an angle of wrap [rad]."""
 
 
 Told = tuple[str, str, str, str | None]
@@ -53,15 +53,15 @@ class Rope(NamedTuple):
 
     ends: tuple[str, str]
     rods: tuple[str, str]
-    """which hold the weights"""
+    """the rods that hold the weights"""
     knots: tuple[str, ...]
     drum: str
     wrap: float
-    """rad"""
+    """rad, the angle of wrap"""
 
 
 def suggestions(scene: Scene) -> Iterator[Suggestion]:
-    """Yield the closed forms of the ropes over drums that stand still."""
+    """Yield the closed forms for ropes over static drums."""
     effects = scene.level.effects
     if scene.fall is None or not scene.only("gravity", "contact", "friction", "restitution"):
         return
@@ -77,7 +77,7 @@ def suggestions(scene: Scene) -> Iterator[Suggestion]:
 
 
 def _of(scene: Scene, rope: Rope, mu: str) -> Iterator[Suggestion]:
-    """Yield what is suggested of a rope, unless a little more or less would let it slip."""
+    """Yield the suggestion for a rope, unless it is close to the limit of slipping."""
     assert scene.fall is not None
     g, (m1, m2) = opposite(scene.fall), [scene.mass(name) for name in rope.ends]
     angle = "pi" if abs(rope.wrap - pi) < 10**-DIGITS else repr(plain(round(rope.wrap, DIGITS)))
@@ -103,7 +103,7 @@ def _of(scene: Scene, rope: Rope, mu: str) -> Iterator[Suggestion]:
 
 
 def _slipping(rope: Rope, m1: str, m2: str, held: str, g: str) -> list[Told]:
-    """Return what is told of a rope that slips."""
+    """Return the checks of a rope that slips."""
     (light, heavy), (weak, strong) = rope.ends, rope.rods
     a, pull = f"{g}*({m2} - {held})/({m2} + {held})", f"2*{m2}*{g}/({m2} + {held})"
     return [
@@ -114,7 +114,7 @@ def _slipping(rope: Rope, m1: str, m2: str, held: str, g: str) -> list[Told]:
 
 
 def _holding(rope: Rope, m1: str, m2: str, g: str) -> list[Told]:
-    """Return what is told of a rope that the drum holds."""
+    """Return the checks of a rope that friction holds."""
     return [
         (f"pull on {end}, holding", f"{rod}.tension", f"{mass}*{g}", None)
         for end, rod, mass in zip(rope.ends, rope.rods, (m1, m2), strict=True)
@@ -122,14 +122,14 @@ def _holding(rope: Rope, m1: str, m2: str, g: str) -> list[Told]:
 
 
 def _close(scene: Scene, rope: Rope) -> float:
-    """Return how far the run may be off: the formula knows of no mass of the rope."""
+    """Return the tolerance, as the formula neglects the mass of the rope."""
     masses = [scene.level.bodies[name].mass for name in (rope.ends[0], *rope.knots)]
     lighter, *knots = (mass(scene.values) for mass in masses if mass is not None)
     return plain(float(f"{max(LEAST, sum(knots) / lighter):.1g}"))
 
 
 def _ropes(scene: Scene, start: str, drums: Sequence[str]) -> Iterator[Rope]:
-    """Yield the rope that begins at a body that hangs on it, if it is the lighter one."""
+    """Yield the rope that begins at a hanging body, if this is the lighter one."""
     path, rods = _chain(scene, start)
     knots = path[1:-1]
     drum = next((d for d in drums if len(knots) > 1 and _lies(scene, knots, d)), None)
@@ -150,7 +150,7 @@ def _ropes(scene: Scene, start: str, drums: Sequence[str]) -> Iterator[Rope]:
 
 
 def _chain(scene: Scene, start: str) -> tuple[list[str], list[str]]:
-    """Return the bodies and the rods of a chain that begins at a body, up to its other end."""
+    """Return the bodies and rods of the chain from a body to its other end; none if incomplete."""
     path, rods = [start], list[str]()
     while len(scene.joints[path[-1]]) == (2 if rods else 1):
         (name,) = (one for one in scene.joints[path[-1]] if one not in rods[-1:])
@@ -167,7 +167,7 @@ def _chain(scene: Scene, start: str) -> tuple[list[str], list[str]]:
 
 
 def _lies(scene: Scene, knots: Sequence[str], drum: str) -> bool:
-    """Whether all knots touch a drum."""
+    """Return whether all knots touch a drum."""
     around = scene.where[drum]
     return all(
         isinstance(scene.level.bodies[name].shape, Disc)
@@ -177,7 +177,7 @@ def _lies(scene: Scene, knots: Sequence[str], drum: str) -> bool:
 
 
 def _until(scene: Scene, rope: Rope, held: str) -> float:
-    """Return a time until which nothing is met, and the rope has hardly run on [s]."""
+    """Return a time before which nothing is met, and the rope has hardly slipped [s]."""
     g, (_, m2) = opposite(scene.fall or Expression("0")), (scene.mass(n) for n in rope.ends)
     a = Expression(f"{g}*({m2} - {held})/({m2} + {held})")(scene.known)
     if not a:

@@ -1,4 +1,4 @@
-"""Two bodies that meet head-on: momentum is kept, and e times the speed they met with is left."""
+"""A head-on collision of two bodies: momentum is kept, relative speed is multiplied by e."""
 
 from collections.abc import Iterator
 from itertools import combinations
@@ -7,11 +7,11 @@ from sandbox.editing.suggest.scene import TOUCHING, Scene, Suggestion, check, sa
 from sandbox.model.shapes import Disc
 
 EXACT = 1e-10
-"""The bound of the check: impacts are exact to rounding."""
+"""The tolerance of the checks: impacts are exact to rounding."""
 
 
 def suggestions(scene: Scene) -> Iterator[Suggestion]:
-    """Yield the closed forms of two bodies that are alone and meet along x."""
+    """Yield the closed forms for two bodies that are alone and collide along x."""
     if not scene.level.effects.contact or not scene.only("contact", "restitution", "rotation"):
         return
     for one, other in combinations(scene.dynamic, 2):
@@ -20,7 +20,7 @@ def suggestions(scene: Scene) -> Iterator[Suggestion]:
 
 
 def _meet(scene: Scene, one: str, other: str) -> bool:
-    """Whether two discs or boxes meet in the line of their centres, and nothing else is near."""
+    """Return whether two discs or boxes collide on the line of their centres, and nothing else."""
     a, b = scene.where[one], scene.where[other]
     u, v = scene.velocity(one), scene.velocity(other)
     if scene.joints[one] or scene.joints[other] or u.imag or v.imag:
@@ -61,7 +61,7 @@ def _of(scene: Scene, one: str, other: str) -> Suggestion:
 
 
 def restitution(scene: Scene, one: str, other: str) -> str:
-    """Return the coefficient of the pair: the level's own, or else the product."""
+    """Return the coefficient of a pair: that given for it, else the product of the bodies'."""
     effect = scene.level.effects.restitution
     if effect is None:
         return "0"

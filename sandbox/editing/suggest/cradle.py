@@ -1,4 +1,4 @@
-"""Equal balls in a row that touch: as many leave at the one end as come at the other, as fast."""
+"""Equal balls in a row, touching: as many leave at one end as arrive at the other, as fast."""
 
 from cmath import phase
 from collections.abc import Iterator, Mapping, Sequence
@@ -24,32 +24,32 @@ from sandbox.model.joints import body_of, points
 from sandbox.model.shapes import Disc
 
 EXACT = 1e-9
-"""Of balls that nothing holds: impacts are exact to rounding."""
+"""The tolerance for free balls, whose impacts are exact to rounding."""
 
 NEAR = 1e-4
-"""Of balls that swing, at the rate below: the leapfrog is second order."""
+"""The tolerance for swinging balls at the rate below: leapfrog is of second order."""
 
 STEPS = 500
-"""Of a swing to and fro."""
+"""The number of steps of a period."""
 
 STEEPEST = pi / 2
-"""rad, to which balls may be lifted."""
+"""rad, the largest angle to which balls are lifted."""
 
 
 class Row(NamedTuple):
-    """Balls in a row, from the end at which some come, and how many these are."""
+    """Balls in a row, from the end at which some arrive, and the number of these."""
 
     balls: tuple[str, ...]
     coming: int
 
     @property
     def meet(self) -> list[str]:
-        """The last of those that come, and the first of those that rest."""
+        """The last arriving ball, and the first one at rest."""
         return list(self.balls[self.coming - 1 : self.coming + 1])
 
 
 def suggestions(scene: Scene) -> Iterator[Suggestion]:
-    """Yield the closed forms of the cradles: balls that hang, or on a line without gravity."""
+    """Yield the closed forms for cradles: balls that hang, or are on a line without gravity."""
     effects = scene.level.effects
     if effects.contact is None or effects.restitution is None or len(scene.dynamic) < 3:
         return
@@ -95,7 +95,7 @@ def _of_a_line(scene: Scene, row: Row) -> Suggestion:
 
 
 def _hung(scene: Scene) -> dict[str, complex]:
-    """Return the ways from their pegs to the balls that hang, at rest, by their centres [m]."""
+    """Return the vectors from the pegs to the centres of balls that hang at rest, by ball [m]."""
     found = dict[str, complex]()
     for joint in scene.level.joints.values():
         if bob := bob_of(scene, joint):
@@ -105,7 +105,7 @@ def _hung(scene: Scene) -> dict[str, complex]:
 
 
 def _hanging(scene: Scene) -> Row | None:
-    """Return balls that hang side by side, of which those at one end are drawn aside."""
+    """Return a row of hanging balls, of which those at one end are drawn aside; None if none."""
     ways = _hung(scene)
     pegs = {name: scene.where[name].center - way for name, way in ways.items()}
     sides = _both_ways(pegs)
@@ -128,7 +128,7 @@ def _hanging(scene: Scene) -> Row | None:
 
 
 def _on_a_line(scene: Scene) -> Row | None:
-    """Return balls on a line along x, of which those at one end come at the others, which rest."""
+    """Return a row of balls along x, of which some move towards the others at rest, or None."""
     places = {name: scene.where[name].center for name in scene.dynamic}
     if any(scene.joints[name] for name in places) or len({p.imag for p in places.values()}) > 1:
         return None
@@ -151,13 +151,13 @@ def _on_a_line(scene: Scene) -> Row | None:
 
 
 def _both_ways(places: Mapping[str, complex]) -> list[tuple[str, ...]]:
-    """Return names from left to right, and from right to left."""
+    """Return the names from left to right, and from right to left."""
     row = tuple(sorted(places, key=lambda name: places[name].real))
     return [row, row[::-1]]
 
 
 def _equal(scene: Scene, row: Sequence[str]) -> bool:
-    """Whether bodies are discs of one size and mass that lose nothing where they strike."""
+    """Return whether bodies are discs of equal size and mass, with elastic impacts."""
     bodies = [scene.level.bodies[name] for name in row]
     masses = {body.mass(scene.values) for body in bodies if body.mass}
     sizes = {scene.where[name].radius for name in row}
@@ -167,12 +167,12 @@ def _equal(scene: Scene, row: Sequence[str]) -> bool:
 
 
 def _clear(scene: Scene, row: Sequence[str], pegs: Mapping[str, complex], drawn: complex) -> bool:
-    """Whether nothing else is in the way of balls that swing as far to both sides."""
+    """Return whether balls can swing equally far to both sides without obstacles."""
     others = [name for name in scene.where if name not in row]
     return all(swings_free(scene, name, pegs[name], drawn, others) for name in row)
 
 
 def _touch(scene: Scene, row: Sequence[str], pegs: Mapping[str, complex]) -> bool:
-    """Whether balls that hang straight down touch their neighbours."""
+    """Return whether neighbouring balls touch when they hang straight down."""
     wide = 2 * scene.where[row[0]].radius
     return all(abs(pegs[b] - pegs[a] - wide) < TOUCHING for a, b in pairwise(row))

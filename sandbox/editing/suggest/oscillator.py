@@ -1,4 +1,4 @@
-"""A body on a spring: s(t) = s0 cos ωt + v0/ω sin ωt about its place of rest, ω = √(k/m).
+"""A body on a spring: s(t) = s0 cos ωt + v0/ω sin ωt about its equilibrium, ω = √(k/m).
 
 Damped, γ = c/2m: s(t) = e^(−γt) (s0 cos ωt + (v0 + γ s0)/ω sin ωt), ω = √(k/m − γ²).
 """
@@ -17,14 +17,14 @@ from sandbox.model.joints import End, Spring, body_of
 from sandbox.physics.geometry.distance import dot
 
 NEAR = 1e-4
-"""The bound of the check at the rate below: leapfrog is of second order."""
+"""The tolerance of the check at the rate below: leapfrog is of second order."""
 
 FEW = 40
-"""The least number of steps of an oscillation, however short the run."""
+"""The least number of steps in a period, however short the run."""
 
 
 def suggestions(scene: Scene) -> Iterator[Suggestion]:
-    """Yield the closed forms of the bodies that swing along a spring."""
+    """Yield the closed forms for bodies that oscillate along a spring."""
     if not scene.only("gravity", "contact", "friction", "restitution", "rotation"):
         return
     for joint in scene.level.joints.values():
@@ -33,7 +33,7 @@ def suggestions(scene: Scene) -> Iterator[Suggestion]:
 
 
 def held_by(scene: Scene, joint: Spring) -> str | None:
-    """Return the body that a spring whose force is linear holds by its centre at the plane."""
+    """Return the body that a linear spring ties by its centre to the plane, or None."""
     held = [end for end in joint.ends if body_of(end)]
     if len(held) != 1 or not isinstance(bob := held[0], str):
         return None
@@ -43,7 +43,7 @@ def held_by(scene: Scene, joint: Spring) -> str | None:
 
 
 def _along(scene: Scene, joint: Spring, bob: str) -> Iterator[Suggestion]:
-    """Yield the closed form of a motion along one of the axes."""
+    """Yield the closed form of an oscillation along one of the axes."""
     values, body, fall = scene.values, scene.level.bodies[bob], scene.level.effects.gravity
     first, second = joint.ends
     end = second if body_of(first) else first
@@ -62,7 +62,7 @@ def _along(scene: Scene, joint: Spring, bob: str) -> Iterator[Suggestion]:
     rest = f"({slack} + {said(fall.acceleration[index])}*{m}/{k})" if fall and pull else slack
     square, form = _motion(k, m, said(joint.damping), rest, start, speed)
     if Expression(square)(scene.known) <= 0:
-        return  # it creeps back
+        return  # overdamped or critically damped
     omega, motion = sqrt(Expression(square)(scene.known)), Formula(form)
     times = np.linspace(0, min(scene.lasts, 2 * pi / omega), 60)
     places = motion.over(scene.known, times)
@@ -82,7 +82,7 @@ def _along(scene: Scene, joint: Spring, bob: str) -> Iterator[Suggestion]:
 
 
 def _motion(k: str, m: str, c: str, rest: str, start: str, speed: str) -> tuple[str, str]:
-    """Return ω², and where a body is: what rest it swings about, where it starts, and how fast."""
+    """Return ω² and s(t) as formulas, given equilibrium, initial position and initial velocity."""
     if c == "0":
         beat = f"sqrt({k}/{m})"
         form = f"{rest} + ({start} - {rest})*cos({beat}*t) + {speed}/{beat}*sin({beat}*t)"
@@ -95,15 +95,15 @@ def _motion(k: str, m: str, c: str, rest: str, start: str, speed: str) -> tuple[
 
 
 def _point(end: End) -> tuple[Expression, Expression]:
-    """Return an end that is a point of the plane."""
+    """Return an end, which is a point of the plane."""
     assert isinstance(end, tuple)
     return end
 
 
 def _rate(omega: float, lasts: float, share: float) -> float:
-    """Return the rate at which the phase is late by half the bound at the end: ω³ dt² t / 24.
+    """Return the rate [Hz] at which the final phase error, ω³ dt² t / 24, is half the tolerance.
 
-    The bound is a share of the amplitude, as many times NEAR as the largest place is larger.
+    The tolerance is a share of the amplitude: NEAR times the largest coordinate over the amplitude.
     """
     late = share * NEAR / 2
     return max(sqrt(omega**3 * lasts / 24 / late), omega * FEW / (2 * pi))

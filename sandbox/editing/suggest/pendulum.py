@@ -1,6 +1,6 @@
-"""A bob let go on a rod or string: its energy, and T/4 = π/2 √(L/g) / M(1, cos(θ0/2)).
+"""A bob released on a rod or string: its energy, and T/4 = π/2 √(L/g) / M(1, cos(θ0/2)).
 
-M is the arithmetic-geometric mean, of Gauss.
+M is the arithmetic-geometric mean (Gauss).
 """
 
 from cmath import phase, rect
@@ -25,38 +25,39 @@ from sandbox.model.joints import Joint, Rod, Rope, body_of, points
 from sandbox.model.level_parts import names_in
 
 NEAR = 1e-4
-"""The bound of the check at the rate below: leapfrog is of second order."""
+"""The tolerance of the checks at the rate below: leapfrog is of second order."""
 
 STEPS = 400
-"""Steps per period."""
+"""The number of steps in a period."""
 
 WIDE = 1.8
-"""rad, up to which (1 + √cos(θ0/2))²/4, the second step of the mean, is near enough to it."""
+"""rad, the largest amplitude at which the second iterate of the mean, (1 + √cos(θ0/2))²/4, is
+accurate enough."""
 
 SAME = 1e-9
-"""m, within which what a bob hangs on is as long whatever the parameters."""
+"""m, the tolerance within which the length does not depend on the parameters."""
 
 LARGEST, SMALLEST = 2.5, 1e-3
-"""rad, the amplitudes for which the closed form is accurate enough, and the swing is no
-rounding."""
+"""rad, the largest amplitude at which the closed form is accurate enough, and the smallest that is
+not a rounding error."""
 
 
 class Swing(NamedTuple):
     """A swing of a bob about a peg."""
 
     peg: complex
-    """m"""
+    """m, its position"""
     way: complex
-    """from the peg to the bob [m]"""
+    """m, the vector from the peg to the bob"""
 
     @property
     def angle(self) -> float:
-        """From the vertical [rad]."""
+        """The angle from the vertical [rad]."""
         return abs(phase(self.way * 1j))
 
 
 def suggestions(scene: Scene) -> Iterator[Suggestion]:
-    """Yield the closed forms of the pendulums."""
+    """Yield the closed forms for pendulums."""
     if scene.fall is None:
         return
     if not scene.only("gravity", "contact", "friction", "restitution", "rotation"):
@@ -69,7 +70,7 @@ def suggestions(scene: Scene) -> Iterator[Suggestion]:
 
 
 def _of(scene: Scene, name: str, bob: str, swings: Sequence[Swing]) -> Suggestion:
-    """Return what is suggested of a pendulum; its swings are those with all parameters."""
+    """Return the suggestion for a pendulum, given its swing for each tried set of parameters."""
     assert scene.fall is not None
     g, mass, (x, y) = opposite(scene.fall), scene.mass(bob), scene.level.bodies[bob].position
     quarters = [
@@ -95,7 +96,7 @@ def _of(scene: Scene, name: str, bob: str, swings: Sequence[Swing]) -> Suggestio
 
 
 def _swing(scene: Scene, joint: Joint, bob: str) -> Swing | None:
-    """Return the swing of a bob, if it is neither too small nor too large, and free."""
+    """Return the swing of a bob; None if it is too small, too large or obstructed."""
     first, second = (place(end, scene.level.bodies, scene.values) for end in points(joint)[:2])
     center = scene.where[bob].center
     peg = first if second == center else second
@@ -111,7 +112,7 @@ def _quarter(length: float, angle: float, g: float) -> float:
 
 
 def bob_of(scene: Scene, joint: Joint) -> str | None:
-    """Return the body that hangs at rest by its centre from a point of the plane, if one does."""
+    """Return the body that hangs at rest by its centre from a point of the plane, or None."""
     if not isinstance(joint, Rod | Rope) or joint.length is not None:
         return None
     held = [end for end in joint.ends if body_of(end)]
@@ -122,9 +123,9 @@ def bob_of(scene: Scene, joint: Joint) -> str | None:
 
 
 def swings_free(scene: Scene, bob: str, peg: complex, way: complex, others: Iterable[str]) -> bool:
-    """Whether no others are in the way of a swing about a peg, from a way [m] to its mirror image.
+    """Return whether a swing about a peg, from a vector [m] to its mirror image, is unobstructed.
 
-    A string stays taut.
+    A string is taken to stay taut.
     """
     if scene.level.effects.contact is None:
         return True

@@ -1,7 +1,7 @@
 """Bodies on a string over pegs and wheels: T = g Σ n / Σ (n²/m), a = n T/m − g.
 
-n is how many parts of the string carry a body; a part that is slanted counts by its slope, at the
-start alone. Two bodies that one part each carries are an Atwood machine.
+n is the number of parts of the string that carry a body; a slanted part counts by its vertical
+component, valid at the start only. Two bodies carried by one part each are an Atwood machine.
 """
 
 from collections.abc import Iterator, Sequence
@@ -17,35 +17,35 @@ from sandbox.model.joints import End, Joint, Pulley, Rod, Rope, bodies_of, body_
 from sandbox.model.level_parts import names_in
 
 EXACT = 1e-9
-"""Of the closed form: string and gravity are exact to rounding."""
+"""The tolerance for vertical parts: string and gravity are exact to rounding."""
 
 NEAR = 1e-4
-"""Of that of slanted parts, which turn a little within the first step."""
+"""The tolerance for slanted parts, which turn a little in the first step."""
 
 STRAIGHT = 1e-9
-"""By how much a pull, or the place where it acts [m], may be off the line through a centre."""
+"""The tolerance of the direction of a pull, and of its distance from the centre [m]."""
 
 ROUND = 9
-"""Decimals of how many slanted parts carry a body."""
+"""Decimals of the number of parts that carry a body."""
 
 
 class Carried(NamedTuple):
-    """A body that a string carries, with what hangs straight below it on rods and ropes."""
+    """A body that a string carries, with the bodies that hang below it on rods and ropes."""
 
     name: str
     parts: float
-    """how many parts of the string carry it"""
+    """the number of parts of the string that carry it"""
     mass: str
-    """kg, a formula, of all of it"""
+    """kg, the total mass, as a formula"""
     below: tuple[str, ...]
 
 
 class Part(NamedTuple):
-    """A part of a string, from one of the things that it runs through to the next."""
+    """A straight part of a string, between two of its points."""
 
     ends: tuple[End, End]
     places: tuple[complex, complex]
-    """m"""
+    """m, the positions of the ends"""
 
     @property
     def way(self) -> complex:
@@ -55,7 +55,7 @@ class Part(NamedTuple):
 
 
 def suggestions(scene: Scene) -> Iterator[Suggestion]:
-    """Yield the closed forms of the bodies that are carried by one string."""
+    """Yield the closed forms for bodies carried by one string."""
     if scene.fall is None:
         return
     if not scene.only("gravity", "contact", "rotation", "friction", "restitution"):
@@ -70,7 +70,7 @@ def suggestions(scene: Scene) -> Iterator[Suggestion]:
 
 
 def _of(scene: Scene, name: str, carried: Sequence[Carried], until: float) -> Suggestion:
-    """Return what is suggested of bodies on a string that meet nothing until some time [s]."""
+    """Return the suggestion for bodies on a string that meet nothing before a time [s]."""
     assert scene.fall is not None
     g, upright = opposite(scene.fall), _upright(scene, scene.joint(name))
     tension, moves = _forms(carried, g)
@@ -94,7 +94,7 @@ def _is_atwood(carried: Sequence[Carried]) -> bool:
 
 
 def _forms(carried: Sequence[Carried], g: str) -> tuple[str, list[str]]:
-    """Return the tension of a string and, if any, the accelerations of what it carries upwards."""
+    """Return the formulas of the tension and, for several bodies, the upward accelerations."""
     masses, parts = [one.mass for one in carried], [repr(plain(one.parts)) for one in carried]
     if len(carried) == 1:
         return f"{masses[0]}*{g}/{parts[0]}", []
@@ -117,14 +117,14 @@ def _parts(scene: Scene, joint: Joint) -> list[Part]:
 
 
 def _upright(scene: Scene, joint: Joint) -> bool:
-    """Whether all parts that lead to what moves are upright, and stay so."""
+    """Return whether all parts that end at dynamic bodies are vertical."""
     moves = set(scene.dynamic)
     led = (part for part in _parts(scene, joint) if moves & {body_of(end) for end in part.ends})
     return all(abs(part.way.real) <= STRAIGHT for part in led)
 
 
 def _carried(scene: Scene, joint: Joint) -> list[Carried]:
-    """Return what a taut string carries, at rest; nothing if a pull is neither upright nor so."""
+    """Return the bodies at rest that a taut string carries; none if it does not pull them up."""
     bodies, names = scene.level.bodies, dict.fromkeys(bodies_of(joint))
     moving = [name for name in names if bodies[name].type == "dynamic"]
     if getattr(joint, "length", None) is not None or any(
@@ -138,7 +138,7 @@ def _carried(scene: Scene, joint: Joint) -> list[Carried]:
 
 
 def _one(scene: Scene, joint: Joint, name: str) -> Carried | None:
-    """Return a body that a string carries straight up, at rest, and what hangs below it."""
+    """Return a body at rest that a string pulls straight up; None if it does not."""
     below, pull, turn = _below(scene, name, joint), 0j, 0.0
     for part in _parts(scene, joint):
         for end, at, way in zip(part.ends, part.places, (part.way, -part.way), strict=True):
@@ -155,7 +155,7 @@ def _one(scene: Scene, joint: Joint, name: str) -> Carried | None:
 
 
 def _below(scene: Scene, name: str, held: Joint) -> tuple[str, ...] | None:
-    """Return what hangs straight below a body that is held; None if it is tied otherwise."""
+    """Return the bodies that hang straight below a held body; None if it has other joints."""
     found = list[str]()
     for joint in (scene.joint(other) for other in scene.joints[name]):
         if joint is held:
@@ -169,7 +169,7 @@ def _below(scene: Scene, name: str, held: Joint) -> tuple[str, ...] | None:
 
 
 def _hung(scene: Scene, joint: Joint, name: str) -> str | None:
-    """Return the body that a rod or a rope carries straight below another one, if it does."""
+    """Return the body that a rod or a rope carries straight below another, or None."""
     if not isinstance(joint, Rod | Rope) or joint.length is not None:
         return None
     upper, lower = joint.ends if body_of(joint.ends[0]) == name else joint.ends[::-1]
@@ -183,7 +183,7 @@ def _hung(scene: Scene, joint: Joint, name: str) -> str | None:
 
 
 def _until(scene: Scene, joint: Joint, carried: Sequence[Carried]) -> float:
-    """Return when something runs into a peg, or into what is in its way [s]."""
+    """Return the time at which a body reaches a peg or another body [s]."""
     _, moves = _forms(carried, opposite(scene.fall) if scene.fall else "0")
     rises = {one.name: Expression(a)(scene.known) for one, a in zip(carried, moves, strict=False)}
     until = [scene.lasts]

@@ -1,4 +1,4 @@
-"""A level as the recognisers of set-ups look at it."""
+"""A level as the recognisers of set-ups see it."""
 
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
@@ -17,22 +17,22 @@ from sandbox.model.level import Level
 from sandbox.model.rules.faults import corners
 
 Check = Mapping[str, Any]
-"""A check, as it stands in a level's file."""
+"""A check, as in a level's file."""
 
 TOUCHING = 1e-6
-"""m, bodies closer than this touch."""
+"""m, the largest gap at which bodies touch."""
 
 RATES = (60.0, 120.0, 240.0, 480.0, 960.0, 1920.0, 3840.0)
-"""Hz, the rates that levels have."""
+"""Hz, the usual rates of levels."""
 
 SAFE = 0.9
 """The time of a check, as a share of the time until the body meets something."""
 
 SAMPLES = 400
-"""At how many times obstacles are looked for."""
+"""The number of times at which obstacles are searched."""
 
 MOST_CORNERS = 8
-"""How many corners of the parameters' ranges are tried."""
+"""The largest number of corners of the parameters' ranges that are tried."""
 
 
 Setup = Literal[
@@ -51,13 +51,13 @@ class Suggestion:
     setup
         The name of the set-up.
     about
-        The bodies that it is made of.
+        Its bodies.
     checks
-        The checks, as they stand in a level's file.
+        The checks, as in a level's file.
     rate
-        Hz, that they need at the least.
+        The least rate that the checks need [Hz].
     located
-        The bodies whose impacts must have their own time within a step.
+        The bodies whose impacts must be located within a step.
     """
 
     setup: Setup
@@ -74,9 +74,9 @@ class Scene:
     Attributes
     ----------
     level, values
-        Which.
+        The level, and the values of its parameters.
     thorough
-        Whether what is said of it is to hold with all values of its parameters, which takes longer.
+        Whether closed forms must hold for all values of the parameters, which takes longer to test.
     """
 
     level: Level
@@ -85,24 +85,24 @@ class Scene:
 
     @cached_property
     def everywhere(self) -> Sequence["Scene"]:
-        """The same with its parameters at the ends of their ranges, too, where that is wanted."""
+        """The scene, and if `thorough` those with parameters at the ends of their ranges."""
         ends = corners(self.level, most=MOST_CORNERS) if self.thorough else ()
         return [self, *(Scene(self.level, values) for values in ends)]
 
     @cached_property
     def known(self) -> Values:
-        """The values of parameters and constants, for composing new formulas."""
+        """The values of parameters and constants, for new formulas."""
         return {**self.values, **{name: c(self.values) for name, c in self.level.constants.items()}}
 
     @cached_property
     def where(self) -> Mapping[str, Placed]:
-        """All bodies where they start."""
+        """All bodies at the start."""
         bodies = self.level.bodies.items()
         return {name: Placed(name, body, self.values) for name, body in bodies}
 
     @cached_property
     def joints(self) -> Mapping[str, list[str]]:
-        """The joints that hold each body."""
+        """The names of the joints that hold each body."""
         held: dict[str, list[str]] = {name: [] for name in self.level.bodies}
         for name, joint in self.level.joints.items():
             for body in set(bodies_of(joint)):
@@ -111,16 +111,16 @@ class Scene:
 
     @property
     def dynamic(self) -> list[str]:
-        """The bodies that forces move."""
+        """The names of the dynamic bodies."""
         return [name for name, body in self.level.bodies.items() if body.type == "dynamic"]
 
     def only(self, *effects: str) -> bool:
-        """Whether nothing else acts than that."""
+        """Return whether no other effects are declared."""
         return set(self.level.effects.declared) <= set(effects)
 
     @property
     def fall(self) -> Expression | None:
-        """What the acceleration of gravity is along y, if it acts and points straight down."""
+        """The y component of the acceleration of gravity if it points straight down, else None."""
         gravity = self.level.effects.gravity
         if gravity is None or gravity.acceleration[0](self.values) != 0:
             return None
@@ -137,26 +137,26 @@ class Scene:
         return complex(*(v(self.values) for v in self.level.bodies[name].velocity))
 
     def rests(self, *names: str) -> bool:
-        """Whether bodies neither move nor turn at the start."""
+        """Return whether bodies are at rest at the start."""
         bodies = [self.level.bodies[name] for name in names]
         spins = [body.angular_velocity(self.values) for body in bodies]
         return not any(map(self.velocity, names)) and not any(spins)
 
     @property
     def lasts(self) -> float:
-        """How long a run is [s]."""
+        """The duration of a run [s]."""
         return self.level.duration(self.values)
 
     def distance(self, name: str, way: complex, other: str) -> float:
-        """Return how far a body that was moved would be from another one [m]."""
+        """Return the gap between a displaced body and another [m]."""
         return distance(self.where[name], self.where[other], way)
 
     def free_until(
         self, name: str, way: Callable[[float], complex], besides: Sequence[str] = ()
     ) -> float:
-        """Return for how long a body would go its way without meeting another [s].
+        """Return the time for which a body can move along a way without meeting another [s].
 
-        Others that move are where they start. Without contact nothing is ever met.
+        Other moving bodies are taken at their initial positions. Without contact nothing is met.
         """
         if self.level.effects.contact is None:
             return self.lasts
@@ -173,12 +173,12 @@ class Scene:
 
 
 def moved(core: Core, way: complex) -> Core:
-    """Return a core elsewhere."""
+    """Return a displaced core."""
     return tuple(point + way for point in core)
 
 
 def said(expression: Expression) -> str:
-    """Return a number or a formula such that it can be multiplied: `m`, `2.5`, `(m + 1)`."""
+    """Return a number or a formula as a factor, in brackets if needed: `m`, `2.5`, `(m + 1)`."""
     source = expression.source
     if not isinstance(source, str):
         return f"{plain(source)!r}" if source >= 0 else f"({plain(source)!r})"
@@ -186,7 +186,7 @@ def said(expression: Expression) -> str:
 
 
 def opposite(expression: Expression) -> str:
-    """Return what is subtracted if it is added: of `-g` it is `g`."""
+    """Return the negative of a number or formula as a factor: that of `-g` is `g`."""
     source = expression.source
     if not isinstance(source, str):
         return f"{plain(-source)!r}"
@@ -195,7 +195,7 @@ def opposite(expression: Expression) -> str:
 
 
 def instant(time: float) -> float:
-    """Return a time of two digits, not after another one [s]."""
+    """Return a time rounded down to two significant digits [s]."""
     digits = float(f"{time:.1e}")
     return plain(digits if digits <= time else float(f"{time * 0.95:.1e}"))
 
@@ -203,13 +203,13 @@ def instant(time: float) -> float:
 def check(
     label: str, quantity: str, formula: str, tolerance: float, **more: object
 ) -> dict[str, Any]:
-    """Return a check as it stands in a level's file; a number stands as one, not as a formula."""
+    """Return a check as in a level's file; constant values are written as numbers."""
     told = {"label": label, "quantity": quantity, "formula": formula, "tolerance": tolerance}
     return told | {key: _number(value) for key, value in more.items() if value is not None}
 
 
 def _number(value: object) -> object:
-    """Return a number for the text of one; anything else as it is."""
+    """Return a number for its text; any other value unchanged."""
     with suppress(ValueError):
         if isinstance(value, str) and isfinite(number := float(value)):
             return plain(number)
@@ -217,5 +217,5 @@ def _number(value: object) -> object:
 
 
 def rate_of(least: float) -> float:
-    """Return the first of the usual rates that is high enough [Hz]."""
+    """Return the lowest usual rate that is at least a given one, else the highest [Hz]."""
     return next((rate for rate in RATES if rate >= least), RATES[-1])

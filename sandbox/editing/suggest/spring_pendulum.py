@@ -1,4 +1,4 @@
-"""A body on a spring that swings aside: no closed form, but its energy stays what it was."""
+"""A body on a spring that swings aside: there is no closed form, but energy is conserved."""
 
 from collections.abc import Iterator
 from math import pi, sqrt
@@ -9,14 +9,14 @@ from sandbox.model.joint_ends import place
 from sandbox.model.joints import Spring, body_of
 
 NEAR = 1e-4
-"""The bound of the energy at the rate below: leapfrog is of second order."""
+"""The tolerance of the energy at the rate below: leapfrog is of second order."""
 
 STEPS = 200
-"""Steps per oscillation."""
+"""The number of steps in an oscillation."""
 
 
 def suggestions(scene: Scene) -> Iterator[Suggestion]:
-    """Yield the energies of single bodies that are let go on an unstretched spring."""
+    """Yield the energies of single bodies released on an unstretched spring."""
     effects = ("gravity", "contact", "friction", "restitution", "rotation")
     if scene.fall is None or not scene.only(*effects) or len(scene.dynamic) != 1:
         return
@@ -25,7 +25,7 @@ def suggestions(scene: Scene) -> Iterator[Suggestion]:
         if bob is None or not isinstance(joint, Spring) or joint.length is not None:
             continue
         if joint.damping.source != 0:
-            continue  # which takes energy
+            continue  # damping dissipates energy
         if all(_swings(each, joint, bob) for each in scene.everywhere):
             weight = f"{scene.mass(bob)}*{opposite(scene.fall)}"
             energy = f"{weight}*{said(scene.level.bodies[bob].position[1])}"
@@ -35,9 +35,9 @@ def suggestions(scene: Scene) -> Iterator[Suggestion]:
 
 
 def _swings(scene: Scene, joint: Spring, bob: str) -> bool:
-    """Whether it is let go beside its peg, with nothing in its reach.
+    """Return whether a bob is released beside its peg, with nothing within its reach.
 
-    At a distance r from the peg, k (r - L)²/2 ≤ m g (r + h), where it begins h above the peg.
+    At a distance r from the peg, k (r - L)²/2 ≤ m g (r + h), if it starts h above the peg.
     """
     assert scene.fall is not None
     peg = place(joint.ends[1] if body_of(joint.ends[0]) else joint.ends[0], {}, scene.values)
@@ -52,7 +52,7 @@ def _swings(scene: Scene, joint: Spring, bob: str) -> bool:
 
 
 def _beat(scene: Scene, joint: Spring, bob: str) -> float:
-    """Return how often it swings along the spring [Hz]."""
+    """Return the frequency of oscillation along the spring [Hz]."""
     mass = scene.level.bodies[bob].mass
     assert mass is not None
     return sqrt(joint.stiffness(scene.values) / mass(scene.values)) / (2 * pi)

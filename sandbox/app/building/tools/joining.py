@@ -1,4 +1,4 @@
-"""The tool that joins bodies, with any kind of joint."""
+"""The tool that makes joints of any kind."""
 
 from collections.abc import Mapping
 from math import dist
@@ -17,12 +17,12 @@ from sandbox.editing.edits.joints import Pick
 from sandbox.model.joints import KINDS, Joint
 from sandbox.model.level import Level
 
-ON = 6.0  # px; so near to a body is on it
-TOGETHER = 8.0  # px; so near to each other two clicks end a joint of several places
+ON = 6.0  # px, the largest distance at which a click is on a body
+TOGETHER = 8.0  # px, the largest distance of two clicks that finish a joint of several points
 
 
 class Clicks(NamedTuple):
-    """What is clicked for a joint, one after the other; the last is clicked as often as needed."""
+    """The clicks for a joint, in order; if `several`, the last can be repeated."""
 
     hints: tuple[str, ...]
     several: bool = False
@@ -53,16 +53,16 @@ CLICKS: Mapping[str, Clicks] = {
     ),
     "wire": Clicks((later("Click the bead"), later("Click a point that its wire goes through"))),
 }
-"""What to click for joints that do not simply connect two ends."""
+"""The clicks for joints that do not simply connect two ends."""
 
 
 class JoinTool:
-    """Joins what is clicked on, one place after the other.
+    """Makes a joint from clicks on the stage.
 
     Attributes
     ----------
     kind
-        The joint that is made, as a level's file calls it.
+        The kind of joint, as in a level's file.
     """
 
     def __init__(self, bench: Bench, kind: str = "pulley") -> None:
@@ -72,7 +72,7 @@ class JoinTool:
         self._spot: Spot | None = None
 
     def use(self, kind: str) -> None:
-        """Make another joint from now on."""
+        """Change the kind of joint."""
         self.kind = kind
         self._places.clear()
 
@@ -82,17 +82,17 @@ class JoinTool:
 
     @property
     def busy(self) -> bool:
-        """Whether a place is set."""
+        """Whether a point is set."""
         return bool(self._places)
 
     @property
     def hint(self) -> str:
-        """What to do next, in a few words."""
+        """A hint at what to do next."""
         hints = self._clicks.hints
         return hints[min(len(self._places), len(hints) - 1)]
 
     def press(self, spot: Spot) -> None:
-        """Set one more place; with the last the joint is made."""
+        """Set the next point, and make the joint with the last."""
         found = self._bodies_at(spot)
         if len(self._clicks.hints) == 1:
             ends = (*found, None, None)[:2]
@@ -109,7 +109,7 @@ class JoinTool:
             self._make()
 
     def _bodies_at(self, spot: Spot) -> list[str]:
-        """Return the bodies that move at a place, the one on top first."""
+        """Return the moving bodies at a point, the topmost first."""
         sketch, reach = self._bench.sketch, ON / self._bench.camera.scale
         return [
             name
@@ -118,21 +118,21 @@ class JoinTool:
         ]
 
     def _ends(self, spot: Spot) -> bool:
-        """Whether a click there is the second one of a double click."""
+        """Return whether a click is the second of a double click."""
         if len(self._places) < len(self._clicks.hints):
             return False
         last = self._bench.camera.to_screen(self._places[-1].point)
         return dist(last, self._bench.camera.to_screen(spot.point)) < TOGETHER
 
     def move(self, spot: Spot) -> None:
-        """Show where the next piece would run."""
+        """Move the end of the preview."""
         self._spot = spot
 
     def release(self, spot: Spot) -> None:
-        """Do nothing: a click has set a place already."""
+        """Do nothing, as the press has set a point."""
 
     def finish(self) -> None:
-        """Make the joint, if it has places enough."""
+        """Make the joint, if it has enough points."""
         if self._clicks.several and len(self._places) >= len(self._clicks.hints):
             self._make()
 
@@ -148,12 +148,12 @@ class JoinTool:
         self._bench.make(say("tie a {joint}", joint=say(kind)), edit, "joints")
 
     def cancel(self) -> None:
-        """Take the last place back."""
+        """Remove the last point."""
         if self._places:
             self._places.pop()
 
     def draw(self, surface: pygame.Surface, pen: Pen) -> None:
-        """Draw what is set, and the piece to the mouse with its length."""
+        """Draw the points, and the line to the mouse with its length."""
         if not self._places or self._spot is None:
             return
         camera, end = self._bench.camera, self._spot.point
@@ -164,7 +164,7 @@ class JoinTool:
 
 
 def kinds() -> Mapping[str, str]:
-    """Return all kinds of joints, as a level's file calls them, and what is said of them."""
+    """Return all kinds of joints, as in a level's file, with their descriptions."""
     models = get_args(get_args(Joint)[0])
     return {
         name: " ".join((model.__doc__ or "").split("\n\n")[0].split())

@@ -1,4 +1,4 @@
-"""The tool that selects, moves, turns and resizes."""
+"""The tool that selects, moves, rotates and resizes."""
 
 from cmath import phase
 from collections.abc import Sequence
@@ -22,18 +22,17 @@ from sandbox.model.level import Level
 from sandbox.model.shapes import XY
 
 STEP = radians(5)
-"""rad, bodies turn by whole multiples of this unless Alt is held."""
+"""rad, the step of a body's angle unless Alt is held."""
 
 
 CROWD = 60
-"""Up to how many bodies are drawn where they are moved to; beyond that, only a frame around
-them."""
+"""The largest number of moved bodies whose outlines are drawn; the frame of more is drawn."""
 
 NOWHERE = Snapped((0.0, 0.0), "")
 
 
 class Doing(Enum):
-    """What the button held down is for."""
+    """The action while the button is held."""
 
     NOTHING = auto()
     MOVING = auto()
@@ -43,9 +42,9 @@ class Doing(Enum):
 
 
 class SelectTool:
-    """Selects by clicks or with a rubber band, and changes what is selected by its handles.
+    """Selects by clicks or with a rubber band, and changes the selection by its handles.
 
-    A body is selected with its group, and alone by a second click.
+    A click selects a body with its group, a second click the body alone.
     """
 
     def __init__(self, bench: Bench) -> None:
@@ -55,7 +54,7 @@ class SelectTool:
         self._now: Spot | None = None
         self._handle: Handle | None = None
         self._way = NOWHERE
-        self._again: Part | None = None  # pressed on while its group was selected
+        self._again: Part | None = None  # pressed while its group was selected
 
     @property
     def busy(self) -> bool:
@@ -64,13 +63,13 @@ class SelectTool:
 
     @property
     def hint(self) -> str:
-        """What to do next, in a few words."""
+        """A hint at what to do next."""
         if self._bench.selected:
             return later("Drag to move, a handle to turn or resize; arrows nudge, Delete removes")
         return later("Click a body or a joint to change it, or drag a frame around several")
 
     def press(self, spot: Spot) -> None:
-        """Take hold of a handle, of a part, or of a corner of a rubber band."""
+        """Start dragging a handle, a part, or a rubber band."""
         bench = self._bench
         self._start = self._now = spot
         self._way = NOWHERE
@@ -91,7 +90,7 @@ class SelectTool:
         bench.ignored = frozenset(self._moved)
 
     def _choose(self, group: tuple[Part, ...], *, more: bool) -> None:
-        """Select a part with its group; one more, or one less."""
+        """Select a part with its group; with `more`, add it to the selection or remove it."""
         chosen = self._bench.selected
         there = set(group) <= set(chosen)
         if more:
@@ -102,7 +101,7 @@ class SelectTool:
 
     @property
     def _single(self) -> Drawn | None:
-        """The body that is selected, if it is one alone."""
+        """The selected body, if a single one is selected."""
         chosen = self._bench.selected
         if len(chosen) == 1 and chosen[0][0] == "bodies":
             return self._bench.sketch.bodies.get(chosen[0][1])
@@ -110,11 +109,11 @@ class SelectTool:
 
     @property
     def _moved(self) -> list[str]:
-        """The bodies that are selected."""
+        """The selected bodies."""
         return [name for family, name in self._bench.selected if family == "bodies"]
 
     def move(self, spot: Spot) -> None:
-        """Drag what is held."""
+        """Drag whatever is held."""
         if self._start is None or self._doing is Doing.NOTHING:
             return
         self._now = spot
@@ -123,12 +122,12 @@ class SelectTool:
             self._way = self._snapped((x - a, y - b), spot)
 
     def _snapped(self, by: XY, spot: Spot) -> Snapped:
-        """Return by how much the selection moves [m]; with Alt it does not snap."""
+        """Return the displacement of the selection [m]; with Alt it does not snap."""
         moved = self._moved
         return self._bench.snapped_by(moved, by) if moved and not spot.loose else Snapped(by, "")
 
     def release(self, spot: Spot) -> None:
-        """Apply the drag, and select what is inside the frame."""
+        """Apply the drag, or select the parts inside the rubber band."""
         start, doing = self._start, self._doing
         if start is None:
             return
@@ -173,17 +172,17 @@ class SelectTool:
         self._bench.change(say("resize"), edit)
 
     def finish(self) -> None:
-        """Do nothing: releasing the mouse ends it."""
+        """Do nothing, as releasing the mouse ends the drag."""
 
     def cancel(self) -> None:
-        """Put back what is dragged."""
+        """Cancel the drag."""
         self._doing, self._handle, self._start, self._now = Doing.NOTHING, None, None, None
         self._way = NOWHERE
         self._bench.ignored = frozenset()
 
     @property
     def _turn(self) -> float:
-        """By how much the body is turned [rad]."""
+        """The rotation of the body [rad]."""
         body, start, now = self._single, self._start, self._now
         if self._doing is not Doing.TURNING or not (body and start and now):
             return 0.0
@@ -194,7 +193,7 @@ class SelectTool:
         return round((body.angle + by) / STEP) * STEP - body.angle
 
     def _caught(self) -> list[Part]:
-        """Return the parts within the rubber band: bodies as a whole, joints with all ends."""
+        """Return the parts that are wholly within the rubber band."""
         if self._doing is not Doing.CATCHING or self._start is None or self._now is None:
             return []
         (x, y), (a, b) = self._start.free, self._now.free
@@ -212,7 +211,7 @@ class SelectTool:
         return [*bodies, *joints]
 
     def draw(self, surface: pygame.Surface, pen: Pen) -> None:
-        """Draw the handles, or what is being dragged."""
+        """Draw the handles, or the preview of the drag."""
         start, now, body = self._start, self._now, self._single
         if body and self._doing in (Doing.NOTHING, Doing.CATCHING):
             handles.draw(surface, body, self._bench.camera)
@@ -268,6 +267,6 @@ class SelectTool:
 
 
 def _frame(bodies: Sequence[Drawn]) -> list[XY]:
-    """Return the corners of the upright box around the places of bodies [m]."""
+    """Return the corners of the bounding box of the positions of bodies [m]."""
     xs, ys = zip(*(body.position for body in bodies), strict=True)
     return [(min(xs), min(ys)), (max(xs), min(ys)), (max(xs), max(ys)), (min(xs), max(ys))]

@@ -1,4 +1,4 @@
-"""The base of the editor's tools, and what each declares."""
+"""The protocol of the editor's tools, and their declaration."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -14,22 +14,22 @@ from sandbox.editing.edits.edit_result import Made
 from sandbox.model.level import Level
 from sandbox.model.shapes import XY
 
-STILL = 4.0  # px; who moves less between press and release has clicked
+STILL = 4.0  # px, the distance between press and release below which it is a click
 
 
 class Bench(Protocol):
-    """What a tool works on.
+    """The level or the run, as a tool uses it.
 
     Attributes
     ----------
     camera
         The camera of the stage.
     sketch
-        The level as it is drawn.
+        The drawing of the level.
     selected
-        The parts that are selected, the last one chosen at the end.
+        The selected parts, the latest last.
     ignored
-        The bodies to which nothing snaps: those that are moved.
+        The bodies to which nothing snaps, since they are being moved.
     """
 
     camera: Camera
@@ -38,7 +38,7 @@ class Bench(Protocol):
     ignored: frozenset[str]
 
     def make(self, said: str, edit: Callable[[str, Level], Made], family: str = "bodies") -> bool:
-        """Put something new into the level and select it; return whether that was possible."""
+        """Add parts to the level and select them, and return whether that was possible."""
         ...
 
     def change(self, said: str, edit: Callable[[str, Level], str]) -> bool:
@@ -50,68 +50,68 @@ class Bench(Protocol):
         ...
 
     def select(self, parts: Sequence[Part]) -> None:
-        """Select parts, in place of those that are."""
+        """Replace the selection."""
         ...
 
     def with_group(self, part: Part) -> tuple[Part, ...]:
-        """Return what is selected with a part: the bodies of its group, or it alone."""
+        """Return a part, with the other bodies of its group if it has one."""
         ...
 
     def part_at(self, pixel: XY) -> Part | None:
-        """Return the body or joint at a pixel; what is on top comes first."""
+        """Return the topmost body or joint at a pixel; None if there is none."""
         ...
 
     def snapped_by(self, names: Sequence[str], by: XY) -> Snapped:
-        """Return by how much to move bodies so that they touch what they come near [m]."""
+        """Return the displacement with which bodies touch what they come near [m]."""
         ...
 
 
 class Tool(Protocol):
-    """What the mouse does on the stage while the tool is in hand."""
+    """A tool: the use of the mouse on the stage while it is the current one."""
 
     @property
     def busy(self) -> bool:
-        """Whether something has been begun that is not done yet."""
+        """Whether something is being drawn or dragged."""
         ...
 
     @property
     def hint(self) -> str:
-        """What to do next, in a few words."""
+        """A hint at what to do next."""
         ...
 
     def press(self, spot: Spot) -> None:
-        """Begin, or set one more point."""
+        """Start, or set the next point."""
         ...
 
     def move(self, spot: Spot) -> None:
-        """Show what there would be."""
+        """Update the preview."""
         ...
 
     def release(self, spot: Spot) -> None:
-        """Be done with it, if it was dragged."""
+        """Finish a drag."""
         ...
 
     def finish(self) -> None:
-        """Be done with what is set by several clicks."""
+        """Finish a shape that takes several clicks."""
         ...
 
     def cancel(self) -> None:
-        """Cancel what was begun, or its last part."""
+        """Cancel what is being drawn, or remove its last point."""
         ...
 
     def draw(self, surface: pygame.Surface, pen: Pen) -> None:
-        """Draw what there would be."""
+        """Draw the preview."""
         ...
 
 
 @dataclass(frozen=True, slots=True)
 class Kind:
-    """A tool as the palette shows it."""
+    """The declaration of a tool, as the palette shows it."""
 
     name: str
     caption: str
     key: str
-    """a digit, while the page is open"""
+    """a digit, which chooses the tool while the page is open"""
     text: str
-    """what it does, for the tool tip and the help"""
+    """its description, for the tooltip and the help"""
     make: Callable[[Bench], Tool]

@@ -1,4 +1,4 @@
-"""The tools for polygons, surfaces and freehand strokes, which are drawn through several points."""
+"""The tools for polygons, surfaces and freehand strokes, drawn through several points."""
 
 from math import atan2, degrees, dist
 
@@ -15,13 +15,13 @@ from sandbox.editing.edits.edit_result import Made
 from sandbox.model.level import Level
 from sandbox.model.shapes import XY
 
-CLOSE = 9.0  # px; a click so near to the first corner closes a polygon
-APART = 3.0  # px, between two points of a stroke
-OFF = 2.0  # px, by which the corners that are left of a stroke may be off it
+CLOSE = 9.0  # px, the largest distance from the first corner at which a click closes a polygon
+APART = 3.0  # px, the least distance between two points of a stroke
+OFF = 2.0  # px, the tolerance of the simplification of a stroke
 
 
 class Tracing:
-    """A point a click; the keys, a double click, or for a polygon its first corner, end it."""
+    """Sets a point with each click; Enter, a double click, or a polygon's first corner finishes."""
 
     least = 2
     closed = False
@@ -42,11 +42,11 @@ class Tracing:
 
     @property
     def hint(self) -> str:
-        """What to do next, in a few words."""
+        """A hint at what to do next."""
         return self.goes_on if self.busy else self.begins
 
     def press(self, spot: Spot) -> None:
-        """Set one more point, or end."""
+        """Set the next point, or finish."""
         self._spot = spot
         if self._points and self._ends(spot):
             self.finish()
@@ -54,33 +54,33 @@ class Tracing:
             self._points.append(spot.point)
 
     def _ends(self, spot: Spot) -> bool:
-        """Whether a click there ends it."""
+        """Return whether a click finishes the shape."""
         camera = self._bench.camera
         last = dist(camera.to_screen(self._points[-1]), camera.to_screen(spot.point)) < 1
         first = dist(camera.to_screen(self._points[0]), spot.pixel) < CLOSE
         return last or (self.closed and first and len(self._points) >= self.least)
 
     def move(self, spot: Spot) -> None:
-        """Show where the next piece would run."""
+        """Move the end of the preview."""
         self._spot = spot
 
     def release(self, spot: Spot) -> None:
-        """Do nothing: a click has set a point already."""
+        """Do nothing, as the press has set a point."""
 
     def finish(self) -> None:
-        """Make the shape from the points so far, if they are enough."""
+        """Make the shape, if it has enough points."""
         points = tuple(self._points)
         if len(points) >= self.least:
             self._points.clear()
             self.make(points)
 
     def cancel(self) -> None:
-        """Take the last point back."""
+        """Remove the last point."""
         if self._points:
             self._points.pop()
 
     def draw(self, surface: pygame.Surface, pen: Pen) -> None:
-        """Draw what is set, and the piece to the mouse with its length and angle."""
+        """Draw the points, and the line to the mouse with its length and angle."""
         if not self._points or self._spot is None:
             return
         camera, end = self._bench.camera, self._spot.point
@@ -93,7 +93,7 @@ class Tracing:
         preview.measure(surface, pen, self._spot.pixel, message)
 
     def make(self, points: tuple[XY, ...]) -> None:
-        """Put it into the level."""
+        """Add the surface to the level."""
 
         def edit(text: str, level: Level) -> Made:
             return bodies.add_surface(text, level, points)
@@ -116,7 +116,7 @@ class PolygonTool(Tracing):
     )
 
     def make(self, points: tuple[XY, ...]) -> None:
-        """Put a polygon into the level."""
+        """Add a polygon to the level."""
 
         def edit(text: str, level: Level) -> Made:
             return bodies.add_polygon(text, level, points)
@@ -125,7 +125,7 @@ class PolygonTool(Tracing):
 
 
 class CurveTool:
-    """Draws what a hand draws: a polygon if it comes back to where it began, else a surface."""
+    """Draws freehand strokes: a polygon if the stroke returns to its start, else a surface."""
 
     def __init__(self, bench: Bench) -> None:
         self._bench = bench
@@ -134,26 +134,26 @@ class CurveTool:
 
     @property
     def busy(self) -> bool:
-        """Whether a stroke has been begun."""
+        """Whether a stroke is being drawn."""
         return bool(self._points)
 
     @property
     def hint(self) -> str:
-        """What to do next, in a few words."""
+        """A hint at what to do next."""
         return later("Draw while you press; come back to the beginning for a closed body")
 
     def press(self, spot: Spot) -> None:
-        """Begin a stroke."""
+        """Start a stroke."""
         self._points, self._pixels = [spot.point], [spot.pixel]
 
     def move(self, spot: Spot) -> None:
-        """Go on with it."""
+        """Continue the stroke."""
         if self._pixels and dist(spot.pixel, self._pixels[-1]) >= APART:
             self._points.append(spot.free)
             self._pixels.append(spot.pixel)
 
     def release(self, spot: Spot) -> None:
-        """Make what was drawn, if that is more than a click."""
+        """Make the shape of the stroke, if it is more than a click."""
         self.move(spot)
         points = tuple(self._points)
         self.cancel()
@@ -166,10 +166,10 @@ class CurveTool:
             self._bench.make(say("draw freely"), edit)
 
     def finish(self) -> None:
-        """Do nothing: releasing the mouse ends it."""
+        """Do nothing, as releasing the mouse ends the stroke."""
 
     def cancel(self) -> None:
-        """Forget the stroke."""
+        """Discard the stroke."""
         self._points, self._pixels = [], []
 
     def draw(self, surface: pygame.Surface, pen: Pen) -> None:  # noqa: ARG002 (nothing to write)

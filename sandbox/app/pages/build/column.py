@@ -14,16 +14,16 @@ from sandbox.app.drawing.theme import Color
 from sandbox.app.widgets.sheet import Sheet
 from sandbox.app.widgets.text_field import Field
 
-HEIGHT = 24  # px, of a button and of a field
+HEIGHT = 24  # px, of a button or a field
 GAP = 4  # px, between two
 SMALL = "@small"
 """The style of these buttons, and of their fields."""
-SIZE = 12  # of their captions, as widgets.json says
+SIZE = 12  # of their captions, as in widgets.json
 PADDING = 14  # px, beside a caption, left and right together
 
 
 def beside(pen: Pen, captions: Sequence[str], width: int) -> list[pygame.Rect]:
-    """Return where buttons stand beside each other, as many on a line as fit into a width [px]."""
+    """Return the places of buttons side by side, as many on a line as fit into a width [px]."""
     found: list[pygame.Rect] = []
     x = y = 0
     for caption in captions:
@@ -36,12 +36,12 @@ def beside(pen: Pen, captions: Sequence[str], width: int) -> list[pygame.Rect]:
 
 
 class Column:
-    """What a sheet shows, from above to below.
+    """The widgets of a sheet, from top to bottom.
 
     Attributes
     ----------
     y
-        Where the next widget is put [px].
+        The height of the next widget [px].
     """
 
     def __init__(self, sheet: Sheet) -> None:
@@ -50,18 +50,18 @@ class Column:
         self.y = sheet.margin // 2
 
     def clear(self) -> None:
-        """Take all away, and begin at the top again."""
+        """Remove all widgets, and start at the top again."""
         for widget in self._widgets:
             widget.kill()  # type: ignore[no-untyped-call]
         self._widgets.clear()
         self.y = self._sheet.margin // 2
 
     def heading(self, text: str) -> None:
-        """Put a heading under a line."""
+        """Add a heading under a line."""
         self._put_picture(heading(self._sheet.pen, self._sheet.width, text))
 
     def text(self, text: str, color: Color | None = None, x: int = 0) -> None:
-        """Put a wrapped paragraph."""
+        """Add a wrapped paragraph."""
         card = Card(self._sheet.pen, self._sheet.width - x)
         card.text(text, SIZE, color or theme.DIM)
         self._put_picture(card.drawn(), x)
@@ -73,7 +73,7 @@ class Column:
         self.y += picture.height + self._sheet.px(GAP)
 
     def label(self, text: str, x: int, room: int, tip: str = "") -> None:
-        """Put a word beside what follows on the same line, cut if there is no room [px]."""
+        """Add a label at the start of a line, shortened to its room [px]."""
         pen = self._sheet.pen
         picture = pen.write(pen.shorten(text, room, SIZE), SIZE, theme.DIM)
         image = self._sheet.image(picture, self.y)
@@ -84,7 +84,7 @@ class Column:
         self._widgets.append(image)
 
     def field(self, x: int, width: int, text: str, otherwise: str = "", tip: str = "") -> Field:
-        """Put a field on the present line; `otherwise` is seen while nothing is in it."""
+        """Add a field to the present line; `otherwise` is shown while it is empty."""
         field = Field(
             pygame.Rect(self._sheet.margin + x, self.y, width, self._sheet.px(HEIGHT)),
             self._sheet.manager,
@@ -97,13 +97,13 @@ class Column:
         return field
 
     def button(self, rect: pygame.Rect, caption: str, tip: str, kind: str = SMALL) -> UIButton:
-        """Put a button on the present line; its height there is 0."""
+        """Add a button, at a place relative to the present line."""
         button = self._sheet.button(rect.move(0, self.y), caption, tip, kind)
         self._widgets.append(button)
         return button
 
     def buttons(self, acts: Sequence[Act], x: int = 0) -> list[UIButton]:
-        """Put buttons in a row, and continue below it."""
+        """Add rows of buttons, and continue below them."""
         places = beside(self._sheet.pen, [act.caption for act in acts], self._sheet.width - x)
         made = [
             self.button(place.move(x, 0), act.caption, act.tip)

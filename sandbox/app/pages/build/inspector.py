@@ -19,29 +19,29 @@ from sandbox.model.json_positions import Path
 LABEL = 98  # px
 UNIT = 44  # px
 SLIDER = 44  # px
-INDENT = 10  # px, of what belongs to a section
+INDENT = 10  # px, of the rows of a section
 MOST = 300
-"""Characters; a longer text is not edited in a line."""
+"""The largest number of characters of a text that is edited in a field."""
 TOO_LONG = later("too long for one line: edit it in the file")
 SWITCHED: Mapping[str, str] = {later("no"): "false", later("yes"): "true"}
 
 
 @dataclasses.dataclass(slots=True)
 class Line:
-    """An entry with its widgets; they belong together."""
+    """An entry with its widgets."""
 
     entry: Entry
     row: Sequence[Entry]
-    """the entries that stand together with it, such as both halves of a point"""
+    """the entries of its row, such as both coordinates of a point"""
     field: Field | None = None
     shown: str = ""
-    """what the field says when nobody types"""
+    """the text of the field before typing"""
     choices: dict[UIButton, str] = dataclasses.field(default_factory=dict)
     slider: UIButton | None = None
 
 
 class Inspector:
-    """What can be set, one below the other."""
+    """The rows of entries and sections, one below the other."""
 
     def __init__(self, sheet: Sheet, column: Column) -> None:
         self._sheet, self._column = sheet, column
@@ -55,7 +55,7 @@ class Inspector:
         self._focused: Path | None = None
 
     def shape(self, rows: Sequence[Row], numbers: Collection[Path]) -> tuple[object, ...]:
-        """Return everything that requires new widgets when it changes: all but the typed text."""
+        """Return a key that changes whenever new widgets are needed."""
         found: list[object] = []
         for row in rows:
             if isinstance(row, Section):
@@ -70,18 +70,18 @@ class Inspector:
         self, rows: Sequence[Row], numbers: Collection[Path], refused: Mapping[Path, str],
         offered: Mapping[Path, Sequence[str]],
     ) -> None:  # fmt: skip
-        """Put all widgets.
+        """Make all widgets.
 
         Parameters
         ----------
         rows
-            What can be set.
+            The entries and sections.
         numbers
-            Which of it can be made a parameter.
+            The paths of numbers that can be made parameters.
         refused
-            Why what was typed cannot be.
+            The reasons why typed texts were refused, by path.
         offered
-            The names that what is being typed may become.
+            The names offered to complete typed texts, by path.
         """
         self._offered = offered
         self._lines, self._headings = {}, {}
@@ -108,7 +108,7 @@ class Inspector:
             self._put_rows(section.rows, x + self._sheet.px(INDENT))
 
     def _opened(self, path: Path) -> bool:
-        """Whether a section is open: at first those of bodies and joints are."""
+        """Return whether a section is open, as those of bodies and joints are at first."""
         return (path[0] in ("bodies", "joints")) is not (path in self._turned)
 
     def _put(self, line: Line, x: int) -> None:
@@ -152,7 +152,7 @@ class Inspector:
             self._put_choices(line, {name: name for name in names})
 
     def refresh(self, rows: Sequence[Row]) -> None:
-        """Show what the level says now; what is being typed, or was refused, stays."""
+        """Show the present values, except in fields where a text is being typed or was refused."""
         for row in self._entries(rows):
             for entry in row:
                 line = self._lines[entry.path]
@@ -170,7 +170,7 @@ class Inspector:
             field.set_text(shown)
 
     def _entries(self, rows: Sequence[Row]) -> Iterator[Sequence[Entry]]:
-        """Yield the rows that are seen."""
+        """Yield the visible rows."""
         for row in rows:
             if not isinstance(row, Section):
                 yield row
@@ -184,7 +184,7 @@ class Inspector:
         return [(line, line.field) for line in self._lines.values() if line.field is not None]
 
     def keep(self) -> None:
-        """Note what is being typed, or was refused, before the widgets are rebuilt."""
+        """Store texts that are being typed or were refused, before the widgets are rebuilt."""
         self._focused = next((li.entry.path for li, f in self._fields if f.is_focused), None)
         self._kept = {
             line.entry.path: (field.get_text(), line.shown)
@@ -201,9 +201,9 @@ class Inspector:
                 self._sheet.manager.set_focus_set(field.get_focus_set())
 
     def left(self) -> list[Line]:
-        """Return where something was typed into a field that the keyboard has left since.
+        """Return the lines with a changed field that has lost the focus.
 
-        While the mouse is on a name that is offered there, nothing is taken yet.
+        Those with the mouse on a name that is offered are left out.
         """
         return [
             line
@@ -214,7 +214,7 @@ class Inspector:
         ]
 
     def line(self, element: object) -> Line | None:
-        """Return the entry that a widget sets."""
+        """Return the line of a widget; None if there is none."""
         return next(
             (
                 line
@@ -225,26 +225,26 @@ class Inspector:
         )
 
     def turn(self, element: object) -> bool:
-        """Open or close a section, and return whether a widget is the heading of one."""
+        """Open or close the section of a heading, and return whether the widget is a heading."""
         path = next((p for button, p in self._headings.items() if button is element), None)
         if path is not None:
             self._turned ^= {path}
         return path is not None
 
     def field(self, *path: str | int) -> Field:
-        """Return the field of a place in the level."""
+        """Return the field of a path."""
         found = self._lines[path].field
         assert found is not None
         return found
 
     def parametrise_button(self, *path: str | int) -> UIButton:
-        """Return the button that makes a number a parameter."""
+        """Return the button that makes the number at a path a parameter."""
         found = self._lines[path].slider
         assert found is not None
         return found
 
     def complete(self) -> bool:
-        """Take the first name that is offered into its field, and return whether there is one."""
+        """Accept the first name offered for a field, and return whether there is one."""
         for line, field in self._fields:
             if field.is_focused and (names := self._offered.get(line.entry.path)):
                 field.set_text(names[0])
@@ -252,21 +252,21 @@ class Inspector:
         return False
 
     def revert(self) -> None:
-        """Let the fields say again what is the case."""
+        """Reset the fields to the present values."""
         for line, field in self._fields:
             line.shown = line.entry.shown
             field.set_text(line.shown)
 
 
 def _options(entry: Entry) -> Mapping[str, str]:
-    """Return the options of a choice, and the option that the level has."""
+    """Return the options of a choice or a switch, by caption."""
     if entry.sort == "switch":
         return {say(caption): means for caption, means in SWITCHED.items()}
     return {say(caption_of(choice)): choice for choice in entry.choices}
 
 
 def _tip(entry: Entry) -> str:
-    """Return what is said of an entry while the mouse rests on it."""
+    """Return the tooltip of an entry."""
     description = entry.help or entry.label
     if not entry.default:
         return description
@@ -276,10 +276,10 @@ def _tip(entry: Entry) -> str:
 
 
 def _form(entry: Entry, numbers: Collection[Path]) -> tuple[object, ...]:
-    """Return what the widgets of an entry depend on."""
+    """Return a key on which the widgets of an entry depend."""
     return entry.path, entry.sort, _adjustable(entry, numbers), len(entry.shown) > MOST
 
 
 def _adjustable(entry: Entry, numbers: Collection[Path]) -> bool:
-    """Whether there is a number that can be made a parameter, said or left to its default."""
+    """Return whether an entry is a number, given or by default, that can be made a parameter."""
     return bool(entry.shown or entry.default) and entry.path in numbers

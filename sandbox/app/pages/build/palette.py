@@ -1,4 +1,4 @@
-"""The palette of tools and of actions on the whole level; it stays while the page scrolls."""
+"""The palette of tools and of actions on the whole level, which does not scroll."""
 
 from collections.abc import Callable, Iterator, Sequence
 from functools import partial
@@ -22,7 +22,7 @@ TRY, STOP = later("Try it"), later("Back to building")
 
 
 class Palette:
-    """A button for each tool, and below one for each joint while that tool is in hand."""
+    """A button for each tool, and one for each joint while that tool is the current one."""
 
     def __init__(self, sheet: Sheet, editor: Editor, session: Session) -> None:
         self._sheet, self._editor, self._session = sheet, editor, session
@@ -38,7 +38,7 @@ class Palette:
         self.update()
 
     def _put_acts(self, y: int) -> int:
-        """Put what is done with the level, and return where it ends."""
+        """Make the buttons for actions on the level, and return their lower end [px]."""
         editor, session = self._editor, self._session
         acts: tuple[tuple[str, str, Callable[[], object]], ...] = (
             (
@@ -78,7 +78,7 @@ class Palette:
         return y + places[-1].bottom + self._sheet.px(GAP)
 
     def _places(self, captions: Sequence[str], y: int) -> Iterator[pygame.Rect]:
-        """Yield places beside each other, each as wide as its caption and its share of the rest."""
+        """Yield places side by side, each as wide as its caption and a share of the spare room."""
         gap, x = self._sheet.px(GAP), 0
         wanted = [self._sheet.pen.write(say(caption), SIZE).width for caption in captions]
         room = self._sheet.width - gap * (len(wanted) - 1)
@@ -97,11 +97,11 @@ class Palette:
         self._buttons[name], self._acts[button] = button, act
 
     def button(self, name: str) -> UIButton:
-        """Return the button of a tool or a joint by its name, or one by its caption."""
+        """Return the button of a tool or a joint by its name, or another by its caption."""
         return self._buttons[name]
 
     def press(self, element: object) -> bool:
-        """Do what a button is for, and return whether it is one of these."""
+        """Execute the action of a button, and return whether it is one of these."""
         act = next((act for button, act in self._acts.items() if button is element), None)
         if act is not None:
             act()
@@ -116,7 +116,7 @@ class Palette:
         self._editor.bench.show()
 
     def update(self) -> None:
-        """Show what is in hand, and what can be undone and saved."""
+        """Show the current tool, and whether there is something to undo, redo or save."""
         editor, draft = self._editor, self._editor.work.draft
         for kind in TOOLS:
             press(self._buttons[kind.name], kind.name == editor.tools.tool)
@@ -131,14 +131,14 @@ class Palette:
         self._show_joints(editor.tools.tool == "join")
 
     def _show_joints(self, shown: bool) -> None:
-        """Make room for the joints, or leave that to the fields."""
+        """Show or hide the buttons of the joints."""
         for name in self._joints:
             button = self._buttons[name]
             if shown and not button.visible:
                 button.show()  # type: ignore[no-untyped-call]
             press(
                 button, shown and name == self._editor.tools.joining.kind
-            )  # what is hidden has no look
+            )  # only visible buttons have a look
             if not shown and button.visible:
                 button.hide()  # type: ignore[no-untyped-call]
         self._sheet.pin(self._height if shown else self._without)

@@ -30,7 +30,7 @@ Blocks = tuple[Sequence[Block], Sequence[Block]]
 
 
 class BuildPage:
-    """Shows what the editor works on, and sets it.
+    """The panel that shows and sets the parts of the edited level.
 
     Attributes
     ----------
@@ -61,16 +61,16 @@ class BuildPage:
         """Return a button below the tools by its caption."""
         return next(button for button, act in self._acts if act.caption == caption)
 
-    # what is asked for
+    # events
 
     def process(self, event: pygame.event.Event) -> str | None:
-        """Handle a click or a typed text; the editor shows the message for it."""
+        """Handle a click or a typed text; the editor shows its message."""
         for line in self.inspector.left():
             self._set(line)
         if event.type == UI_BUTTON_PRESSED:
             if not self._press(event.ui_element):
                 return None
-            press(event.ui_element, False)  # a click has put out what was lit; `update` lights it
+            press(event.ui_element, False)  # a click changes the look; `update` sets it
             return ""
         if event.type == UI_TEXT_ENTRY_FINISHED:
             return "" if self._enter(event.ui_element) else None
@@ -79,9 +79,9 @@ class BuildPage:
         return None
 
     def _offer(self, element: object) -> bool:
-        """Offer names for what is being typed, and return whether others than before."""
+        """Update the names offered for a typed text, and return whether they have changed."""
         line = self.inspector.line(element)
-        if line is None or line.field is None:  # of before the page was built anew
+        if line is None or line.field is None:  # from before the page was rebuilt
             return False
         names = inspection.completions(self._editor.bench, line.entry, line.field.get_text())
         before, self._offered = self._offered, {line.entry.path: names} if names else {}
@@ -107,7 +107,7 @@ class BuildPage:
         self._assign(line, means)
 
     def _enter(self, element: object) -> bool:
-        """Apply a typed text; a field that is finished returns the keys to the tools."""
+        """Apply a typed text, after which the keys act on the tools again."""
         if element is self._name:
             self._save_here()
             return True
@@ -119,7 +119,7 @@ class BuildPage:
         return True
 
     def _set(self, line: Line) -> bool:
-        """Set an entry to what its field says, and return whether that can be."""
+        """Set an entry to the text of its field, and return whether that was possible."""
         assert line.field is not None
         line.shown = line.field.get_text()
         return self._assign(line, line.shown)
@@ -142,10 +142,10 @@ class BuildPage:
         path = self._editor.saving.proposed.parent / typed
         self._editor.saving.save(path if path.suffix else path.with_suffix(".json"))
 
-    # fields, as the window goes through them
+    # fields, as the window uses them
 
     def complete(self) -> bool:
-        """Take the first name that is offered, and return whether one is."""
+        """Accept the first name offered, and return whether there is one."""
         completed = self.inspector.complete()
         if completed:
             self._offered.clear()
@@ -153,17 +153,17 @@ class BuildPage:
         return completed
 
     def revert(self) -> None:
-        """Let all fields say again what is the case, and ask for no name any more."""
+        """Reset all fields to the present values, and stop asking for a name."""
         self._refused.clear()
         self.inspector.revert()
         if self._name is not None and self._name.is_focused:
             self._editor.saving.stop_naming()
         self._editor.bench.show()
 
-    # what is shown
+    # display
 
     def update(self) -> None:
-        """Show what is new; what stands there already is kept."""
+        """Update the page, with new widgets only if needed."""
         bench = self._editor.bench
         selected = bench, bench.selected
         another, self._selected = selected != self._selected, selected
@@ -187,7 +187,7 @@ class BuildPage:
             scroll(self._sheet.container, 0)
 
     def _blocks(self) -> Blocks:
-        """Return what stands above the name that is asked for, and below that."""
+        """Return the blocks above and below the field for a file name."""
         editor = self._editor
         below = sections.subject(editor)
         if editor.saving.naming:
@@ -220,7 +220,7 @@ class BuildPage:
             self._buttons += self._column.buttons(block.acts)
 
     def _put_name(self) -> None:
-        """Ask for a name to save under, if that is wanted."""
+        """Make the field for a file name, if one is asked for."""
         before, self._name = self._name, None
         if self._editor.saving.naming:
             typed = before.get_text() if before is not None else str(self._editor.saving.proposed)
@@ -229,7 +229,7 @@ class BuildPage:
             self._sheet.manager.set_focus_set(self._name.get_focus_set())
 
     def _refresh(self, blocks: Blocks) -> None:
-        """Connect the buttons to the present level."""
+        """Connect the buttons to the present actions."""
         shown = [block for part in blocks for block in part]
         acts = [act for block in shown for act in block.acts]
         pressed = [act.caption in block.pressed for block in shown for act in block.acts]

@@ -1,4 +1,4 @@
-"""The parts of the page besides the fields: mistakes, offers, suggestions, effects."""
+"""The blocks of the page besides the fields: mistakes, offers, suggestions, effects."""
 
 from functools import partial
 from typing import NamedTuple
@@ -36,19 +36,19 @@ class Block(NamedTuple):
 
     text: str
     color: Color | None = None
-    """None for that of what is less important"""
+    """None for that of less important texts"""
     acts: tuple[Act, ...] = ()
     pressed: frozenset[str] = frozenset()
     heading: bool = False
 
     @property
     def shape(self) -> tuple[object, ...]:
-        """Return everything that requires new widgets when it changes."""
+        """A key that changes whenever new widgets are needed."""
         return self.text, self.color, self.heading, tuple(act.caption for act in self.acts)
 
 
 def above(editor: Editor, session: Session) -> list[Block]:
-    """Return the top section: mistakes, and pending decisions."""
+    """Return the top blocks: mistakes, and pending decisions."""
     found = []
     if editor.trying.is_shown(session):
         keep = Act(
@@ -82,7 +82,7 @@ def above(editor: Editor, session: Session) -> list[Block]:
 
 
 def subject(editor: Editor) -> list[Block]:
-    """Return what is inspected, and what can be done with it as a whole."""
+    """Return the blocks about the inspected parts, with the actions on them."""
     work = editor.bench
     in_run = work is editor.trial.live
     said = say("The run") if in_run and not work.selected else inspection.subject(work)
@@ -107,7 +107,7 @@ def subject(editor: Editor) -> list[Block]:
 
 
 def arranging(editor: Editor) -> list[Block]:
-    """Return what can be done with the bodies that are selected, among each other."""
+    """Return the blocks with actions on the selected parts, and that arrange bodies."""
     if editor.bench is not editor.work:
         return []
     work = editor.work
