@@ -1,1 +1,1 @@
-"""The pages of the side panel, a folder each: what it computes, its card, its panel."""
+"""The pages of the side panel, each in a folder with its computation, its card and its panel."""

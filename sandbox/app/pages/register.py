@@ -1,4 +1,4 @@
-"""The pages of the side panel: one list, from which tabs, keys, help and commands are derived."""
+"""The list of pages of the side panel, from which tabs, keys, help and commands are derived."""
 
 from collections.abc import Sequence
 
@@ -47,10 +47,10 @@ def page(command: str) -> Page:
 
 
 def opening(level: Level, shown: str) -> str:
-    """Return the command of the page with which a level opens, while another one may be shown.
+    """Return the command of the page with which a level opens, given the page shown before.
 
-    A page that is made for such levels comes first, and goes again with them; else the shown one
-    stays.
+    A page made for such levels takes precedence; it closes with the next level that it does not
+    suit. Other pages stay.
     """
     made = next((page for page in PAGES if page.suits is not None and page.suits(level)), None)
     if made is not None:
@@ -59,6 +59,6 @@ def opening(level: Level, shown: str) -> str:
 
 
 def runs_beside(session: Session) -> tuple[Page | None, Sequence[Row]]:
-    """Return which page lets other runs go over the one that is played, and their rows."""
+    """Return the page that superimposes other runs, and their rows; None if there is none."""
     found = ((page, rows) for page in PAGES if (rows := page.runs(session)))
     return next(found, (None, ()))

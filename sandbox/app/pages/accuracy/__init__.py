@@ -1,4 +1,4 @@
-"""The page of the accuracy: what the next digit costs."""
+"""The page of the accuracy: the cost of another digit."""
 
 from sandbox.app.pages.accuracy.panel import AccuracyPage
 from sandbox.app.pages.accuracy.studying import Studying

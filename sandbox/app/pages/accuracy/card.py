@@ -1,4 +1,4 @@
-"""The card with a run's accuracy, and the computing time that it costs."""
+"""The card of a run's accuracy, and the computing time that it costs."""
 
 from collections.abc import Mapping
 
@@ -19,7 +19,7 @@ PARTS = (later("model"), later("numerical"), later("remaining"))
 
 
 def ends(pen: Pen, width: int, left: str, right: str) -> pygame.Surface:
-    """Draw what the two ends of a dial stand for."""
+    """Draw the meanings of the two ends of a dial."""
     card = Card(pen, width)
     card.put(pen.write(left, 12, theme.DIM), 0)
     text = pen.write(right, 12, theme.DIM)
@@ -32,7 +32,7 @@ def asked(
     pen: Pen, width: int, target: float | None, stepping: Stepping, here: Here | None,
     place: Trust | None,
 ) -> pygame.Surface:  # fmt: skip
-    """Draw what accuracy is asked for, the present setting, and how far that can be trusted."""
+    """Draw the requested accuracy, the present setting, its error, and the least known place."""
     card = Card(pen, width)
     card.heading(say("Accuracy and its cost"))
     wanted = say("Ask for an accuracy:")
@@ -51,7 +51,7 @@ def asked(
 
 
 def _least_known(card: Card, place: Trust | None) -> None:
-    """Add two lines, as high before it is known as after."""
+    """Add two lines, whose height does not depend on whether the place is known."""
     known = "" if place is None else formatting.trusted(place)
     what = say("not measured yet") if place is None else place.quantity
     for line in (say("least known place: {place}", place=what), known):
@@ -63,7 +63,7 @@ def _least_known(card: Card, place: Trust | None) -> None:
 def status(
     pen: Pen, size: tuple[int, int], progress: Progress | None, failure: str
 ) -> pygame.Surface:
-    """Draw how far the work is, or why there is no more."""
+    """Draw the progress of the work, or the reason why it failed."""
     surface = pygame.Surface(size)
     surface.fill(theme.PANEL)
     if failure:
@@ -81,7 +81,7 @@ def rest(
     pen: Pen, width: int, shares: Mapping[str, float], level: Level,
     splits: Mapping[int, Split],
 ) -> pygame.Surface:  # fmt: skip
-    """Draw where a frame's time goes, and what the checks' errors are made of."""
+    """Draw the parts of a frame's time, and the parts of the checks' errors."""
     card, words = Card(pen, width), level_words.of(level)
     _frame(card, shares)
     if splits:
@@ -93,7 +93,7 @@ def rest(
 
 
 def _frame(card: Card, shares: Mapping[str, float]) -> None:
-    """Add a bar of a frame's 16.7 ms, and what each part of it takes."""
+    """Add a bar of a frame's 16.7 ms, and the share of each part."""
     card.heading(say("A frame of 16.7 ms"))
     bar = pygame.Surface((card.width, 10))
     bar.fill(theme.RAISED)

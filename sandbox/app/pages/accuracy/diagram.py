@@ -1,4 +1,4 @@
-"""Error against cost: what the next digit of a scene costs."""
+"""The diagram of error against cost."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from math import ceil, floor, isfinite, log10
@@ -14,9 +14,9 @@ from sandbox.app.words.language import say
 from sandbox.model.shapes import XY
 from sandbox.physics.accuracy.study import Here, Point
 
-LEFT, BELOW, ABOVE, RIGHT = 38, 36, 8, 18  # px, around the field
+LEFT, BELOW, ABOVE, RIGHT = 38, 36, 8, 18  # px, margins of the field
 LEAST = 1e-16
-"""The smallest error that is drawn; smaller ones are drawn here."""
+"""The smallest error on the axis; smaller ones are drawn there."""
 
 
 def colors() -> Mapping[str, Color]:
@@ -28,7 +28,7 @@ def colors() -> Mapping[str, Color]:
 
 
 class Axis(NamedTuple):
-    """A logarithmic axis over whole powers of ten, and the pixels of its two ends."""
+    """A logarithmic axis between powers of ten, with the pixels of its ends."""
 
     low: int
     high: int
@@ -36,18 +36,18 @@ class Axis(NamedTuple):
     end: float
 
     def pixel(self, value: float) -> float:
-        """Return where a value is [px]."""
+        """Return the pixel of a value."""
         share = (log10(max(value, LEAST)) - self.low) / (self.high - self.low)
         return self.start + share * (self.end - self.start)
 
     def powers(self, most: int) -> Iterator[int]:
-        """Yield exponents to label, at most so many."""
+        """Return the exponents to label, at most a given number."""
         every = max(ceil((self.high - self.low + 1) / most), 1)
         return iter(range(self.low, self.high + 1, every))
 
 
 def axis(values: Sequence[float], start: float, end: float) -> Axis:
-    """Return the axis for some values, at least a power of ten long."""
+    """Return an axis for some values, over at least one power of ten."""
     logs = [log10(max(value, LEAST)) for value in values]
     low, high = floor(min(logs)), ceil(max(logs))
     return Axis(low, max(high, low + 1), start, end)
@@ -56,9 +56,10 @@ def axis(values: Sequence[float], start: float, end: float) -> Axis:
 def draw(
     pen: Pen, size: tuple[int, int], points: Sequence[Point], here: Here | None
 ) -> pygame.Surface:
-    """Draw a line a scheme, and a ring around the present setting.
+    """Draw a line for each scheme, and a ring around the present setting.
 
-    Across: ms of computing for a second of the scene. Up: the largest numerical error.
+    The horizontal axis is the computing time for a second of the scene [ms], the vertical axis the
+    largest numerical error.
     """
     surface = pygame.Surface(size)
     surface.fill(theme.STAGE)
@@ -103,7 +104,7 @@ def _draw_axes(surface: pygame.Surface, pen: Pen, across: Axis, up: Axis) -> Non
 
 
 def legend(pen: Pen, width: int, points: Sequence[Point]) -> pygame.Surface:
-    """Draw which mark is which scheme, two a row."""
+    """Draw the legend of the schemes, two in a row."""
     schemes = list(dict.fromkeys(point.scheme for point in points))
     height = pen.height(12) + 1
     surface = pygame.Surface((width, max((len(schemes) + 1) // 2, 1) * height))
@@ -116,5 +117,5 @@ def legend(pen: Pen, width: int, points: Sequence[Point]) -> pygame.Surface:
 
 
 def _place(scheme: str) -> int:
-    """Return which sign is that of a scheme."""
+    """Return the index of the sign of a scheme."""
     return list(colors()).index(scheme)

@@ -1,4 +1,4 @@
-"""The page Accuracy: what the next digit costs, and what the error is made of."""
+"""The page Accuracy: the cost of another digit, and the parts of the errors."""
 
 from math import log10
 
@@ -18,13 +18,13 @@ DIAGRAM = 158  # px, its height
 MEASURE, CANCEL = later("Measure"), later("Cancel")
 HEIGHT = 26  # px, of the button
 DIAL = 2, 10
-"""The range of digits that can be asked for, from fast to exact."""
+"""The range of digits that can be requested, from fast to exact."""
 UNASKED = 6
-"""The position of the dial while no accuracy is asked for."""
+"""The position of the dial while no accuracy is requested."""
 
 
 class AccuracyPage:
-    """The dial, the diagram, where a frame's time goes, and the errors of the checks."""
+    """The dial, the diagram, the parts of a frame's time, and the errors of the checks."""
 
     def __init__(self, sheet: Sheet, desk: Desk) -> None:
         self._sheet, self._session, self._load = sheet, desk.session, desk.load
@@ -56,13 +56,13 @@ class AccuracyPage:
 
     @property
     def _digits(self) -> int:
-        """The digits that were asked for; 0 if none were."""
+        """The number of digits requested; 0 if none are."""
         target = self._studying.target
         return 0 if target is None else round(-log10(target))
 
     @property
     def button(self) -> UIButton:
-        """The button that begins the work, or ends it."""
+        """The button that starts or cancels the work."""
         return self._button
 
     @property
@@ -71,7 +71,7 @@ class AccuracyPage:
         return self._dial
 
     def process(self, event: pygame.event.Event) -> str | None:
-        """Begin or end the work, or look for what the dial asks."""
+        """Start or cancel the work, or search for a setting with the accuracy of the dial."""
         if event.type == UI_HORIZONTAL_SLIDER_MOVED and event.ui_element is self._dial:
             digits = round(event.value)
             if digits != self._digits:
@@ -83,7 +83,7 @@ class AccuracyPage:
         return ""
 
     def update(self) -> None:
-        """Show what is known by now."""
+        """Show the results so far."""
         if self._session.world is not self._world:
             self._world = self._session.world
             self._session.world.kicks.time_calls()
@@ -99,7 +99,7 @@ class AccuracyPage:
         self._sheet.end(below(self._rest) + 2)
 
     def _turn_dial(self) -> None:
-        """Let the dial stand at what is asked for, unless a hand is on it."""
+        """Set the dial to the requested accuracy, unless it is being dragged."""
         knob = self._dial.sliding_button
         if knob is None or not knob.held:
             self._dial.set_current_value(self._digits or UNASKED, warn=False)

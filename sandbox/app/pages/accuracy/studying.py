@@ -1,4 +1,4 @@
-"""The study of the run's accuracy: its results so far, and the work in progress."""
+"""The study of the run's accuracy: the results so far, and the work in progress."""
 
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
@@ -19,7 +19,7 @@ from sandbox.physics.accuracy.trusted_digits import Trust, least_known
 if TYPE_CHECKING:
     from sandbox.physics.accuracy.candidates import Offer
 
-PATIENCE = 0.5  # s without a change, before the work begins
+PATIENCE = 0.5  # s without a change before the work starts
 
 
 CANCELLED = Message("the search for a setting has been cancelled")
@@ -31,17 +31,17 @@ class Studying:
     Attributes
     ----------
     points
-        What other settings err and cost.
+        The errors and costs of other settings.
     here
-        The same of the present one; None while it is not known.
+        Those of the present setting; None while unknown.
     target
-        The accuracy that was asked for; None if none was.
+        The requested accuracy; None if none is.
     progress
-        How far the work is; None if there is none.
+        The progress of the work; None if there is none.
     failure
-        Why it found no more; empty if it did.
+        The reason why the work failed; empty if it did not.
     news
-        Another object whenever something else is to be shown.
+        An object that differs whenever the display must change.
     """
 
     def __init__(self) -> None:
@@ -49,7 +49,7 @@ class Studying:
         self._scene: tuple[object, ...] = ()
         self._level: object = None
         self.target: float | None = None
-        self._sought: object = None  # the world for which a setting was looked for
+        self._sought: object = None  # the world for which a setting was searched
         self._offer: Offer | None = None
         self._forget()
 
@@ -68,27 +68,27 @@ class Studying:
 
     @property
     def running(self) -> bool:
-        """Whether something is being worked on."""
+        """Whether work is under way."""
         return self._work.running
 
     @property
     def pid(self) -> int | None:
-        """The process that works; None if none does."""
+        """The id of the working process; None if there is none."""
         return self._work.pid
 
     def follow(self, session: Session, seconds: float, *, watched: bool) -> str | None:
-        """Study what is unknown about a session's run, and apply a setting that was found.
+        """Study a session's run, and apply a setting that was found.
 
-        Returns the message for it. The study goes on only while the page is open.
+        Return its message; None if there is none. The study starts only while the page is open.
         """
         self._keep_to(session, seconds, watched=watched)
         setting = self._look()
         return None if setting is None else _play_with(session, setting)
 
     def _keep_to(self, session: Session, seconds: float, *, watched: bool) -> None:
-        """Forget what is not of this session; while watched, find it out when that stays so."""
+        """Discard results for another scene, and start the study of this one after a pause."""
         before, self._scene = self._scene, self._scene_of(session)
-        if before != self._scene:  # the same objects are compared in no time the next time
+        if before != self._scene:  # comparing identical objects takes no time
             self._work.cancel()
             self._level = session.level
             self.target = session.level.stepping.accuracy
@@ -109,7 +109,7 @@ class Studying:
             self.measure(session)
 
     def _settle(self, session: Session) -> None:
-        """Find out the setting that a session waits for; once, if it cannot be found."""
+        """Search for the setting that a session waits for; give up if a search has failed."""
         if self._sought is session.world:
             session.give_up(self.failure or CANCELLED)
         else:
@@ -121,20 +121,20 @@ class Studying:
         return session.original, session.changes, tuple(session.values.items())
 
     def measure(self, session: Session) -> None:
-        """Begin to find out what is not known."""
+        """Start computing the missing results."""
         self._measured = True
         work = study.split if self.points else study.study
         self._start(work, _resolved(session), session.values)
 
     def measure_or_cancel(self, session: Session) -> None:
-        """End the work if there is some, else begin it."""
+        """Cancel the work if there is some, else start it."""
         if self.running:
             self.cancel()
         else:
             self.measure(session)
 
     def seek(self, session: Session, target: float, seconds: float = study.SEARCH) -> None:
-        """Begin to look for the cheapest setting that reaches an accuracy, for that long [s]."""
+        """Start searching the cheapest setting that reaches an accuracy, for a limited time [s]."""
         self.target = target
         self._start(study.seek, _resolved(session), session.values, target, seconds)
 
@@ -144,13 +144,13 @@ class Studying:
         self._work.start(work, *arguments)
 
     def cancel(self) -> None:
-        """End the work; it begins again when it is asked for, or when the session changes."""
+        """Cancel the work; it starts again on request, or when the session changes."""
         self._work.cancel()
         self._measured = True
         self.progress, self.news = None, object()
 
     def _look(self) -> Setting | None:
-        """Take in new results; return a setting that was searched for."""
+        """Store new results, and return a setting that was found; None if there is none."""
         was_running, found = self._work.running, None
         for finding in self._work.found():
             self.news = object()
@@ -181,24 +181,24 @@ class Studying:
                 self.failure = reason
 
     def splits(self, session: Session) -> Mapping[int, Split]:
-        """Return what is known of the checks of the present run, by their index."""
+        """Return the parts of the errors of the checks of the present run, by index."""
         return self._splits if self._knows(session) else {}
 
     def trust(self, session: Session) -> Mapping[str, Trust]:
-        """Return how far the quantities of the present run can be trusted, by their names."""
+        """Return the accuracy of the quantities of the present run, by name."""
         return self._trust if self._knows(session) and not session.world.disturbed else {}
 
     def least_known(self, session: Session) -> Trust | None:
-        """Return the place that can be trusted least; None if none is known."""
+        """Return the least accurate place; None if none is known."""
         return least_known(self.trust(session).values())
 
     def _knows(self, session: Session) -> bool:
-        """Whether what is known is of the present run."""
+        """Return whether the results are for the present run."""
         return session.level is self._level and self._scene_of(session) == self._scene
 
 
 def _play_with(session: Session, setting: Setting) -> str:
-    """Play with the setting that was searched for; return the message for it."""
+    """Play with a setting that was found, and return the message."""
     try:
         if session.waiting:
             session.settle(setting)
@@ -210,5 +210,5 @@ def _play_with(session: Session, setting: Setting) -> str:
 
 
 def _resolved(session: Session) -> Level:
-    """Return the level with the setting that its run has, also where an accuracy is asked for."""
+    """Return the level with the stepping of its run, which an accuracy leaves open."""
     return session.level.model_copy(update={"stepping": session.world.stepping})

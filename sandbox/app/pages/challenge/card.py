@@ -1,4 +1,4 @@
-"""The card of a challenge: its task, its stars, its goals, and the hints that were asked for."""
+"""The card of a challenge: its task, its stars, its goals, and the hints shown."""
 
 from collections.abc import Sequence
 
@@ -20,7 +20,7 @@ _STAR = 11  # px, its radius
 
 
 def challenge(pen: Pen, width: int, session: Session) -> pygame.Surface:
-    """Draw the task of a session's level, and how it stands."""
+    """Draw the task of a session's level, and the standing of its goals."""
     asked = session.level.challenge
     if asked is None:
         return task(pen, width, session)
@@ -32,7 +32,7 @@ def challenge(pen: Pen, width: int, session: Session) -> pygame.Surface:
 
 
 def task(pen: Pen, width: int, session: Session) -> pygame.Surface:
-    """Draw what is asked for."""
+    """Draw the title of the level and the task."""
     asked = session.level.challenge
     card, words = Card(pen, width), level_words.of(session.original)
     card.text(words(session.original.title), 20, bold=True)
@@ -49,7 +49,7 @@ def standing(pen: Pen, width: int, session: Session, best: int) -> pygame.Surfac
     pen, width, session
         The pen, the width [px], and the session of the challenge.
     best
-        The most stars that were earned before.
+        The largest number of stars earned before.
     """
     card = Card(pen, width)
     asked, found = session.level.challenge, session.attempt()
@@ -76,7 +76,7 @@ def standing(pen: Pen, width: int, session: Session, best: int) -> pygame.Surfac
 
 
 def hints(pen: Pen, width: int, shown: Sequence[str]) -> pygame.Surface:
-    """Draw the hints that were asked for."""
+    """Draw the hints shown so far."""
     card = Card(pen, width)
     if shown:
         card.heading(say("Hints"))
@@ -88,13 +88,13 @@ def hints(pen: Pen, width: int, shown: Sequence[str]) -> pygame.Surface:
 
 
 def _rank(index: int, asked: Challenge) -> str:
-    """Name the star that a goal is for."""
+    """Return the name of the star for which a goal counts."""
     extra = index - len(asked.goals)
     return (say("second star"), say("third star"))[extra] if extra >= 0 else say("first star")
 
 
 def _stars(card: Card, found: Attempt, best: int) -> None:
-    """Draw the stars of this run, and say how many were earned before."""
+    """Draw the stars of this run, and the number earned before."""
     radius = card.pen.px(_STAR)
     for index in range(found.most):
         card.put(_star(radius, earned=index < found.stars), index * (2 * radius + 6), 2)
@@ -131,7 +131,7 @@ def _goal(card: Card, outcome: Outcome, label: str) -> None:
 
 
 _SIGNS: dict[Standing, str] = {"met": "✓", "missed": "×", "open": "…"}
-"""A sign for each standing, which must not be shown by its colour alone."""
+"""A sign for each standing, which must not be shown by colour alone."""
 
 
 def _color(standing: Standing) -> Color:

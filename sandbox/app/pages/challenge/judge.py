@@ -1,4 +1,4 @@
-"""The judge of challenges: it holds every run against the goals, and keeps the stars."""
+"""The judge of challenges, which compares every run with the goals, and keeps the stars."""
 
 from sandbox.app.files.progress import Progress
 from sandbox.app.runs.session import Session
@@ -6,14 +6,14 @@ from sandbox.app.words.language import later, say
 
 
 class Judge:
-    """Watches runs, and reports when one earns more stars than any before.
+    """Watches runs, and reports the stars that they earn.
 
     Attributes
     ----------
     news
-        Another object whenever stars were earned.
+        An object that differs whenever the display must change.
     hints
-        How many hints were asked for, by the title of the level.
+        The number of hints shown, by the title of the level.
     """
 
     running = False
@@ -22,14 +22,14 @@ class Judge:
         self.news = object()
         self.hints: dict[str, int] = {}
         self._progress = Progress()
-        self._told: object = None  # the attempt that was judged last
+        self._told: object = None  # the last attempt that was judged
 
     def stars(self, session: Session) -> int:
-        """Return the most stars that the challenge of a session's level has earned."""
+        """Return the largest number of stars earned in the challenge of a session's level."""
         return self._progress.stars(session.original.title)
 
     def follow(self, session: Session, seconds: float, *, watched: bool) -> str | None:  # noqa: ARG002
-        """Judge a finished run; return its result, None if there is nothing to report."""
+        """Judge a finished run, and return the result; None if there is nothing to report."""
         found = session.attempt()
         if found is None or not found.complete or found is self._told:
             return None
@@ -46,10 +46,10 @@ class Judge:
         return f"{message}; {lost}" if lost else message
 
     def cancel(self) -> None:
-        """There is no work that could be ended."""
+        """Do nothing, as there is no work."""
 
     def hint(self, session: Session) -> None:
-        """Show one more hint."""
+        """Show another hint."""
         title = session.original.title
         self.hints[title] = self.hints.get(title, 0) + 1
         self.news = object()

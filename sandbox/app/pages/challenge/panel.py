@@ -17,12 +17,12 @@ HEIGHT = 28  # px, of the button
 
 
 class ChallengePage:
-    """What is asked for, what may be changed for it, and how it stands.
+    """The task, the free parameters, the standing of the goals, and hints.
 
     Attributes
     ----------
     others
-        The button that leads to all challenges.
+        The button that shows all challenges.
     """
 
     def __init__(self, sheet: Sheet, desk: Desk) -> None:
@@ -56,7 +56,7 @@ class ChallengePage:
         self.update()
 
     def leads(self, button: object) -> str | None:
-        """Return the command that a button calls for, if it does."""
+        """Return the command of a button; None if it is not one of these."""
         return "challenges" if button is self.others else None
 
     @property
@@ -65,14 +65,14 @@ class ChallengePage:
         return self._button
 
     def process(self, event: pygame.event.Event) -> str | None:
-        """Show a hint if one was asked for."""
+        """Show another hint if its button was pressed."""
         if event.type != UI_BUTTON_PRESSED or event.ui_element is not self._button:
             return None
         self._judge.hint(self._session)
         return ""
 
     def update(self) -> None:
-        """Show how the challenge stands."""
+        """Show the standing of the challenge."""
         sheet = self._sheet
         sheet.parameters.show(self._session.chosen)
         sheet.replace(self._standing, self._draw_standing())

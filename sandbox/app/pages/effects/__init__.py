@@ -1,4 +1,4 @@
-"""The page of the effects: what if one did not act, or another did."""
+"""The page of the effects, which switches them off and on."""
 
 from sandbox.app.pages.effects import whatif
 from sandbox.app.pages.effects.card import changed

@@ -1,4 +1,4 @@
-"""The card that shows what the switched effects change."""
+"""The card that shows the results of switching effects."""
 
 from collections.abc import Sequence
 
@@ -21,7 +21,7 @@ def compared(
     pen: Pen, width: int, told: str, differences: Sequence[Difference],
     words: Say, cost: float | None = None, *, disturbed: bool = False,
 ) -> pygame.Surface:  # fmt: skip
-    """Draw what a change of the effects makes of the checks' quantities, and what it costs."""
+    """Draw the change of the checks' quantities by a change of the effects, and its cost."""
     card = Card(pen, width)
     card.heading(told[0].upper() + told[1:])
     card.text(say("dashed: as the level declares it"), 12, theme.GHOST)
@@ -51,7 +51,7 @@ def compared(
 
 
 def changed(pen: Pen, width: int, session: Session) -> pygame.Surface:
-    """Draw how a session differs from its level as it is declared."""
+    """Draw the differences between a session and its level as declared."""
     if not session.changes:
         return unchanged(pen, width)
     words = level_words.of(session.original)
@@ -59,7 +59,7 @@ def changed(pen: Pen, width: int, session: Session) -> pygame.Surface:
 
 
 def effects_intro(pen: Pen, width: int) -> pygame.Surface:
-    """Draw what the switches of the effects are for."""
+    """Draw the purpose of the switches."""
     card = Card(pen, width)
     card.heading(say("What if …"))
     message = say("Switch an effect off or on, then play: both runs are drawn.")
@@ -68,7 +68,7 @@ def effects_intro(pen: Pen, width: int) -> pygame.Surface:
 
 
 def unchanged(pen: Pen, width: int) -> pygame.Surface:
-    """Draw that the level runs as it is declared."""
+    """Draw the note that the level runs as declared."""
     card = Card(pen, width)
     card.heading(say("What it changes"))
     card.text(say("All effects are as the level declares them."), 14, theme.DIM)

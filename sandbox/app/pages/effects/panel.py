@@ -1,4 +1,4 @@
-"""The page Effects: a switch for each effect, and below it what the change does to the run."""
+"""The page Effects: a switch for each effect, and below them the resulting differences."""
 
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
@@ -34,7 +34,7 @@ LEFT = later("Fourth order does not allow this: both runs use leapfrog.")
 
 
 class EffectsPage:
-    """A switch an effect, and how the changed run differs from the level as it is."""
+    """A switch for each effect, and the differences between the changed run and the original."""
 
     def __init__(self, sheet: Sheet, desk: Desk) -> None:
         self._sheet, self._session = sheet, desk.session
@@ -56,7 +56,7 @@ class EffectsPage:
         self.update()
 
     def _row_of(self, effects: Sequence[str], y: int, *, adjustable: bool = False) -> int:
-        """Put switches beside each other, as many as fit, and return where they end."""
+        """Make rows of switches, as many in a row as fit, and return their lower end [px]."""
         x = 0
         for name in effects:
             caption = say(name)
@@ -95,11 +95,11 @@ class EffectsPage:
 
     @property
     def reset(self) -> UIButton:
-        """The button that takes all changes back."""
+        """The button that undoes all changes."""
         return self._reset
 
     def process(self, event: pygame.event.Event) -> str | None:
-        """Switch or scale an effect, or reset all; return the message for it."""
+        """Switch or scale an effect, or reset all, and return the message."""
         if event.type != UI_BUTTON_PRESSED:
             return None
         name = next((n for n, b in self._switches.items() if b is event.ui_element), None)
@@ -118,7 +118,7 @@ class EffectsPage:
         return say(LEFT) if self._session.changes.left else ""
 
     def update(self) -> None:
-        """Let the switches say what acts, and the table what that changes."""
+        """Update the switches and the table of differences."""
         acting = self._session.level.effects.declared
         for name, button in self._switches.items():
             press(button, name in acting)

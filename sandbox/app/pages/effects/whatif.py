@@ -1,4 +1,4 @@
-"""What if an effect did not act, or another did: the changed level runs over the original."""
+"""Switching effects off and on: the changed level runs over the original."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -23,7 +23,7 @@ def toggle(session: Session, effect: str) -> None:
     Raises
     ------
     SandboxError
-        If the level makes no sense so, or cannot be run; then all stays as it was.
+        If the changed level is invalid, or cannot run; nothing is changed then.
     """
     changes = session.changes
     if effect in session.original.effects.declared:
@@ -47,8 +47,8 @@ def _without(names: tuple[str, ...], name: str) -> tuple[str, ...]:
 def change(session: Session, changes: Changes) -> None:
     """Play the level with some effects off and others on; see `toggle`.
 
-    Both runs have one scheme, so that nothing but the effects makes them differ: the level's, or
-    leapfrog where the changed level cannot have that.
+    Both runs have the same scheme, so that only the effects differ: the level's, or leapfrog if the
+    changed level does not allow that.
     """
     original = at_its_pace(session)
     if not (changes.off or changes.on):
@@ -58,12 +58,12 @@ def change(session: Session, changes: Changes) -> None:
 
 
 def changed(original: Level, changes: Changes) -> tuple[Level, Level, Changes]:
-    """Return a level and the changed one, in one scheme, and the changes with what they do.
+    """Return a level and the changed one, with the same scheme, and the changes with their effects.
 
     Raises
     ------
     EffectError
-        If the level makes no sense so.
+        If the changed level is invalid.
     """
     wanted = original.stepping.scheme
     level, effects = vary(stepped(original, "leapfrog"), changes.off, _settings(changes))
@@ -74,7 +74,7 @@ def changed(original: Level, changes: Changes) -> tuple[Level, Level, Changes]:
 
 
 def reset(session: Session) -> str:
-    """Play the level as it is declared; return the message for it."""
+    """Play the level as declared, and return the message."""
     if not session.changes:
         return say("no effect is changed")
     change(session, NONE)
@@ -102,12 +102,12 @@ def play_over(session: Session, original: Level, level: Level, changes: Changes)
 
 
 def repace(session: Session, stepping: Stepping) -> None:
-    """Play with another stepping, and what runs beside it too; a race ends.
+    """Play with another stepping, together with the compared run; a race ends.
 
     Raises
     ------
     SandboxError
-        If it cannot be run so; then all stays as it was.
+        If it cannot run; nothing is changed then.
     """
     pace = {"stepping": stepping}
     variants = (companion.variant for companion in session.companions if session.changes)
@@ -117,9 +117,9 @@ def repace(session: Session, stepping: Stepping) -> None:
 
 
 def at_its_pace(session: Session) -> Level:
-    """Return the level as its file declares it, with the stepping of the present run.
+    """Return the level as declared in its file, with the stepping of the present run.
 
-    A scheme that was left for the sake of an effect is taken up again.
+    A scheme that was replaced because of an effect is restored.
     """
     stepping = session.world.stepping
     level = session.original.model_copy(update={"stepping": stepping})
@@ -137,7 +137,7 @@ def _settings(changes: Changes) -> dict[str, Settings]:
 
 
 def _times(value: object, factor: float) -> object:
-    """Return a number, or a list of some, times a factor, in as many digits as people read."""
+    """Return a number, or a list of numbers, times a factor, to four significant digits."""
     if isinstance(value, list):
         return [_times(part, factor) for part in value]
     if not isinstance(value, int | float):
@@ -152,18 +152,18 @@ def addable(level: Level) -> list[str]:
 
 
 def compared(session: Session) -> tuple[Difference, ...]:
-    """Return how the run differs from the original so far."""
+    """Return the differences between the run and the original so far."""
     return differences(session.companions[0].trace, session.trace)
 
 
 def cost(session: Session) -> float | None:
-    """Return what the change costs a step [s], less than zero if it saves; None if not known."""
+    """Return the cost of the change in each step [s], negative if it saves; None if unknown."""
     here, there = session.clock.step, session.companions[0].clock.step
     return None if here is None or there is None else here - there
 
 
 def summary(session: Session, found: Sequence[Difference]) -> str:
-    """Say in one sentence what the change makes of the level, and what it costs."""
+    """Return a sentence about the differences by the change, and its cost."""
     said = list(formatting.summary(found, level_words.of(session.original)))
     seconds = cost(session)
     if seconds is not None:

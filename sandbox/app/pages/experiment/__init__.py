@@ -1,4 +1,4 @@
-"""The page of experiments: a result of the run over all values of a parameter."""
+"""The page of experiments: a result of the run as a function of a parameter."""
 
 from sandbox.app.pages.experiment.chosen_curve import Exploring
 from sandbox.app.pages.experiment.panel import ExperimentPage

@@ -1,4 +1,4 @@
-"""The card with the curve of an experiment, as far as it has been computed."""
+"""The card with the curve of an experiment, as far as computed."""
 
 from collections.abc import Iterator, Sequence
 
@@ -27,12 +27,12 @@ HINT = later("Click on the curve to run with that value.")
 def curve(
     pen: Pen, width: int, session: Session, exploring: Exploring, mouse: Point | None
 ) -> tuple[pygame.Surface, pygame.Rect]:
-    """Draw a curve, and what is to be said of it; return where on the card the curve is, too.
+    """Draw a curve with its description, and return also the place of the curve on the card.
 
     Parameters
     ----------
     mouse
-        The point that is told; None for the run that is played.
+        The point to describe and mark; None to mark the run that is played.
     """
     card = Card(pen, width)
     card.heading(say("Experiment"))
@@ -64,13 +64,13 @@ def unit_of(level: Level, chosen: Chosen) -> str:
 
 
 def span_of(pen: Pen, width: int, level: Level, chosen: Chosen) -> Scale:
-    """Return the scale across a curve of a width [px]: the parameter's range."""
+    """Return the horizontal scale of a curve with a width [px], over the parameter's range."""
     known = level.parameters[chosen.parameter]
     return plot.across(pen, width, [np.array([known.min, known.max])])
 
 
 def nearest(points: Sequence[Point], at: float) -> Point | None:
-    """Return the point that is nearest to a value; None while there are none."""
+    """Return the point nearest to a value; None while there are none."""
     return min(points, key=lambda point: abs(point.at - at), default=None)
 
 
@@ -87,7 +87,7 @@ def _series(points: Sequence[Point]) -> Iterator[Series]:
 
 
 def _point_text(card: Card, level: Level, chosen: Chosen, point: Point | None) -> None:
-    """Describe the result of a run in numbers."""
+    """Add the result of a run in numbers."""
     if point is None:
         card.text(say(HINT), 12, theme.DIM)
         return
@@ -110,7 +110,7 @@ def _named(level: Level, name: str) -> str:
 
 
 def _progress(card: Card, exploring: Exploring) -> None:
-    """Say how far the runs are, and which have failed."""
+    """Add the progress of the runs, and the number of failures."""
     if exploring.failure:
         card.text(say(exploring.failure), 12, theme.FAILED)
     elif exploring.share < 1:

@@ -1,4 +1,4 @@
-"""The curve that was chosen, level by level, and the runs behind it."""
+"""The chosen curve of each level, and its runs."""
 
 from typing import NamedTuple
 
@@ -10,27 +10,27 @@ from sandbox.experiments import suggested_measures
 from sandbox.model.level import Level
 from sandbox.model.message import NOTHING, Message
 
-PATIENCE = 0.5  # s without a change, before the runs begin
+PATIENCE = 0.5  # s without a change before the runs start
 
 
 class Chosen(NamedTuple):
-    """What is varied, and what is measured."""
+    """The varied parameter, and the measure."""
 
     parameter: str
     measure: str
 
 
 class Exploring:
-    """Runs a level over a parameter, in the background.
+    """Runs a level for values of a parameter, in the background.
 
     Attributes
     ----------
     points
         The points so far, in the order of the parameter.
     failure
-        Why nothing can be run; empty if something can.
+        The reason why there are no more runs; empty if there is none.
     news
-        Another object whenever something else is to be shown.
+        An object that differs whenever the display must change.
     """
 
     def __init__(self) -> None:
@@ -50,16 +50,16 @@ class Exploring:
 
     @property
     def running(self) -> bool:
-        """Whether runs are being made."""
+        """Whether runs are under way."""
         return self._work.running
 
     @property
     def share(self) -> float:
-        """How much of the curve is there."""
+        """The share of the curve that is computed."""
         return len(self.points) / COUNT
 
     def chosen(self, session: Session) -> Chosen | None:
-        """Return what is drawn, what the level suggests at first; None without parameters."""
+        """Return the chosen curve, at first a suggested one; None without parameters."""
         level = session.level
         if not level.parameters:
             return None
@@ -74,7 +74,7 @@ class Exploring:
     def choose(
         self, session: Session, parameter: str | None = None, measure: str | None = None
     ) -> None:
-        """Draw another curve."""
+        """Choose another curve."""
         now = self.chosen(session)
         if now is not None:
             found = Chosen(parameter or now.parameter, measure or now.measure)
@@ -82,13 +82,13 @@ class Exploring:
             self.news = object()
 
     def follow(self, session: Session, seconds: float, *, watched: bool) -> str | None:
-        """Run the samples of the shown curve while the page is open."""
+        """Start the runs of the chosen curve while the page is open, and store their results."""
         chosen = self.chosen(session)
         scene = _scene(session, chosen)
         if scene != self._scene:
             self._work.cancel()
             self._forget()
-        self._scene = scene  # the same objects are compared in no time the next time
+        self._scene = scene  # comparing identical objects takes no time
         self._waited += seconds
         if watched and chosen and not (self._begun or session.waiting) and self._waited > PATIENCE:
             self._begun = True
@@ -98,7 +98,7 @@ class Exploring:
         return None
 
     def _look(self) -> None:
-        """Take in new results."""
+        """Store new results."""
         was_running = self._work.running
         for finding in self._work.found():
             self.news = object()
@@ -113,23 +113,23 @@ class Exploring:
                 self.failure = Message("more would take too long: try it with 'sandbox experiment'")
 
     def cancel(self) -> None:
-        """End the work; it begins again with another scene or choice."""
+        """Cancel the work; it starts again with another scene or choice."""
         self._work.cancel()
         self.news = object()
 
 
 def measures(session: Session) -> list[str]:
-    """Return what can be measured of a run."""
+    """Return the measures offered for a run."""
     return suggested_measures.measures(session.original, offered(session.level))
 
 
 def _scene(session: Session, chosen: Chosen | None) -> object:
-    """Return what the curve depends on: everything but the value of the varied parameter."""
+    """Return everything on which the curve depends, without the value of the varied parameter."""
     varied = chosen.parameter if chosen else ""
     rest = tuple((name, value) for name, value in session.values.items() if name != varied)
     return session.original, session.changes, session.world.stepping, rest, chosen
 
 
 def _resolved(session: Session) -> Level:
-    """Return the level as it is played, also where an accuracy is asked for."""
+    """Return the level with the stepping of its run, which an accuracy leaves open."""
     return session.level.model_copy(update={"stepping": session.world.stepping})

@@ -1,4 +1,4 @@
-"""The page Experiment: lists from which to choose what is varied and measured."""
+"""The page Experiment: a curve, and lists of parameters and measures."""
 
 import pygame
 from pygame_gui import UI_SELECTION_LIST_NEW_SELECTION
@@ -15,11 +15,11 @@ from sandbox.app.words.language import say
 from sandbox.model.errors import SandboxError
 
 ROW = 20  # px, of a list
-MOST_ROWS = 4, 8  # of the two lists
+MOST_ROWS = 4, 8  # visible rows of the two lists
 
 
 class ExperimentPage:
-    """A curve, and lists of what can be varied and measured."""
+    """A curve, and lists of the parameters and measures to choose from."""
 
     def __init__(self, sheet: Sheet, desk: Desk) -> None:
         self._sheet, self._session = sheet, desk.session
@@ -50,11 +50,11 @@ class ExperimentPage:
 
     @property
     def field(self) -> pygame.Rect:
-        """Where in the window the curve is."""
+        """The place of the curve in the window."""
         return self._field.move(self._curve.rect.topleft)
 
     def process(self, event: pygame.event.Event) -> str | None:
-        """Draw the chosen curve, describe the point under the mouse, and run it on a click."""
+        """Choose a curve, describe the point under the mouse, or run a point that is clicked."""
         if event.type == pygame.MOUSEMOTION:
             self._follow(event.pos)
         elif event.type == pygame.MOUSEBUTTONDOWN and event.button == 1:
@@ -67,7 +67,7 @@ class ExperimentPage:
         return None
 
     def _at(self, pixel: tuple[int, int]) -> Point | None:
-        """Return the run whose point is nearest to a pixel of the curve."""
+        """Return the point nearest to a pixel of the curve; None elsewhere."""
         chosen = self._exploring.chosen(self._session)
         if chosen is None or not self.field.collidepoint(pixel):
             return None
@@ -80,7 +80,7 @@ class ExperimentPage:
             self._show()
 
     def _run(self, pixel: tuple[int, int]) -> str | None:
-        """Run again as a point of the curve was run."""
+        """Restart the run with the parameter of a point, and return the message."""
         point, chosen = self._at(pixel), self._exploring.chosen(self._session)
         if point is None or chosen is None:
             return None
@@ -93,14 +93,14 @@ class ExperimentPage:
         return say("now with {name} = {value}", name=chosen.parameter, value=value)
 
     def update(self) -> None:
-        """Draw what is new."""
+        """Draw the curve again if something has changed."""
         seen = self._exploring.news, self._session.world
         if seen != self._seen:
             self._seen = seen
             self._show()
 
     def _show(self) -> None:
-        """Draw the curve again, with the lists below it."""
+        """Draw the curve again, and place the lists below it."""
         self._sheet.replace(self._curve, self._drawn())
         y = below(self._curve) + 8
         for title, chooser in zip(self._titles, self.lists, strict=True):

@@ -1,4 +1,4 @@
-"""The runs of a curve, made in another process: coarse at first, then finer and finer."""
+"""The runs of a curve, made in another process, from coarse to fine."""
 
 from collections.abc import Iterator
 from typing import NamedTuple
@@ -14,35 +14,35 @@ from sandbox.model.level_parts import Fault
 from sandbox.model.message import Message, joined
 
 COUNT = 65
-"""How many values of the parameter are tried: the ends, and halves of halves between them."""
+"""The number of values of the parameter: the ends, and the points of repeated bisection."""
 
 
 class Point(NamedTuple):
     """The result of one run."""
 
     at: float
-    """the parameter's value"""
+    """the value of the parameter"""
     measured: float | None
     expected: float | None
-    """by the closed form of the level's check; None where there is none"""
+    """the value of the closed form of the level's check; None if there is none"""
     failure: str | None
 
 
 class Refused(NamedTuple):
-    """Why there are no runs."""
+    """The reason why there are no runs."""
 
     reason: Message
 
 
 def sample(level: Level, values: Values, parameter: str, measure: str) -> Iterator[Point | Refused]:
-    """Yield the points of a curve, those that reveal most of its form first.
+    """Yield the points of a curve, from coarse to fine.
 
     Parameters
     ----------
     level
-        With the setting in which it is to be run.
+        The level, with the stepping of its runs.
     values
-        Of all parameters; that which is varied takes those of its range instead.
+        The values of the parameters; the varied one takes values of its range instead.
     parameter, measure
         The varied parameter and the measure, in the form of an experiment's file.
     """
@@ -59,7 +59,7 @@ def sample(level: Level, values: Values, parameter: str, measure: str) -> Iterat
 
 
 def coarse_first(count: int) -> list[int]:
-    """Return the numbers from 0 to a power of two in an order in which gaps halve."""
+    """Return the numbers from 0 to a power of two in the order of repeated bisection."""
     last, order = count - 1, [0, count - 1]
     step = last // 2
     while step:

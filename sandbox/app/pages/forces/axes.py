@@ -1,4 +1,4 @@
-"""The axes along which forces are split: those of the plane, or those of a surface."""
+"""The axes of the components of forces: those of the plane, or those of a surface."""
 
 from math import hypot
 
@@ -10,14 +10,15 @@ ALONG_X: XY = (1.0, 0.0)
 
 
 class Axes:
-    """Remembers the choice of axes, as long as the window is open.
+    """Keeps the choice of axes while the window is open.
 
     Attributes
     ----------
     news
-        Another object whenever something else is chosen.
+        An object that differs after every choice.
     inclined
-        Whether axes lie along the surface that presses hardest on the body, or else along its way.
+        Whether the first axis is along the surface that presses hardest on the body, or else along
+        its velocity.
     """
 
     running = False
@@ -26,11 +27,11 @@ class Axes:
         self.news, self.inclined = object(), False
 
     def turn(self) -> None:
-        """Choose the other axes."""
+        """Switch to the other axes."""
         self.news, self.inclined = object(), not self.inclined
 
     def first(self, found: FreeBody, velocity: XY) -> XY:
-        """Return a unit vector along the first axis; the second is a quarter turn on from it."""
+        """Return the first axis, a unit vector; the second is a quarter turn counter-clockwise."""
         if not self.inclined:
             return ALONG_X
         if found.along:
@@ -40,13 +41,13 @@ class Axes:
         return (velocity[0] / speed, velocity[1] / speed) if speed else ALONG_X
 
     def follow(self, session: Session, seconds: float, *, watched: bool) -> str | None:
-        """There is nothing to find out."""
+        """Do nothing, as there is no work."""
 
     def cancel(self) -> None:
-        """There is no work that could be ended."""
+        """Do nothing, as there is no work."""
 
 
 def components(vector: XY, first: XY) -> XY:
-    """Return the components of a vector along an axis and a quarter turn on from it."""
+    """Return the components of a vector along an axis, and a quarter turn counter-clockwise."""
     (x, y), (u, v) = vector, first
     return x * u + y * v, y * u - x * v

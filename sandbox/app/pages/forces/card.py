@@ -1,4 +1,4 @@
-"""The forces on a body: as a diagram, tip to tail, and as numbers that add up."""
+"""The forces on a body: a free-body diagram, a table with sums, and a force polygon."""
 
 from math import hypot
 
@@ -17,8 +17,8 @@ from sandbox.app.words.language import later, say
 from sandbox.model.shapes import XY
 from sandbox.physics.measuring.free_body import FreeBody
 
-DIAGRAM, POLYGON = 170, 130  # px, how high they are
-NUMBER = 48  # px, how wide a column of numbers is
+DIAGRAM, POLYGON = 170, 130  # px, heights
+NUMBER = 48  # px, the width of a column of numbers
 MARK = 9  # px, the side of the square that shows a colour
 SIZE = 12  # of letters in the table
 NOBODY = later("No forces act on anything in this level.")
@@ -54,7 +54,7 @@ def forces(pen: Pen, width: int, session: Session, axes: Axes) -> pygame.Surface
 
 
 def _table(card: Card, found: FreeBody, first: XY, inclined: bool) -> None:
-    """Add a row for each force, their sum, and mass times acceleration."""
+    """Add a row for each force, for their sum, and for mass times acceleration."""
     axes = (say("along"), say("across")) if inclined else ("x", "y")
     _row(card, "N", None, (say("size"), *axes), theme.DIM)
     for acting, title in selected_body.titles(found):
@@ -94,7 +94,7 @@ def _cell(force: XY, first: XY) -> tuple[str, ...]:
 
 
 def _row(card: Card, name: str, mark: Color | None, cells: tuple[str, ...], color: Color) -> None:
-    """Add a name, and numbers below each other."""
+    """Add a row: a name, and numbers in columns."""
     pen = card.pen
     indent = 0
     if mark is not None:

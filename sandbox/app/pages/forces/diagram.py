@@ -1,4 +1,4 @@
-"""A free-body diagram, and the forces added tip to tail."""
+"""The free-body diagram, and the force polygon."""
 
 from collections.abc import Iterator, Sequence
 from math import atan2, copysign, cos, hypot, pi, sin
@@ -14,18 +14,18 @@ from sandbox.app.words.language import say
 from sandbox.model.shapes import XY
 from sandbox.physics.measuring.free_body import Acting, FreeBody
 
-FREE, CLOSE = (24, 26), (12, 14)  # px, left free beside and above arrows: for words, or without
-SHORTEST = 6.0  # px; a shorter arrow is not told
+FREE, CLOSE = (24, 26), (12, 14)  # px, the margins beside and above arrows, with and without labels
+SHORTEST = 6.0  # px, the least length of an arrow with a label
 WIDTH = 3.0  # px
-APART = 7.0  # px, between arrows that would lie on each other
-FURTHER = range(16, 45, 14)  # px, how far off words may stand from their arrow
-SIMILAR = 0.12  # rad, between directions that look alike
+APART = 7.0  # px, between arrows that would overlap
+FURTHER = range(16, 45, 14)  # px, the distances of labels from their arrow
+SIMILAR = 0.12  # rad, the largest angle between directions that look alike
 FLAT = 0.04
-"""A polygon that is narrower than this share of its length is drawn pulled apart."""
+"""The width of a force polygon, as a share of its length, below which its arrows are separated."""
 
 
 def free_body(pen: Pen, size: tuple[int, int], found: FreeBody) -> pygame.Surface:
-    """Draw all forces from one point, and the net force, each with its name and its size [px]."""
+    """Draw all forces and the net force from one point, each with its name and size."""
     surface, texts = _sheet(size), selected_body.texts(found)
     forces = [acting for acting, _ in texts]
     vectors = [(acting.force[0], -acting.force[1]) for acting in forces]
@@ -52,9 +52,9 @@ def free_body(pen: Pen, size: tuple[int, int], found: FreeBody) -> pygame.Surfac
 
 
 def polygon(pen: Pen, size: tuple[int, int], found: FreeBody) -> pygame.Surface:
-    """Draw the forces one on the tip of the other, and their sum from the first tail [px].
+    """Draw the forces tip to tail, and their sum from the first tail.
 
-    Those along one line are drawn beside each other, or nothing of them would be seen.
+    Forces along one line are drawn side by side, since they would cover each other.
     """
     surface, forces = _sheet(size), selected_body.felt(found)
     corners = [(0.0, 0.0)]
@@ -101,20 +101,20 @@ def _extent(points: Sequence[XY]) -> tuple[float, float, float, float]:
 
 
 def _scale(size: XY, free: XY, width: float, height: float) -> float:
-    """Return how long a force of 1 N is drawn, so that all find room [px]."""
+    """Return the scale at which all forces fit [px/N]."""
     rooms = ((size[0] - 2 * free[0], width), (size[1] - 2 * free[1], height))
     return min((max(room, 10.0) / extent for room, extent in rooms if extent), default=0.0)
 
 
 def _before(vectors: Sequence[XY], place: int) -> int:
-    """Return how many of the arrows before one point the same way."""
+    """Return the number of earlier arrows with a similar direction."""
     own = atan2(vectors[place][1], vectors[place][0])
     turns = (atan2(y, x) - own for x, y in vectors[:place] if (x, y) != (0.0, 0.0))
     return sum(abs((turn + pi) % (2 * pi) - pi) < SIMILAR for turn in turns)
 
 
 def _aside(forces: Sequence[Acting]) -> XY | None:
-    """Return across which way arrows along one line are drawn apart; None if they are not."""
+    """Return the direction in which arrows along one line are separated; None if they are not."""
     longest = max(forces, key=lambda acting: acting.size, default=None)
     if longest is None or len(forces) < 2 or not longest.size:
         return None
@@ -124,7 +124,7 @@ def _aside(forces: Sequence[Acting]) -> XY | None:
 
 
 def _along(start: XY, end: XY) -> Iterator[pygame.Rect]:
-    """Yield places along an arrow that words should keep free [px]."""
+    """Yield the places along an arrow that labels should keep free [px]."""
     steps = max(int(hypot(end[0] - start[0], end[1] - start[1]) / 8), 1)
     for i in range(steps + 1):
         x, y = (a + (b - a) * i / steps for a, b in zip(start, end, strict=True))
@@ -135,9 +135,9 @@ def _tell(
     surface: pygame.Surface, image: pygame.Surface, color: Color, labels: Labels, start: XY,
     end: XY,
 ) -> None:  # fmt: skip
-    """Put words beside a tip: beyond it, at its sides, or further back along the arrow.
+    """Place a label near a tip: beyond it, at its sides, or further back along the arrow.
 
-    Where others are in the way, a thin line leads to words that stand further off.
+    If these places are taken, a thin line leads to a label further off.
     """
     length = hypot(end[0] - start[0], end[1] - start[1])
     ux, uy = (end[0] - start[0]) / length, (end[1] - start[1]) / length
@@ -163,7 +163,7 @@ def _tell(
 def _further_off(
     image: pygame.Surface, start: XY, end: XY
 ) -> Iterator[tuple[float, float, pygame.Rect]]:
-    """Yield points of an arrow, and a place further off from each, the nearest first [px]."""
+    """Yield points of an arrow, each with a place further off, the nearest first [px]."""
     for off in FURTHER:
         for back in (0.05, 0.3, 0.6):
             x, y = (b + (a - b) * back for a, b in zip(start, end, strict=True))

@@ -15,7 +15,7 @@ HEIGHT = 26  # px, of a button
 
 
 class ForcesPage:
-    """Tells the forces on a body, along axes of choice."""
+    """Shows the forces on a body, with components along the chosen axes."""
 
     def __init__(self, sheet: Sheet, desk: Desk) -> None:
         self._sheet, self._session = sheet, desk.session
@@ -36,7 +36,7 @@ class ForcesPage:
         return (self.level, False), (self.inclined, True)
 
     def process(self, event: pygame.event.Event) -> str | None:
-        """Choose axes."""
+        """Choose the axes."""
         if event.type != UI_BUTTON_PRESSED:
             return None
         for button, inclined in self._buttons:

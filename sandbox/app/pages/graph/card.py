@@ -32,7 +32,7 @@ NOTHING = later("Choose a quantity below; several are drawn together.")
 
 
 class Graphs(NamedTuple):
-    """Graphs in one picture."""
+    """A picture, and the graphs in it."""
 
     picture: pygame.Surface
     graphs: Sequence[Graph]
@@ -42,7 +42,7 @@ def graphs(
     pen: Pen, width: int, session: Session, up: Sequence[str], across: str, cursor: float | None,
     trust: Mapping[str, Trust] = NOT_KNOWN, zoom: Zoom = WHOLE,
 ) -> Graphs:  # fmt: skip
-    """Draw quantities of the run so far against another; fainter, the known future.
+    """Draw quantities of the run so far against another; the known future is fainter.
 
     Parameters
     ----------
@@ -53,11 +53,11 @@ def graphs(
     up, across
         The names of the quantities.
     cursor
-        A value of the one across at which the others are told; None for their present values.
+        The value of the horizontal quantity at which the others are written; None for the present.
     trust
-        How far quantities can be trusted, as far as that is known.
+        The accuracy of quantities, as far as known.
     zoom
-        Which part of them is looked at.
+        The visible part of the graphs.
     """
     card = Card(pen, width)
     if not up:
@@ -88,7 +88,7 @@ def _put(
     card: Card, series: Sequence[Series], span: Scale, mark: float | None, units: tuple[str, str],
     zoom: Zoom,
 ) -> Graph:  # fmt: skip
-    """Draw lines of one unit over a scale, as far as they are zoomed, and return where that is."""
+    """Draw the visible part of the lines of one unit, and return their graph."""
     pen, size = card.pen, (card.width, card.pen.px(HEIGHT))
     rise = zoom.on(plot.upwards(pen, size[1], [each.y for each in series]), units[1])
     graph = Graph(units[1], pygame.Rect((0, card.y), size), span, rise)
@@ -100,14 +100,14 @@ def _put(
 def _other_runs(
     session: Session, names: Sequence[str]
 ) -> tuple[Sequence[Mapping[str, Array]], Mapping[str, Array] | None]:
-    """Return quantities of earlier runs, and of the known future of the present one."""
+    """Return the quantities of earlier runs, and of the known future of the present one."""
     earlier = [measured(run.world, run.history, names)[0] for run in session.earlier]
     run = session.later
     return earlier, measured(run.world, run.history, names)[0] if run else None
 
 
 def span_of(pen: Pen, width: int, session: Session, across: str) -> Scale:
-    """Return the scale across graphs of a width [px]: it has room for other runs, too."""
+    """Return the horizontal scale of graphs with a width [px], with room for other runs."""
     runs = [(run.world, run.history) for run in session.earlier]
     runs += [(run.world, run.history) for run in (session.later,) if run]
     others = [measured(*run, [across])[0][across] for run in runs]
@@ -115,7 +115,7 @@ def span_of(pen: Pen, width: int, session: Session, across: str) -> Scale:
 
 
 def so_far(session: Session, names: Sequence[str]) -> tuple[Mapping[str, Array], Mapping[str, str]]:
-    """Return quantities up to what is shown, (k,) each, and their units."""
+    """Return quantities up to the shown state, (k,) each, and their units."""
     run = session.recalled
     if run is None or not alike(run.world, session.world):
         return measured(session.world, session.history, names)
@@ -127,7 +127,7 @@ def so_far(session: Session, names: Sequence[str]) -> tuple[Mapping[str, Array],
 def measured(
     world: World, history: History, names: Sequence[str]
 ) -> tuple[Mapping[str, Array], Mapping[str, str]]:
-    """Return the quantities of a run over its instants, (k,) each, and their units."""
+    """Return quantities of a run at all instants, (k,) each, and their units."""
     meter = Meter(world, names)
     return meter(history.snapshots), {n: q.unit for n, q in meter.quantities.items()}
 
@@ -137,7 +137,7 @@ def _color(name: str, up: Sequence[str]) -> Color:
 
 
 def _sign(name: str, up: Sequence[str]) -> int | None:
-    """Return which sign a line has; one that is alone needs none."""
+    """Return the index of the sign of a line; None for a single line."""
     return list(up).index(name) if len(up) > 1 else None
 
 
@@ -146,7 +146,7 @@ def _values(
     up: Sequence[str], units: Mapping[str, str], across: str, cursor: float | None,
     trust: Mapping[str, Trust],
 ) -> None:  # fmt: skip
-    """Write the name of each line, and its value: now, or where the cursor is."""
+    """Write the name of each line, and its value at the cursor or now."""
     indent = card.pen.px(16) if len(up) > 1 else 0
     row = -1 if cursor is None else int(np.argmin(np.abs(columns[across] - cursor)))
     for name in these:
@@ -172,7 +172,7 @@ def _values(
 def _own(
     columns: Mapping[str, Array], these: Sequence[str], up: Sequence[str], across: str
 ) -> Iterator[Series]:
-    """Yield the lines of the run that is shown."""
+    """Yield the lines of the shown run."""
     for name in these:
         yield Series(_color(name, up), columns[across], columns[name], sign=_sign(name, up))
 
@@ -189,7 +189,7 @@ def _faint(
 def _ahead(
     later: Mapping[str, Array] | None, these: Sequence[str], up: Sequence[str], across: str
 ) -> Iterator[Series]:
-    """Yield the lines of the run after the shown step, as far as it is known."""
+    """Yield the lines of the run after the shown step, as far as known."""
     for name in these if later else ():
         assert later is not None
         yield Series(theme.faded(_color(name, up), 0.5), later[across], later[name])
@@ -207,10 +207,10 @@ def _closed(
 def closed_forms(
     session: Session, columns: Mapping[str, Array], these: Sequence[str], across: str
 ) -> Iterator[tuple[str, Array, Array]]:
-    """Yield the closed forms of checks at every step, where they still describe the run.
+    """Yield the closed forms of checks at every step, if they still describe the run.
 
-    Each is the name of its quantity, what it is drawn against, and its values: (k,). The columns
-    have the time.
+    Each consists of the name of its quantity, the horizontal values, and its own: (k,). The columns
+    must contain the time.
     """
     if session.changes or session.world.disturbed:
         return

@@ -1,4 +1,4 @@
-"""The quantities chosen for the graphs, level by level, as long as the window is open."""
+"""The quantities chosen for the graphs of each level, while the window is open."""
 
 from itertools import chain, islice
 from pathlib import Path
@@ -12,13 +12,13 @@ from sandbox.model.level import Level
 from sandbox.model.quantities import TIME, momentary
 
 MOST = 400
-"""How many quantities can be chosen from; in a crowd, those of its first bodies."""
+"""The largest number of quantities offered; with many bodies, those of the first."""
 
 
 def offered(level: Level) -> list[str]:
-    """Return the quantities that can be drawn: all that follow from a state alone.
+    """Return the quantities that can be drawn: all that depend on a single state.
 
-    Those of bodies that never move come last.
+    Those of static bodies come last.
     """
     static = {name for name, body in level.bodies.items() if body.type == "static"}
     moving = (found.name for found in momentary(level) if found.subject not in static)
@@ -27,12 +27,12 @@ def offered(level: Level) -> list[str]:
 
 
 class Choice:
-    """Remembers the chosen quantities, and draws them into a file.
+    """Keeps the chosen quantities, and draws them into a file.
 
     Attributes
     ----------
     news
-        Another object whenever something else is chosen.
+        An object that differs after every choice.
     """
 
     def __init__(self) -> None:
@@ -44,7 +44,7 @@ class Choice:
         self._offered: tuple[Level, list[str]] | None = None
 
     def up(self, session: Session) -> tuple[str, ...]:
-        """Return what is drawn: at first what the first check measures, or the first speed."""
+        """Return the chosen quantities: at first that of the first check, or the first speed."""
         names = self._names(session.level)
         checked = (c.quantity for c in session.original.checks if c.quantity in names)
         speeds = (name for name in names if name.endswith(".speed"))
@@ -53,32 +53,32 @@ class Choice:
         return tuple(name for name in chosen if name in names)
 
     def across(self, session: Session) -> str:
-        """Return against what: the time, at first."""
+        """Return the horizontal quantity: at first, the time."""
         chosen = self._across.get(session.original.title, TIME.name)
         return chosen if chosen in self._names(session.level) else TIME.name
 
     def _names(self, level: Level) -> list[str]:
-        """Return what is offered of a level, which is the same as long as it is shown."""
+        """Return the quantities offered for a level, cached while it is shown."""
         if self._offered is None or self._offered[0] is not level:
             self._offered = level, offered(level)
         return self._offered[1]
 
     def choose(self, session: Session, up: tuple[str, ...]) -> None:
-        """Draw other quantities; of those that stay, the same part."""
+        """Choose quantities, and keep the zoom."""
         self._up[session.original.title] = up
         self.news = object()
 
     def against(self, session: Session, name: str) -> None:
-        """Draw them against another quantity, all of it."""
+        """Choose the horizontal quantity, and reset the zoom."""
         self._across[session.original.title] = name
         self.look(session, WHOLE)
 
     def zoom(self, session: Session) -> Zoom:
-        """Return the visible part of the graphs: at first, all of them."""
+        """Return the visible part of the graphs: at first, the whole."""
         return self._zooms.get(session.original.title, WHOLE)
 
     def look(self, session: Session, zoom: Zoom) -> None:
-        """Look at another part of them."""
+        """Change the visible part of the graphs."""
         self._zooms[session.original.title] = zoom
         self.news = object()
 
@@ -88,14 +88,14 @@ class Choice:
         return self._work.running
 
     def draw(self, found: Figure, path: Path) -> str:
-        """Draw a picture of graphs into a file, and return the message for it."""
+        """Start drawing a picture of the graphs into a file, and return the message."""
         self._work.start(saved, found, path)
         return say("drawing ...")
 
     def follow(self, session: Session, seconds: float, *, watched: bool) -> str | None:  # noqa: ARG002
-        """Return where the picture is once it is drawn."""
+        """Return the message with the picture's path once it is saved."""
         return next(iter([*self._work.found()][-1:]), None)
 
     def cancel(self) -> None:
-        """End the work; there is no picture then."""
+        """Cancel the work, without a picture."""
         self._work.cancel()

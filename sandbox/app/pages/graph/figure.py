@@ -1,4 +1,4 @@
-"""The graphs as a picture by matplotlib, drawn in another process."""
+"""The graphs as a matplotlib picture, drawn in another process."""
 
 from collections.abc import Iterator, Sequence
 from pathlib import Path
@@ -18,7 +18,7 @@ from sandbox.optional_packages import needed_for
 
 WIDTH, HEIGHT = 7.0, 3.2  # inches, of each graph
 STYLES = {"run": ("-", 1.6), "closed": ("--", 1.0), "earlier": ("-", 0.8)}
-"""The dashes and the widths of the lines [pt]."""
+"""The dash patterns and widths of the lines [pt]."""
 FAINT = 0.45
 """The opacity of earlier runs."""
 
@@ -34,7 +34,7 @@ class Curve(NamedTuple):
 
 
 class Field(NamedTuple):
-    """The lines of a unit, and what is seen along its axis."""
+    """The lines of a unit, and the visible interval of its axis."""
 
     unit: str
     curves: Sequence[Curve]
@@ -42,7 +42,7 @@ class Field(NamedTuple):
 
 
 class Figure(NamedTuple):
-    """Fields above each other, and what is seen along the axis that they share."""
+    """Fields one above the other, and the visible interval of their shared axis."""
 
     title: str
     across: str
@@ -53,7 +53,7 @@ class Figure(NamedTuple):
 def figure(
     session: Session, up: Sequence[str], across: str, graphs: Sequence[Graph]
 ) -> Figure | None:
-    """Return the graphs as they are seen in the window; None if there are none."""
+    """Return the graphs as in the window; None if there are none."""
     if not graphs:
         return None
     columns, units = so_far(session, list(dict.fromkeys([TIME.name, across, *up])))
@@ -92,7 +92,7 @@ def _of_the_formula(name: str) -> str:
 
 
 def saved(found: Figure, path: Path) -> Iterator[str]:
-    """Draw a picture and write it; yield where it is, or why there is none."""
+    """Draw a picture and write it, and yield the message about its path or the failure."""
     try:
         with needed_for("a picture of a graph"):
             write_atomically(path, drawn(found))

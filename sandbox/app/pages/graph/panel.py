@@ -27,8 +27,8 @@ from sandbox.app.words.language import say
 from sandbox.model.errors import SandboxError
 from sandbox.model.quantities import TIME
 
-LISTS = 168, 92  # px, how high the two lists are
-BUTTON = 26  # px, how high a button is
+LISTS = 168, 92  # px, the heights of the two lists
+BUTTON = 26  # px, the height of a button
 GAP = 6  # px, between buttons
 FIELD = 26  # px
 
@@ -39,7 +39,7 @@ class GraphPage:
     Attributes
     ----------
     sought
-        Where letters are typed that the names in the first list have.
+        The field that filters the names in the first list.
     up, across
         The two lists.
     """
@@ -85,7 +85,7 @@ class GraphPage:
         )  # fmt: skip
 
     def process(self, event: pygame.event.Event) -> str | None:
-        """Draw the chosen quantities, and follow the mouse."""
+        """Handle buttons, choices in the lists, and the mouse over the graphs."""
         if event.type == UI_BUTTON_PRESSED and event.ui_element in self._acts:
             return self._acts[event.ui_element]()
         if event.type in (pygame.MOUSEBUTTONDOWN, pygame.MOUSEBUTTONUP):
@@ -110,7 +110,7 @@ class GraphPage:
         return ""
 
     def _buttons(self) -> list[list[UIButton]]:
-        """Put the buttons that zoom, and those that save what is seen."""
+        """Make the buttons that zoom, and those that save the visible part."""
         step, px = self._zooming.step, self._sheet.px
         zooming: tuple[tuple[str, str, Callable[[], object]], ...] = (
             ("+", say("zoom in (the wheel over a graph)"), partial(step, NOTCH)),
@@ -143,7 +143,7 @@ class GraphPage:
         return next(button for button in self._acts if button.text == caption)
 
     def _act(self, act: Callable[[], object]) -> str:
-        """Perform the action of a button, and return the message for it."""
+        """Execute the action of a button, and return its message."""
         told = act()
         self._zoomed(changed=True)
         return told if isinstance(told, str) else ""
@@ -172,16 +172,16 @@ class GraphPage:
             return say(error.message)
 
     def _inside(self, pixel: tuple[int, int]) -> tuple[int, int]:
-        """Return where a pixel of the window is in the picture of the graphs."""
+        """Return the position of a pixel of the window in the picture of the graphs."""
         return pixel[0] - self._graphs.rect.x, pixel[1] - self._graphs.rect.y
 
     def _seen(self, pixel: tuple[int, int]) -> bool:
-        """Whether the graphs are seen at a pixel of the window, and not scrolled away there."""
+        """Return whether the graphs are visible at a pixel of the window."""
         seen = self._sheet.container.rect.collidepoint(pixel)
         return seen and bool(self._graphs.rect.collidepoint(pixel))
 
     def _button(self, event: pygame.event.Event) -> bool:
-        """Press or release a button of the mouse over the graphs; return whether it was there."""
+        """Handle a press or release of a mouse button, and return whether it was for the graphs."""
         if event.type == pygame.MOUSEBUTTONUP:
             return self._zooming.release()
         shifted = bool(pygame.key.get_mods() & pygame.KMOD_SHIFT)
@@ -189,7 +189,7 @@ class GraphPage:
         return self._seen(event.pos) and self._zooming.press(inside, event.button, shifted=shifted)
 
     def _went(self) -> str:
-        """Go to the time that was clicked on, and return why that cannot be, if it cannot."""
+        """Go to the time that was clicked on, and return the reason if that is impossible."""
         t, self._zooming.clicked = self._zooming.clicked, None
         if t is None or self._choice.across(self._session) != TIME.name:
             return ""
@@ -208,13 +208,13 @@ class GraphPage:
         return self._zoomed(over) is not None
 
     def home(self) -> bool:
-        """Show all of the graphs, and return whether that was not the case."""
+        """Show the whole graphs, and return whether they were zoomed."""
         zoomed = bool(self._zooming.zoom)
         self._show_all()
         return self._zoomed(zoomed) is not None
 
     def _zoomed(self, changed: bool) -> str | None:
-        """Redraw if the visible part has changed, and return the message for it."""
+        """Redraw if the visible part has changed; return an empty message then, else None."""
         if not changed:
             return None
         self._choice.look(self._session, self._zooming.zoom)
@@ -222,7 +222,7 @@ class GraphPage:
         return ""
 
     def _seek(self) -> None:
-        """List the names that have the letters, those that are chosen marked."""
+        """List the names that contain the typed letters, with the chosen ones marked."""
         letters = self.sought.get_text().casefold().strip()
         found = [name for name in self._names if letters in name.casefold()]
         chosen = [name for name in self._choice.up(self._session) if name in found]
@@ -232,14 +232,14 @@ class GraphPage:
         self.up.set_relative_position(place.topleft)
 
     def _choose(self) -> None:
-        """Draw what is marked, and what is drawn already and not in the list at present."""
+        """Choose the marked quantities, and keep chosen ones that are filtered out."""
         listed = [str(item["text"]) for item in self.up.item_list]
         drawn = self._choice.up(self._session)
         kept = [name for name in drawn if name not in listed]
         self._choice.choose(self._session, (*kept, *self.up.get_multi_selection()))
 
     def _follow(self, pixel: tuple[int, int]) -> None:
-        """Tell the values under the mouse while it is over the graphs."""
+        """Show the values under the mouse while it is over the graphs."""
         place = self._graphs.rect
         before, self._cursor = self._cursor, None
         if place.collidepoint(pixel) and self._choice.up(self._session):
@@ -252,7 +252,7 @@ class GraphPage:
             self.update()
 
     def update(self) -> None:
-        """Draw the graphs again, with the lists below them."""
+        """Draw the graphs again, and place the lists below them."""
         sheet = self._sheet
         sheet.replace(self._graphs, self._drawn())
         y = below(self._graphs) + 8

@@ -1,4 +1,4 @@
-"""The visible part of the graphs, and how mouse and buttons change it."""
+"""The visible part of the graphs, and its changes by mouse and buttons."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
@@ -16,8 +16,8 @@ SHIFT = 0.25
 """The share of the visible range by which a button moves it."""
 CLOSEST = 1e-9
 """The smallest visible range, as a share of the whole."""
-CLICK = 5  # px; a box that is smaller is none, and one that is lower or narrower spans all
-TWICE = 500  # ms, between the two presses of a double click
+CLICK = 5  # px, the least size of a box, and of a side that does not span the whole graph
+TWICE = 500  # ms, the largest time between the presses of a double click
 
 
 class Graph(NamedTuple):
@@ -30,7 +30,7 @@ class Graph(NamedTuple):
     place
         Its place in the picture [px].
     across, up
-        Its axes, with pixels from its own corner.
+        Its axes, with pixels relative to its corner.
     """
 
     unit: str
@@ -41,14 +41,14 @@ class Graph(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Zoom:
-    """The visible part of the graphs: an interval along each axis, or all of it.
+    """The visible part of the graphs: an interval of each axis, or the whole.
 
     Attributes
     ----------
     across
-        The interval of the axis that all graphs share.
+        The interval of the shared horizontal axis.
     up
-        Those of the others, by unit.
+        The intervals of the vertical axes, by unit.
     """
 
     across: Interval | None = None
@@ -58,16 +58,16 @@ class Zoom:
         return self.across is not None or bool(self.up)
 
     def on(self, scale: Scale, unit: str | None = None) -> Scale:
-        """Return the visible interval of a scale; without a unit, of the shared axis."""
+        """Return a scale with the visible interval; without a unit, that of the shared axis."""
         interval = self.across if unit is None else self.up.get(unit)
         return scale if interval is None else scale._replace(low=interval[0], high=interval[1])
 
     def along(self, interval: Interval) -> "Zoom":
-        """Look at another interval of the shared axis."""
+        """Return the zoom with another interval of the shared axis."""
         return replace(self, across=interval)
 
     def upwards(self, unit: str, interval: Interval) -> "Zoom":
-        """Look at another interval of a unit's axis."""
+        """Return the zoom with another interval of a unit's axis."""
         return replace(self, up={**self.up, unit: interval})
 
 
@@ -75,28 +75,28 @@ WHOLE = Zoom()
 
 
 def about(scale: Scale, value: float, factor: float) -> Interval:
-    """Scale an axis' interval about a value that stays in place."""
+    """Return an axis' interval scaled about a fixed value."""
     return value - (value - scale.low) * factor, value + (scale.high - value) * factor
 
 
 def moved(scale: Scale, by: float) -> Interval:
-    """Return as much of an axis further on."""
+    """Return an axis' interval shifted by a value."""
     return scale.low + by, scale.high + by
 
 
 class Zooming:
-    """The mouse over the graphs: it drags a box, or what is seen; the wheel zooms.
+    """The mouse over the graphs, which marks a box or moves the visible part; the wheel zooms.
 
     Attributes
     ----------
     zoom
         The visible intervals.
     graphs
-        The graphs as they were drawn last.
+        The graphs as last drawn.
     box
-        The part being marked, in the picture [px]; None if there is none.
+        The box being marked, in the picture [px]; None if there is none.
     clicked
-        The value across that was clicked on last; None if the button was let go of elsewhere.
+        The horizontal value that was clicked on; None if the last release was no click.
     """
 
     def __init__(self, zoom: Zoom) -> None:
@@ -104,16 +104,16 @@ class Zooming:
         self.graphs: Sequence[Graph] = ()
         self.box: pygame.Rect | None = None
         self.clicked: float | None = None
-        self._at: tuple[int, int] | None = None  # px, where a button was pressed
-        self._on: Graph | None = None  # the graph there, as it was then
+        self._at: tuple[int, int] | None = None  # px, the position of the press
+        self._on: Graph | None = None  # the graph there, as it was at the press
         self._panning = False
-        self._last = -TWICE  # ms, when one was pressed before
+        self._last = -TWICE  # ms, the time of the last press
 
     def _under(self, pixel: tuple[int, int]) -> Graph | None:
         return next((each for each in self.graphs if each.place.collidepoint(pixel)), None)
 
     def press(self, pixel: tuple[int, int], button: int, *, shifted: bool) -> bool:
-        """Begin to mark a box or to move what is seen; return whether a graph is there."""
+        """Start marking a box or moving the visible part; return whether a graph is there."""
         graph = self._under(pixel)
         if graph is None or button not in (1, 2, 3):
             return False
@@ -126,7 +126,7 @@ class Zooming:
         return True
 
     def move(self, pixel: tuple[int, int]) -> bool:
-        """Follow the mouse; return whether it marks or moves anything."""
+        """Follow the mouse, and return whether a button is held over a graph."""
         if self._on is None or self._at is None:
             return False
         dx, dy = pixel[0] - self._at[0], pixel[1] - self._at[1]
@@ -143,7 +143,7 @@ class Zooming:
         return True
 
     def _marked(self, graph: Graph, dx: int, dy: int) -> pygame.Rect:
-        """Return the box from where the button was pressed; a thin one spans the whole graph."""
+        """Return the box from the position of the press; a thin one spans the whole graph."""
         assert self._at is not None
         box = pygame.Rect(*self._at, dx, dy)
         box.normalize()
@@ -157,7 +157,7 @@ class Zooming:
         return box.clip(field)
 
     def release(self) -> bool:
-        """Zoom to the marked part; return whether a button was held over a graph."""
+        """Zoom to the marked box, and return whether a button was held over a graph."""
         graph, box, self.box, self._on = self._on, self.box, None, None
         self.clicked = None
         if graph is None:
@@ -173,7 +173,7 @@ class Zooming:
         return True
 
     def wheel(self, notches: float, pixel: tuple[int, int], *, shifted: bool) -> bool:
-        """Zoom about the mouse, upwards with Shift; return whether it is over a graph."""
+        """Zoom about the mouse, vertically with Shift; return whether it is over a graph."""
         graph = self._under(pixel)
         if graph is None:
             return False
@@ -187,7 +187,7 @@ class Zooming:
         return True
 
     def step(self, factor: float = 1.0, shift: float = 0.0) -> None:
-        """Zoom about the middle, or shift by a part of what is visible, along the shared axis."""
+        """Zoom the shared axis about its middle, or shift it by a share of the visible interval."""
         if self.graphs:
             scale = self.graphs[0].across
             middle, spread = (scale.low + scale.high) / 2, scale.high - scale.low
@@ -196,7 +196,7 @@ class Zooming:
             self._look(self.graphs[0], "across", interval)
 
     def _look(self, graph: Graph, axis: str, interval: Interval) -> None:
-        """Look at an interval of an axis, unless that is too short for its numbers."""
+        """Show an interval of an axis, unless it is too short for floating-point numbers."""
         low, high = interval
         if high - low <= CLOSEST * max(abs(low), abs(high), 1e-300):
             return

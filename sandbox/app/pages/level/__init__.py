@@ -1,4 +1,4 @@
-"""The level's own page."""
+"""The page of the level itself."""
 
 from sandbox.app.pages.level.panel import LevelPage, switch
 from sandbox.app.pages.page import Page, PageCommand

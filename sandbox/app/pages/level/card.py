@@ -47,5 +47,5 @@ def settings(pen: Pen, width: int, level: Level, values: Values) -> pygame.Surfa
 
 
 def _title(name: str, label: str) -> str:
-    """Return a parameter's label and the name that formulas call it by."""
+    """Return a parameter's label and its name in formulas."""
     return f"{label}  {name}" if label not in ("", name) else name

@@ -27,7 +27,7 @@ TIP = later(
 
 
 class LevelPage:
-    """What the level is, its parameters, and how its checks stand."""
+    """The description of the level, its parameters, and the results of its checks."""
 
     def __init__(self, sheet: Sheet, desk: Desk) -> None:
         self._sheet, self._session = sheet, desk.session
@@ -57,13 +57,13 @@ class LevelPage:
         sheet.end(below(self._checks) + 2)
 
     def process(self, event: pygame.event.Event) -> str | None:
-        """Apply changes now, or from the start; the message for them comes from elsewhere."""
+        """Switch between changes from now on and from the start."""
         if event.type != UI_BUTTON_PRESSED or event.ui_element is not self.onwards:
             return None
         return turn(self._session)
 
     def update(self) -> None:
-        """Bring parameters and checks up to date."""
+        """Update the parameters and the checks."""
         if self.onwards is not None:
             press(self.onwards, self._session.branches)
         self._sheet.replace(self._checks, self._drawn())
@@ -85,7 +85,7 @@ class LevelPage:
 
 
 def turn(session: Session) -> str:
-    """Switch when changes act, and return the message for it."""
+    """Switch whether changes act from now on or from the start, and return the message."""
     session.branches = not session.branches
     if session.branches:
         return say("a changed parameter acts from now on; the run so far stays behind as a trail")
@@ -93,5 +93,5 @@ def turn(session: Session) -> str:
 
 
 def switch(desk: Desk) -> str:
-    """Do so where a key asks for it."""
+    """Do the same by a key."""
     return turn(desk.session)

@@ -1,4 +1,4 @@
-"""The page of the momenta."""
+"""The page of the momentum."""
 
 from sandbox.app.pages.momentum.card import momentum
 from sandbox.app.pages.page import Page

@@ -1,4 +1,4 @@
-"""The momentum of each body and of all together, and the impulses that gave it."""
+"""The momentum of each body and the total, and the impulses that changed it."""
 
 from collections.abc import Sequence
 from typing import NamedTuple
@@ -18,20 +18,20 @@ from sandbox.model.expressions import Array
 from sandbox.physics.stepping.world import World
 
 MOST = 10
-"""How many bodies have bars of their own; the others share one."""
-LABEL, AXIS, NUMBER = 82, 14, 104  # px: left of a bar, its axis, right of it
-COLUMN = 68  # px, of numbers along y
+"""The largest number of bodies with bars of their own; the others share one."""
+LABEL, AXIS, NUMBER = 82, 14, 104  # px, the widths of the name, the axis and the number
+COLUMN = 68  # px, the width of the column of y components
 
 
 class Momentum(NamedTuple):
-    """A momentum and whose it is: (2,) [kg m/s]."""
+    """A name, and a momentum: (2,) [kg m/s]."""
 
     name: str
     value: Array
 
 
 def bodies(world: World) -> list[Momentum]:
-    """Return the momenta of all bodies; of a crowd those of the largest, and of the rest as one."""
+    """Return the momenta of all bodies; of many, the largest ones, and the sum of the others."""
     found, every = momenta.heavy(world), momenta.momenta(world, world.snapshot)
     if len(found) <= MOST:
         return [Momentum(name, every[row]) for row, name in found]
@@ -47,7 +47,7 @@ def bodies(world: World) -> list[Momentum]:
 
 
 def given(session: Session) -> list[Momentum]:
-    """Return how much the total has changed, and by which impulses from outside."""
+    """Return the change of the total, and the external impulses that explain it."""
     books = session.books.balance
     impulses = [Momentum(say(name), value[:2]) for name, value in books.impulse.items()]
     outside = sum((each.value for each in impulses), np.zeros(2))
@@ -61,7 +61,7 @@ def given(session: Session) -> list[Momentum]:
 
 
 def momentum(pen: Pen, width: int, session: Session) -> pygame.Surface:
-    """Draw momenta as bars, along x and along y, above the books of their sum."""
+    """Draw momenta as bars along x and y, above the balance of the total."""
     card, world = Card(pen, width), session.world
     scale = momenta.scale(session, world, session.history.snapshots)
     card.heading(say("Momentum"))
@@ -89,7 +89,7 @@ def momentum(pen: Pen, width: int, session: Session) -> pygame.Surface:
 
 
 def _add_bars(card: Card, row: Momentum, scale: float, colors: Sequence[Color]) -> None:
-    """Add two bars, one along x and one along y."""
+    """Add two bars, for the x and the y component."""
     pen, width = card.pen, card.width
     left = pen.px(LABEL) + pen.px(AXIS)
     length = max(width - left - pen.px(NUMBER), 20)
@@ -106,7 +106,7 @@ def _add_bars(card: Card, row: Momentum, scale: float, colors: Sequence[Color]) 
 
 
 def _add_table(card: Card, rows: Sequence[Momentum], scale: float) -> None:
-    """Add momenta as numbers, in a column for each axis; what is rounding of a scale is none."""
+    """Add momenta as numbers, in a column for each axis; rounding errors of a scale are zero."""
     pen, ends = card.pen, (card.width - card.pen.px(COLUMN), card.width)
     for axis, color, end in zip("xy", _axes(), ends, strict=True):
         head = pen.write(f"{axis} [{momenta.UNIT}]", 12, color)

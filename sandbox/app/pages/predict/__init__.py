@@ -1,4 +1,4 @@
-"""The page of predictions: the user predicts a result before the run goes on."""
+"""The page of predictions: the user predicts a result before the run continues."""
 
 from sandbox.app.pages.page import Page
 from sandbox.app.pages.predict.panel import PredictPage

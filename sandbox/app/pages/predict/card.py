@@ -1,4 +1,4 @@
-"""The card of a prediction: the question, the result, and what explains the difference."""
+"""The card of a prediction: the question, the result, and explanations of the difference."""
 
 from collections.abc import Sequence
 
@@ -22,11 +22,11 @@ CHANGED = later(
 )
 NEVER = later("That did not happen in this run.")
 NOTICED = 1e-4
-"""Relative changes smaller than this are not mentioned."""
+"""The smallest relative change that is mentioned."""
 
 
 def intro(pen: Pen, width: int, session: Session, *, possible: bool) -> pygame.Surface:
-    """Draw what the page is for, or why nothing can be predicted here."""
+    """Draw the purpose of the page, or the reason why nothing can be predicted."""
     card = Card(pen, width)
     card.heading(say("Predict, run, explain"))
     if possible:
@@ -40,7 +40,7 @@ def intro(pen: Pen, width: int, session: Session, *, possible: bool) -> pygame.S
 def asked(
     pen: Pen, width: int, question: Check, title: str, unit: str, *, open_: bool
 ) -> pygame.Surface:
-    """Draw a question by its title; while it is open, with how it may be answered."""
+    """Draw a question by its title; while it is open, with the possible forms of an answer."""
     card = Card(pen, width)
     card.heading(say("Your prediction"))
     card.text(title, 15, bold=True)
@@ -55,7 +55,7 @@ def asked(
 
 
 def refused(pen: Pen, width: int, refusal: str) -> pygame.Surface:
-    """Draw why the typed text is no answer, or how to answer."""
+    """Draw the reason why a typed text is no answer, or how to answer."""
     card = Card(pen, width)
     if refusal:
         card.text(say(refusal), 13, theme.FAILED)
@@ -94,7 +94,7 @@ def _verdict(card: Card, outcome: Outcome) -> None:
 
 
 def _compared(card: Card, outcome: Outcome) -> None:
-    """Write the three values, and how far two of them are from the simulated one."""
+    """Write the three values, and the differences of two of them from the simulated one."""
     heads = ("", say("value"), say("differs by"))
     card.columns([(head, theme.DIM) for head in heads], 12)
     rows = [
@@ -110,12 +110,12 @@ def _compared(card: Card, outcome: Outcome) -> None:
 
 
 def _asked_at(outcome: Outcome) -> str:
-    """Say when that was: in a run that a hand has changed, bodies may meet at another time."""
+    """Return the time of the measurement, which can differ in a run changed by hand."""
     return "" if outcome.t is None else say("at {t}", t=formatting.seconds(outcome.t))
 
 
 def _apart(outcome: Outcome, value: float | None) -> str:
-    """Write how far a value is from the simulated one, if there is one."""
+    """Return the difference of a value from the simulated one; empty without a value."""
     if value is None:
         return ""
     apart = outcome.apart(value)
@@ -147,7 +147,7 @@ def _explained(
 
 
 def _change(outcome: Outcome, trial: Trial) -> float:
-    """Return by how much an effect changes the predicted quantity, relative if possible."""
+    """Return the change of the predicted quantity by an effect, relative if possible."""
     if trial.before is None or trial.after is None:
         return 0.0 if trial.before is trial.after else float("inf")
     return abs(trial.after - trial.before) / (outcome.scale or 1.0)
@@ -167,6 +167,6 @@ def _trial(card: Card, outcome: Outcome, trial: Trial) -> None:
     )  # fmt: skip
     off = outcome.apart(outcome.predicted)
     explained = outcome.apart(value) / off if abs(off) > LIMITS[0] else 0.0
-    if 0.05 <= explained < 2:  # beyond, the prediction is nearer to the run without it
+    if 0.05 <= explained < 2:  # beyond, the prediction is closer to the run without it
         message = say("accounts for {share:.0f} % of your difference", share=100 * explained)
         card.text(message, 12, theme.NOTICE, indent=card.indent)

@@ -22,13 +22,13 @@ class Outcome:
     Attributes
     ----------
     predicted, formula, simulated
-        Three values of one quantity; no formula describes a run that a hand has changed.
+        Three values of the quantity; no formula describes a run changed by hand.
     unit
-        Theirs.
+        The unit of the quantity.
     scale
-        What differences are relative to; None if they are absolute, because all is zero.
+        The reference of relative differences; None if they are absolute, since all values are zero.
     t
-        When the run was asked [s].
+        The time of the measurement [s].
     """
 
     predicted: float
@@ -39,18 +39,18 @@ class Outcome:
     t: float | None = None
 
     def apart(self, value: float) -> float:
-        """Return how far a value lies from the simulated one, relative if it can be."""
+        """Return the difference of a value from the simulated one, relative if possible."""
         return (value - self.simulated) / (self.scale or 1.0)
 
     @property
     def limit(self) -> float | None:
-        """The closest of `LIMITS` that holds for the prediction; None if none does."""
+        """The smallest of `LIMITS` within which the prediction is; None if there is none."""
         off = abs(self.apart(self.predicted))
         return next((limit for limit in LIMITS if off <= limit * (1 + 1e-9)), None)
 
     @property
     def verdict(self) -> str:
-        """How good the prediction was, in a few words."""
+        """A short verdict on the prediction."""
         if self.limit is None:
             return say_in("a prediction", "off")
         return say("within {share:g} %", share=100 * self.limit)
@@ -59,7 +59,7 @@ class Outcome:
 def judged(
     check: Check, trace: Trace, predicted: float, *, formula_holds: bool = True
 ) -> Outcome | None:
-    """Compare a prediction with a run; None while the run has not come so far."""
+    """Compare a prediction with a run; None before the run reaches the instant."""
     result = grade_check(check, trace)
     if result.measured is None:
         return None
@@ -69,9 +69,9 @@ def judged(
 
 
 def _scale(result: Result, formula: float | None, trace: Trace) -> float | None:
-    """Return the size of the formula's value, or else of the measured one.
+    """Return the absolute value of the formula, or else of the measured value.
 
-    Where that is zero, it is the size of the quantity in the run.
+    If that is zero, it is the largest absolute value in the run; None if this is a rounding error.
     """
     check, measured = result.check, result.measured
     assert measured is not None

@@ -1,4 +1,4 @@
-"""How much each effect that a level neglects would change a quantity."""
+"""The change of a quantity by each effect that a level neglects."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -16,7 +16,7 @@ from sandbox.physics.run import simulate
 
 @dataclass(frozen=True, slots=True)
 class Trying:
-    """Which effect is tried now, and which share of all was tried before."""
+    """The effect being tried, and the share of effects tried before."""
 
     effect: str
     share: float
@@ -24,7 +24,7 @@ class Trying:
 
 @dataclass(frozen=True, slots=True)
 class Trial:
-    """A quantity without and with an effect; None where its instant never comes."""
+    """A quantity without and with an effect; None if its instant never comes."""
 
     effects: tuple[Variation, ...]
     before: float | None
@@ -32,14 +32,15 @@ class Trial:
 
     @property
     def label(self) -> str:
-        """What was tried, in words."""
+        """A description of the effects."""
         return formatting.variations(self.effects)
 
 
 def trials(level: Level, values: Values, check: Check) -> Iterator[Trying | Trial]:
-    """Try each effect that a level does not declare, and yield what that makes of a check.
+    """Try each effect that a level does not declare, and yield the values of a check's quantity.
 
-    Both runs have one scheme, as on the page of the effects. What is impossible here is left out.
+    Both runs have the same scheme, as on the page of the effects. Effects that are impossible here
+    are left out.
     """
     alone = level.model_copy(update={"checks": (check,), "ghosts": {}, "challenge": None})
     names = whatif.addable(level)

@@ -18,11 +18,11 @@ from sandbox.model.level import Check
 Widget = UIImage | UIButton | Field | UISelectionList
 HEIGHT = 28  # px, of the button
 FIELD = 26  # px, its height
-UNIT = 84  # px, what is kept for the unit beside it
+UNIT = 84  # px, the room for the unit beside it
 ROW = 20  # px, of the list
-BESIDE = 24  # px, of the list, beside its words
+BESIDE = 24  # px, the margins of the list
 MOST = 6
-"""How many rows of the list are visible at once."""
+"""The largest number of visible rows of the list."""
 
 
 CAPTIONS = PREDICT, PUT_OFF, ANOTHER = (
@@ -33,7 +33,7 @@ TIPS = {
     PUT_OFF: later("let the run go on without a prediction"),
     ANOTHER: later("choose what to predict"),
 }
-"""What each says while the mouse rests on it."""
+"""The tooltip for each caption."""
 
 
 class PredictPage:
@@ -58,7 +58,7 @@ class PredictPage:
         self.update()
 
     def process(self, event: pygame.event.Event) -> str | None:
-        """Ask the chosen question, take the typed answer, or start over."""
+        """Ask the chosen question, accept the typed answer, or start over."""
         predicting = self._predicting
         if event.type == UI_TEXT_ENTRY_FINISHED and event.ui_element is self.field:
             if not self._open:
@@ -81,7 +81,7 @@ class PredictPage:
 
     @property
     def _open(self) -> bool:
-        """Whether an answer is waited for."""
+        """Whether an answer is awaited."""
         return self._predicting.question is not None and self._predicting.predicted is None
 
     @property
@@ -90,7 +90,7 @@ class PredictPage:
         return dict(zip(self._names(), self._questions, strict=True)).get(str(name))
 
     def _names(self) -> list[str]:
-        """Name what can be asked, each in its own words."""
+        """Return distinct names of the questions."""
         words = level_words.of(self._session.original)
         titles = [level_words.title(question, words) for question in self._questions]
         pairs = zip(titles, self._questions, strict=True)
@@ -145,7 +145,7 @@ class PredictPage:
         )  # fmt: skip
 
     def _name_button(self) -> None:
-        """Let the button say what it would do."""
+        """Update the caption and the tooltip of the button."""
         asked = self._predicting.question is not None
         caption = PUT_OFF if self._open else ANOTHER if asked else PREDICT
         if self.button.text != (text := say(caption)):
@@ -153,7 +153,7 @@ class PredictPage:
             self.button.tool_tip_text = say(TIPS[caption])
 
     def _put(self, widget: Widget, y: int, *, shown: bool) -> int:
-        """Put a widget at a height if it is shown; return where the next one stands."""
+        """Place a widget at a height if it is shown, and return the height of the next [px]."""
         _show(widget, shown=shown)
         if not shown:
             return y

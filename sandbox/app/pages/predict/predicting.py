@@ -22,24 +22,24 @@ CHANGED = later("The level has changed, and so has the question.")
 
 
 class Predicting:
-    """Keeps a run locked until the user has predicted its result, and then shows the outcome.
+    """Locks a run until the user has predicted its result, and then judges the prediction.
 
     Attributes
     ----------
     question
         The question; None if there is none.
     predicted
-        The answer, in SI; None while it is waited for.
+        The answer in SI units; None while it is awaited.
     refusal
-        Why what was typed is no answer; empty if nothing is wrong with it.
+        The reason why the typed text is no answer; empty if there is none.
     outcome
-        What came of it; None while that is not known.
+        The outcome; None while unknown.
     trials
-        What effects that the level neglects would make of it.
+        The results of trying effects that the level neglects.
     trying
-        Which of them is tried now; None if none is.
+        The effect being tried; None if there is none.
     news
-        Another object whenever something else is to be shown.
+        An object that differs whenever the display must change.
     """
 
     def __init__(self) -> None:
@@ -68,9 +68,9 @@ class Predicting:
         return self._work.running
 
     def ask(self, session: Session, question: Check) -> None:
-        """Put the run back to its start, and lock it until the question is answered.
+        """Rewind the run to its start, and lock it until the question is answered.
 
-        What a hand did to it is done again: the prediction is one of that run.
+        Actions by hand are repeated, since the prediction is for this run.
         """
         self._forget()
         self._session, self.question, self._values = session, question, session.values
@@ -80,11 +80,11 @@ class Predicting:
         self._world = session.world
 
     def put_off(self) -> None:
-        """Ask nothing any more, and let the run go."""
+        """Withdraw the question, and unlock the run."""
         self._forget()
 
     def answer(self, session: Session, typed: str) -> bool:
-        """Take a prediction, and let the run go on; return whether the text is a prediction."""
+        """Accept a prediction and let the run continue; return whether the text is one."""
         self.news = object()
         assert self.question is not None
         try:
@@ -108,7 +108,7 @@ class Predicting:
         )
 
     def follow(self, session: Session, seconds: float, *, watched: bool) -> str | None:  # noqa: ARG002
-        """Keep the run locked, or judge it; return a message for the user."""
+        """Keep the run locked, or judge it; return a message for the user, or None."""
         if session is not self._session:
             self._forget()
             self._session = session
@@ -132,7 +132,7 @@ class Predicting:
         return session.values != self._values or self.question not in asked
 
     def _keep(self, session: Session, *, watched: bool) -> str | None:
-        """Keep the run locked as long as the page is shown."""
+        """Keep the run locked while the page is shown."""
         self._world = session.world
         if not watched:
             self._forget()
@@ -155,7 +155,7 @@ class Predicting:
         self.trying, self.news = Trying("", 0.0), object()
 
     def _look(self) -> None:
-        """Take in new results."""
+        """Store new results."""
         was_running = self._work.running
         for finding in self._work.found():
             self.news = object()
@@ -167,6 +167,6 @@ class Predicting:
             self.trying, self.news = None, object()
 
     def cancel(self) -> None:
-        """End the work."""
+        """Cancel the work."""
         self._work.cancel()
         self.trying = None

@@ -1,4 +1,4 @@
-"""The questions that a level allows, and how a typed answer is read."""
+"""The questions that a level allows, and the reading of typed answers."""
 
 import re
 from collections.abc import Mapping
@@ -30,12 +30,12 @@ FACTORS: Mapping[str, Mapping[str, float]] = {
     "J": {"mJ": 1e-3, "kJ": 1e3},
     "N": {"mN": 1e-3, "kN": 1e3},
 }
-"""Other units in which a number may be typed, for each SI unit, with the value of one SI unit in
-them."""
+"""For each SI unit, other units in which a number may be typed, with their values in the SI
+unit."""
 
 
 def questions(level: Level, values: Values) -> tuple[Check, ...]:
-    """Return what is asked: the checks that apply and have an instant; if none has, at the end."""
+    """Return the checks that apply and have an instant; if none has one, all at the end."""
     applying = [check for check in level.checks if applies(check, values)]
     timed = [check for check in applying if check.at is not None]
     if not timed:
@@ -45,7 +45,7 @@ def questions(level: Level, values: Values) -> tuple[Check, ...]:
 
 
 def when(at: Instant | None) -> str:
-    """Say when a quantity is asked for."""
+    """Return a description of an instant."""
     match at:
         case ApexEvent(body=body):
             return say("when {body} stops rising", body=body)
@@ -75,21 +75,22 @@ def unit_of(check: Check, level: Level) -> str:
 
 
 def read(typed: str, unit: str, values: Values) -> float:
-    """Return the number that was typed, in an SI unit.
+    """Return the value of a typed answer, in an SI unit.
 
     Parameters
     ----------
     typed
-        Arithmetic over the parameters, and behind it the unit or one of its `FACTORS`, if any.
+        An arithmetic expression of the parameters, optionally followed by the unit or one of its
+        `FACTORS`.
     unit
-        What a number without a unit is in.
+        The SI unit, also of a number without a unit.
     values
-        The level's parameters.
+        The values of the level's parameters.
 
     Raises
     ------
     ExpressionError
-        If it is anything else.
+        If the text is anything else.
     """
     if not typed.strip():
         raise ExpressionError(Message("type a number first"))
@@ -127,13 +128,13 @@ def _is_arithmetic(typed: str) -> bool:
 
 
 def _plain(unit: str) -> str:
-    """Return a unit in one of the ways in which it may be typed."""
+    """Return the canonical form of a typed unit."""
     factors = re.sub(r"\s*/\s*", "/", unit.strip().replace("**", "").replace("^", ""))
     return re.sub(r"\s*[*·\s]\s*", "·", factors.replace("²", "2"))
 
 
 def _explained(refusal: ExpressionError, typed: str, unit: str) -> ExpressionError:
-    """Name the unit where a number stands before another one."""
+    """Return the error, or one that names the allowed units if a number has another unit."""
     found = re.fullmatch(r"(.*[\d).])\s*([A-Za-z°µ][^()+-]*)", typed.strip())
     if found is None or not _is_arithmetic(found[1]):
         return refusal

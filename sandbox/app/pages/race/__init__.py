@@ -1,4 +1,4 @@
-"""The page of the schemes that race."""
+"""The page of the race between schemes."""
 
 from sandbox.app.pages.page import Page, PageCommand
 from sandbox.app.pages.race import race

@@ -1,4 +1,4 @@
-"""The card with the standings of the schemes that race."""
+"""The card with the standings of the race between schemes."""
 
 from collections.abc import Mapping, Sequence
 
@@ -22,7 +22,7 @@ _REMARKS: Mapping[Scheme, str] = {
 
 
 def race_intro(pen: Pen, width: int) -> pygame.Surface:
-    """Draw what the race is."""
+    """Draw a description of the race."""
     card = Card(pen, width)
     card.heading(say("Race of the schemes"))
     text = say("The same scene with up to four schemes at once, at the same rate.")
@@ -31,7 +31,7 @@ def race_intro(pen: Pen, width: int) -> pygame.Surface:
 
 
 def standing(pen: Pen, width: int, session: Session) -> pygame.Surface:
-    """Draw how the race of a session stands; nothing if there is none."""
+    """Draw the standings of a session's race; nothing if there is none."""
     found = race.lanes(session) if race.racing(session) else []
     return _lanes(pen, width, found, session.world.stepping.rate)
 
@@ -59,7 +59,7 @@ def _lanes(pen: Pen, width: int, found: Sequence[Lane], rate: float) -> pygame.S
 
 
 def _swatch(color: Color | None, lane: int) -> pygame.Surface:
-    """Draw a piece of the line that a run is drawn with; that of the played one is whole."""
+    """Draw a sample of the line of a run, solid for the run that is played."""
     line = pygame.Surface((18, 5))
     line.fill(theme.PANEL)
     if color is None:

@@ -16,7 +16,7 @@ HEIGHT = 30  # px, of the button
 
 
 class RacePage:
-    """Starts and ends the race, and shows its standings."""
+    """The button that starts and ends the race, and its standings."""
 
     def __init__(self, sheet: Sheet, desk: Desk) -> None:
         self._sheet, self._session = sheet, desk.session
@@ -35,7 +35,7 @@ class RacePage:
         return self._button
 
     def process(self, event: pygame.event.Event) -> str | None:
-        """Start or end the race; return why it cannot be, or an empty text."""
+        """Start or end the race; return the reason if that is impossible, else an empty text."""
         if event.type != UI_BUTTON_PRESSED or event.ui_element is not self._button:
             return None
         try:
@@ -45,7 +45,7 @@ class RacePage:
         return ""
 
     def update(self) -> None:
-        """Show how the race stands."""
+        """Show the standings."""
         text = say(END if race.racing(self._session) else RACE)
         if self._button.text != text:
             self._button.set_text(text)

@@ -1,4 +1,4 @@
-"""The race: several schemes step the same scene, each in a world of its own."""
+"""The race: several schemes step the same scene, each in its own world."""
 
 from collections.abc import Iterator
 from contextlib import suppress
@@ -21,35 +21,35 @@ from sandbox.physics.run import build
 from sandbox.physics.scene.schemes import usable
 
 MOST = 4
-"""How many schemes race."""
+"""The largest number of schemes in a race."""
 
 
 class Lane(NamedTuple):
-    """How one scheme does."""
+    """The standing of one scheme."""
 
     scheme: Scheme
     color: Color | None
-    """of its outlines; None for the run that is played"""
+    """the colour of its outlines; None for the run that is played"""
     error: float | None
-    """the largest of its checks so far"""
+    """the largest error of its checks so far"""
     cost: float | None
-    """s of computing a second of simulated time"""
+    """s, the computing time for a second of simulated time"""
     failure: Message
-    """why it had to stop; empty if it did not"""
+    """the reason why it had to stop; empty if it did not"""
 
 
 def racing(session: Session) -> bool:
-    """Whether other schemes run beside the one that is played."""
+    """Return whether there is a race."""
     return bool(session.companions) and not session.changes
 
 
 def toggle(session: Session) -> None:
-    """Start the race again with every scheme that the level can use, or end it.
+    """Start a race of the schemes that the level can use, or end it.
 
     Raises
     ------
     SandboxError
-        If one of them cannot be run; then all stays as it was.
+        If one of them cannot run; nothing is changed then.
     """
     original = whatif.at_its_pace(session)
     session.play_as(original, [] if racing(session) else rivals(original, session.chosen))
@@ -69,13 +69,13 @@ def _forms(level: Level, values: Values) -> Iterator[Level]:
         if scheme == level.stepping.scheme:
             continue
         form = whatif.stepped(level, scheme)
-        with suppress(SandboxError):  # its steps may be too long
+        with suppress(SandboxError):  # its steps may be too large
             build(form, values)
             yield form
 
 
 def lanes(session: Session) -> list[Lane]:
-    """Return how every scheme does, that of the played run first."""
+    """Return the standings of all schemes, that of the played run first."""
     rate, scheme = session.world.stepping.rate, session.world.stepping.scheme
     own = worst(session.readings())
     failure = session.failure.message if session.failure else NOTHING
@@ -94,13 +94,13 @@ def _cost(clock: Clock, rate: float) -> float | None:
 
 
 def start_or_end(session: Session) -> str:
-    """Start the race or end it; return the message for it."""
+    """Start or end the race, and return the message."""
     toggle(session)
     return "" if racing(session) else say("the race has ended")
 
 
 def rows(session: Session) -> list[tuple[Color | None, str]]:
-    """Return the schemes that race, with their colours and errors; none if there is no race."""
+    """Return the colours of the schemes, and their names with errors; none without a race."""
     return [(lane.color, _legend(lane)) for lane in lanes(session)] if racing(session) else []
 
 

@@ -24,17 +24,17 @@ GAP = 6  # px
 
 
 class Choice(NamedTuple):
-    """Something that can be chosen."""
+    """An option of a setting."""
 
     caption: str
     tip: str
     choose: Callable[[], str]
-    """does it, and returns what is to be told"""
+    """applies it, and returns a message"""
     chosen: bool
 
 
 class Setting(NamedTuple):
-    """A setting: several choices, one of which is active."""
+    """A setting: its options, one of which is active."""
 
     title: str
     help: str
@@ -42,7 +42,7 @@ class Setting(NamedTuple):
 
 
 def settings(comfort: Comfort) -> tuple[Setting, ...]:
-    """Return what can be chosen, and what is."""
+    """Return all settings, with their options and the active ones."""
     return (
         Setting(say("Theme"), say("Ctrl T takes the next one."), list(_themes(comfort))),
         Setting(
@@ -116,7 +116,7 @@ def _motion(comfort: Comfort) -> Sequence[Choice]:
 
 
 def _heard(comfort: Comfort) -> str:
-    """Return what the sound is like, or why there is none though it is wanted."""
+    """Return a description of the sound, or the reason why there is none although it is on."""
     why = sounds.opened() if comfort.chosen.sound else ""
     if why:
         return say("No sound is available ({reason}). Switch it on to try again.", reason=why)
@@ -138,7 +138,7 @@ def _sound(comfort: Comfort) -> Sequence[Choice]:
 
 
 class SettingsPage:
-    """A button for each choice; those that are made are pressed."""
+    """A button for each choice; the active ones are pressed."""
 
     def __init__(self, sheet: Sheet, desk: Desk) -> None:
         self._sheet, self._comfort = sheet, desk.comfort
@@ -149,7 +149,7 @@ class SettingsPage:
         sheet.end(y)
 
     def _put(self, setting: Setting, y: int) -> int:
-        """Put the choices of a setting, as many on a line as fit, and return where they end."""
+        """Make rows of buttons for a setting, and return the height of the next setting [px]."""
         sheet, px = self._sheet, self._sheet.pen.px
         y = below(sheet.image(heading(sheet.pen, sheet.width, setting.title), y))
         y = below(sheet.image(label(sheet.pen, sheet.width, setting.help), y)) + px(GAP)
@@ -176,4 +176,4 @@ class SettingsPage:
         return self._buttons[event.ui_element].choose()
 
     def update(self) -> None:
-        """Do nothing: a new page shows a changed setting."""
+        """Do nothing, as a changed setting makes a new page."""

@@ -1,4 +1,4 @@
-"""The page that takes something away."""
+"""The page that saves pictures, films, tables, runs and levels."""
 
 from sandbox.app.pages.page import Page
 from sandbox.app.pages.share.filming import Filming

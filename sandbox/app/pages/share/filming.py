@@ -1,4 +1,4 @@
-"""Films, made in another process while the window keeps working."""
+"""Films, made in another process while the window continues."""
 
 from sandbox.app.background import Background
 from sandbox.app.film import Kind, film
@@ -14,9 +14,9 @@ class Filming:
     Attributes
     ----------
     news
-        Another object whenever something else is to be shown.
+        An object that differs whenever the display must change.
     done
-        How much of the film is made, from 0 to 1.
+        The progress of the film, from 0 to 1.
     """
 
     def __init__(self) -> None:
@@ -30,14 +30,14 @@ class Filming:
         return self._work.running
 
     def begin(self, session: Session, kind: Kind) -> str:
-        """Begin a film of the run so far, and return the message for the user.
+        """Start a film of the run so far, and return the message.
 
-        One that is being made is not given up: then it is told that the next must wait.
+        If another film is being made, the message says that this one must wait.
 
         Raises
         ------
         SandboxError
-            If there is no folder for it.
+            If its folder cannot be made or written to.
         """
         if self.running:
             return say("one film at a time: the next when this one is saved")
@@ -47,7 +47,7 @@ class Filming:
         return say("filming {time:.3g} s of the run ...", time=session.t)
 
     def follow(self, session: Session, seconds: float, *, watched: bool) -> str | None:  # noqa: ARG002
-        """Take in how far the film is; return where it is once it is made."""
+        """Update the progress, and return the message once the film is saved."""
         told = None
         for found in self._work.found():
             self.news = object()
@@ -58,6 +58,6 @@ class Filming:
         return told
 
     def cancel(self) -> None:
-        """End the work; there is no film then."""
+        """Cancel the work, without a film."""
         self._work.cancel()
         self.news = object()

@@ -1,4 +1,4 @@
-"""The page Share: it saves pictures, films, tables, runs and levels."""
+"""The page Share, which saves pictures, films, tables, runs and levels."""
 
 from collections.abc import Callable
 from functools import partial
@@ -21,8 +21,8 @@ from sandbox.app.words.language import later, say
 from sandbox.model.errors import SandboxError
 
 BUTTON = 104, 28  # px
-ROW = 52  # px, at the least
-GAP = 8  # px, between what is image in two rows
+ROW = 52  # px, the least height of a row
+GAP = 8  # px, between the images of two rows
 
 KINDS: tuple[tuple[str, str, Callable[[Session], Path]], ...] = (
     (later("Picture"), later("the window as a PNG"), saving.screenshot),
@@ -50,7 +50,7 @@ class SharePage:
         sheet.end(below(self._state) + 8)
 
     def _row(self, y: int, caption: str, text: str, act: Callable[[], str]) -> int:
-        """Put a button, and beside it what it saves; return where the next row begins."""
+        """Make a button and a description beside it, and return the height of the next row [px]."""
         sheet = self._sheet
         button = sheet.button(
             pygame.Rect((0, y), self._sheet.scaled(BUTTON)), caption, say("save: {what}", what=text)
@@ -68,7 +68,7 @@ class SharePage:
         return next(button for button in self._actions if button.text == caption)
 
     def process(self, event: pygame.event.Event) -> str | None:
-        """Save what a button names, and return where it is, or why that failed."""
+        """Save the file of a button, and return the message about its path or the failure."""
         if event.type != UI_BUTTON_PRESSED or event.ui_element not in self._actions:
             return None
         try:
@@ -77,7 +77,7 @@ class SharePage:
             return say(error.message)
 
     def update(self) -> None:
-        """Show how far a film is."""
+        """Show the progress of a film."""
         self._sheet.replace(self._state, self._drawn())
 
     def _save(self, save: Callable[[Session], Path]) -> str:
@@ -94,7 +94,7 @@ class SharePage:
         if self._filming.running:
             message = say("Filming: {share:.0%}", share=self._filming.done)
             card.text(message, 14, theme.NOTICE)
-        card.y = max(card.y, self._sheet.pen.height(14))  # a line is kept for it
+        card.y = max(card.y, self._sheet.pen.height(14))  # at least one line
         return card.drawn()
 
 

@@ -1,4 +1,4 @@
-"""The files that can be saved of a run, in the person's own folder."""
+"""Saving files of a run in the user's folder."""
 
 from collections.abc import Sequence
 from datetime import datetime
@@ -22,7 +22,7 @@ from sandbox.physics.quantities.meter import Meter
 
 
 def path_for(session: Session, suffix: str) -> Path:
-    """Return an unused file name: the level's title and the time.
+    """Return an unused path, named after the level's title and the time.
 
     Raises
     ------
@@ -41,7 +41,7 @@ def path_for(session: Session, suffix: str) -> Path:
 
 
 def screenshot(session: Session) -> Path:
-    """Save what the window shows as a PNG picture."""
+    """Save the window as a PNG picture."""
     path, png = path_for(session, ".png"), BytesIO()
     shown = pygame.display.get_surface()
     if shown is None:
@@ -52,14 +52,14 @@ def screenshot(session: Session) -> Path:
 
 
 def run(session: Session) -> Path:
-    """Save the run so far, so that it can be replayed."""
+    """Save the run so far, to be replayed."""
     path = path_for(session, runfile.SUFFIX)
     runfile.save(runfile.run_of(session), path)
     return path
 
 
 def table(session: Session) -> Path:
-    """Save what the checks measure at each step, as a CSV file."""
+    """Save the quantities of the checks at each step, as a CSV file."""
     path = path_for(session, ".csv")
     write_csv(path, session.trace, session.original.title, disturbed=session.world.disturbed)
     return path
@@ -69,9 +69,10 @@ def graphed(
     session: Session, names: Sequence[str], across: str = TIME.name,
     within: tuple[float, float] | None = None,
 ) -> Path:  # fmt: skip
-    """Save quantities at every instant of the run that is kept, as a CSV file.
+    """Save quantities at every recorded instant of the run, as a CSV file.
 
-    Where an interval is given, save only the instants at which the quantity across is within it.
+    If an interval is given, only those instants are saved at which the horizontal quantity is
+    within it.
     """
     world, path = session.world, path_for(session, ".csv")
     meter = Meter(world, list(dict.fromkeys([across, *names])))
@@ -87,7 +88,7 @@ def graphed(
 
 
 def level(session: Session) -> Path:
-    """Save a copy of the level whose parameters have their present values."""
+    """Save a copy of the level with the present values of its parameters."""
     document = session.original.model_dump(mode="json", by_alias=True, exclude_defaults=True)
     document.pop("$schema", None)
     for name, value in session.chosen.items():

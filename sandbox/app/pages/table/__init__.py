@@ -1,4 +1,4 @@
-"""The page of values in rows."""
+"""The page of values as a table."""
 
 from sandbox.app.pages.page import Page
 from sandbox.app.pages.table.panel import TablePage

@@ -1,4 +1,4 @@
-"""The values of the graphed quantities, a row for each of some instants."""
+"""The table of the graphed quantities at selected instants."""
 
 from collections.abc import Iterator, Mapping, Sequence
 
@@ -14,17 +14,17 @@ from sandbox.app.words.language import say
 from sandbox.physics.accuracy.trusted_digits import Trust
 
 ROWS = 24
-"""About how many instants are shown, evenly spaced, the last one included."""
+"""The approximate number of instants shown, evenly spaced, with the last one."""
 
 COLUMNS = 3
-"""How many quantities fit beside the time; a file contains all of them."""
+"""The number of quantities that fit beside the time; a file contains all."""
 
 DIGITS = 4
-"""How many digits are shown while the error is unknown; afterwards, those that can be trusted."""
+"""The number of digits shown while the error is unknown; then only accurate digits are shown."""
 
 SIZE = 12  # of letters
 GAP = 10  # px, between columns
-TIME = 64  # px, the column of the time
+TIME = 64  # px, the width of the column of the time
 
 
 def values(
@@ -39,9 +39,9 @@ def values(
     session
         The session of the run.
     names
-        The quantities; those for which there is no room are counted.
+        The quantities; of those without room only the number is written.
     trust
-        How far they can be trusted, as far as that is known.
+        The accuracy of the quantities, as far as known.
     """
     card, shown = Card(pen, width), names[:COLUMNS]
     card.heading(say("Values by time"))
@@ -58,21 +58,21 @@ def values(
 
 
 def instants(count: int) -> Iterator[int]:
-    """Yield which of some instants are shown: evenly spaced, and the last one."""
+    """Yield the indices of the instants shown: evenly spaced ones, and the last."""
     every = max(-(-count // ROWS), 1)
     yield from range(0, count - 1, every)
     yield count - 1
 
 
 def _cell(value: float, unit: str, trust: Trust | None) -> str:
-    """Write a value with the digits that mean something; the unit stands above."""
+    """Return the text of a value with its accurate digits, without the unit."""
     if trust is not None:
         return formatting.certain(value, trust.off, unit).split(" ")[0]
     return formatting.quantity(value, unit, DIGITS).split(" ")[0]
 
 
 def _row(card: Card, cells: Sequence[str], color: theme.Color) -> None:
-    """Write a row: the first cell at the left, the others at the right of their columns."""
+    """Write a row: the first cell left-aligned, the others right-aligned in their columns."""
     first = card.pen.px(TIME)
     room = (card.width - first) / max(len(cells) - 1, 1)
     heights = []

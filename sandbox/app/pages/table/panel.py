@@ -1,4 +1,4 @@
-"""The page Table: the values, a button that saves all of them, and the stopwatch."""
+"""The page Table: the values, a button that saves all, and the stopwatch."""
 
 import pygame
 from pygame_gui import UI_BUTTON_PRESSED
@@ -20,7 +20,7 @@ TIP = later("save these quantities at every recorded instant, with all digits")
 
 
 class TablePage:
-    """The quantities that the graph page draws, by time, and below them the stopwatch.
+    """The quantities of the graph page by time, and below them the stopwatch.
 
     Attributes
     ----------
@@ -41,7 +41,7 @@ class TablePage:
         self.update()
 
     def process(self, event: pygame.event.Event) -> str | None:
-        """Save the table, and return where it is, or why it cannot be; or use the stopwatch."""
+        """Save the table, and return the message; or handle the widgets of the stopwatch."""
         if event.type != UI_BUTTON_PRESSED or event.ui_element is not self.save:
             return self.timing.process(event)
         try:

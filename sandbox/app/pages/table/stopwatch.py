@@ -1,4 +1,4 @@
-"""A stopwatch in the time of the run, started and stopped by hand or by events."""
+"""A stopwatch for the time of the run, started and stopped by hand or by events."""
 
 from math import ceil, log10
 from typing import NamedTuple
@@ -15,22 +15,22 @@ from sandbox.app.words.language import say
 
 BETWEEN = 0.01
 """The resolution of an event's time between two steps, as a share of a step."""
-CORNER = 16, 62  # px, from the upper right, clear of a banner of one line
+CORNER = 16, 62  # px, from the upper right corner, below a banner of one line
 PADDING = 8  # px
 DIAL = 8  # px, the radius of the sign beside the time
 
 
 class Reading(NamedTuple):
-    """What a stopwatch shows.
+    """The display of a stopwatch.
 
     Attributes
     ----------
     seconds
-        How long it has run [s].
+        The measured time [s].
     decimals
-        How many of them mean something.
+        The number of significant decimals.
     begun, going
-        Whether it has been started, and whether it has not been stopped since.
+        Whether it was started, and whether it is still running.
     """
 
     seconds: float
@@ -40,7 +40,7 @@ class Reading(NamedTuple):
 
     @property
     def text(self) -> str:
-        """The time, for a person to read."""
+        """The time as text."""
         return f"{self.seconds:.{self.decimals}f} s"
 
     @property
@@ -50,16 +50,16 @@ class Reading(NamedTuple):
 
 
 class Stopwatch:
-    """Tells the time between two moments of the run that is shown, as far as it has come.
+    """Measures the time between two moments of the run, up to the shown state.
 
     Attributes
     ----------
     starts, stops
-        What does so.
+        The triggers that start and stop it.
     shown
-        Whether it is in sight: it is, from its first use until it is put away.
+        Whether it is visible, from its first use until it is put away.
     news
-        Another object whenever something else is to be shown.
+        An object that differs whenever the display must change.
     """
 
     running = False
@@ -69,13 +69,13 @@ class Stopwatch:
         self.put_away()
 
     def put_away(self) -> None:
-        """Forget the measured time and the triggers."""
+        """Reset the measured time and the triggers, and hide it."""
         self.starts = self.stops = BY_HAND
         self.reset()
         self.shown = False
 
     def reset(self) -> None:
-        """Forget when a hand has pressed it."""
+        """Discard the times of presses by hand."""
         self._began: float | None = None
         self._ended: float | None = None
         self._known: tuple[LiveRun, dict[Occasion, Found]] | None = None
@@ -83,7 +83,7 @@ class Stopwatch:
         self.news = object()
 
     def choose(self, starts: Occasion, stops: Occasion) -> None:
-        """Let other things start and stop it."""
+        """Choose the triggers that start and stop it."""
         self.starts, self.stops = starts, stops
         self.reset()
         self.shown = True
@@ -104,9 +104,9 @@ class Stopwatch:
         return None
 
     def reading(self, session: Session) -> Reading:
-        """Return what it shows at the step that is shown: the same one whenever it is.
+        """Return the reading at the shown step, which is the same each time.
 
-        It is computed once a step: an event that has not happened yet is searched for in all
+        It is computed once in a step, since an event that has not happened yet is searched in all
         states.
         """
         step = session.world, session.world.steps, self.news
@@ -147,10 +147,10 @@ class Stopwatch:
             self.put_away()
 
     def cancel(self) -> None:
-        """There is no work that could be ended."""
+        """Do nothing, as there is no work."""
 
     def draw(self, surface: pygame.Surface, pen: Pen, session: Session) -> None:
-        """Draw it in the upper right corner, if it is in sight."""
+        """Draw it in the upper right corner, if it is visible."""
         if not self.shown:
             return
         reading = self.reading(session)
@@ -167,5 +167,5 @@ class Stopwatch:
 
 
 def _decimals(resolution: float) -> int:
-    """Return how many decimals of a time are known [s]."""
+    """Return the number of significant decimals of a time with a resolution [s]."""
     return max(ceil(-log10(resolution) - 1e-9), 0)
