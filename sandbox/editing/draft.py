@@ -191,7 +191,7 @@ class Draft:
         self._merge = self._loaded = None
 
     def changed_outside(self) -> bool:
-        """Whether another program has written the file since it was read."""
+        """Return whether another program has written the file since it was read."""
         if self.path is None or not os.path.lexists(self.path):
             return False
         try:

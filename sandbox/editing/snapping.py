@@ -21,8 +21,8 @@ FINEST = 8
 """The least distance between grid lines [px]."""
 
 EXACT, CLOSE = 1e-15, 1e-12
-"""m, the largest gap that counts as zero, and as zero within rounding; the latter relative to the
-size of scenes larger than a metre."""
+"""m, the gap at which Newton's method stops, and the largest gap accepted after all iterations; the
+latter is relative to the size of scenes larger than a metre."""
 
 ACROSS = 0.05
 """The smallest sine of the angle between two sides that form a corner for a body."""

@@ -102,7 +102,7 @@ class Work:
         message, self._message = self._message, None
         return message
 
-    # what changes it
+    # changes
 
     def put(self, text: str, said: str, merge: str | None = None) -> None:
         """Replace the text; suggested checks are adapted to it."""
@@ -235,7 +235,7 @@ class Work:
         """The displacement of copies [m]."""
         return ASIDE / self.camera.scale, ASIDE / self.camera.scale
 
-    # what is selected
+    # selection
 
     def select(self, parts: Sequence[Part]) -> None:
         """Replace the selection by those parts that exist."""

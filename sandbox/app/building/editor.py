@@ -92,7 +92,7 @@ class Editor:
         """Write recovery files for unsaved changes."""
         self.drafts.keep()
 
-    # which level
+    # levels
 
     def begin(self, session: Session, draft: Draft) -> None:
         """Edit another draft, and let the session run it."""

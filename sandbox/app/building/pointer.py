@@ -15,7 +15,7 @@ class Snapped(NamedTuple):
     """A point after snapping, and what it snapped to."""
 
     point: XY
-    """m"""
+    """m, its position"""
     by: str
     """such as `grid`, or the bodies that are touched; empty if it did not snap"""
 

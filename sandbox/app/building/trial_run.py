@@ -20,7 +20,7 @@ class Run(NamedTuple):
     steps: int
     values: Values
     t: float
-    """s"""
+    """s, the time at which it was left"""
 
 
 class Trial:

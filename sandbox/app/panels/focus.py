@@ -74,7 +74,7 @@ class Focus:
         return had
 
     def key(self, manager: UIManager, layout: Layout, event: pygame.event.Event) -> bool:
-        """Let a key press or slide the focused widget, and return whether it did."""
+        """Handle a key for the focused button or slider, and return whether it had an effect."""
         if any(isinstance(each, Field) for each in manager.focused_set or ()):
             return False
         at = self.element(manager, layout)

@@ -25,7 +25,7 @@ FIRST: View = "graph"
 """The default view, if there is room."""
 
 FOLDED: View = "total"
-"""The lowest view."""
+"""The view with the smallest height."""
 
 NEXT: Mapping[View, tuple[View, str]] = {
     "graph": ("bars", later("Bars")),

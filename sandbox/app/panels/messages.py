@@ -65,7 +65,7 @@ def draw_help(
     """Draw a table of keys in the middle of an area, and return its number of sheets.
 
     The table has one or two columns, scaled down if necessary. If it would not be legible then, it
-    is divided into several sheets, of which that of a number is drawn.
+    is divided into several sheets, of which the sheet `number` is drawn.
     """
     px = pen.px
     columns = 1 if (area.height - px(110)) // len(rows) >= px(ROW) else 2

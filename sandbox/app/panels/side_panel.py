@@ -139,7 +139,7 @@ class SidePanel:
         return session.world.snapshot, session.playing, session.companions, looked_at, *news
 
     def coming(self, seconds: float) -> Literal["", "page", "foot"]:
-        """Return what is updated after some time [s], while time runs."""
+        """Return the part that is updated after some time [s], while time runs."""
         if self._below:
             return "foot"
         return "page" if self._since + seconds >= REFRESH else ""

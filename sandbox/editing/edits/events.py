@@ -1,4 +1,4 @@
-"""Adding events, which change during a run what acts."""
+"""Adding events, which change the scene during a run."""
 
 from sandbox.editing.cleanup import accepted
 from sandbox.editing.edits.edit_result import new_name

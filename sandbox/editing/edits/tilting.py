@@ -40,7 +40,7 @@ class _Tilt(NamedTuple):
     foot: complex  # m
     angle: float  # rad, the present angle; negative if the slope rises to the left
     formula: str
-    name: str  # of the parameter
+    name: str  # the name of the parameter
 
     def inside(self, point: complex) -> complex:
         """Return the coordinates of a point along and normal to the slope [m]."""

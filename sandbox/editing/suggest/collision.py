@@ -1,4 +1,4 @@
-"""A head-on collision of two bodies: momentum is kept, relative speed is multiplied by e."""
+"""A head-on collision: momentum is conserved, and the relative speed is multiplied by e."""
 
 from collections.abc import Iterator
 from itertools import combinations

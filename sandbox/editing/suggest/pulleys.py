@@ -124,7 +124,7 @@ def _upright(scene: Scene, joint: Joint) -> bool:
 
 
 def _carried(scene: Scene, joint: Joint) -> list[Carried]:
-    """Return the bodies at rest that a taut string carries; none if it does not pull them up."""
+    """Return the bodies at rest that a taut string carries; none if there is no closed form."""
     bodies, names = scene.level.bodies, dict.fromkeys(bodies_of(joint))
     moving = [name for name in names if bodies[name].type == "dynamic"]
     if getattr(joint, "length", None) is not None or any(

@@ -195,7 +195,7 @@ def opposite(expression: Expression) -> str:
 
 
 def instant(time: float) -> float:
-    """Return a time rounded down to two significant digits [s]."""
+    """Return a time of two significant digits that is not later than another [s]."""
     digits = float(f"{time:.1e}")
     return plain(digits if digits <= time else float(f"{time * 0.95:.1e}"))
 

@@ -177,7 +177,7 @@ class Inspector:
             elif self._opened(row.path):
                 yield from self._entries(row.rows)
 
-    # what is typed
+    # typed texts
 
     @property
     def _fields(self) -> list[tuple[Line, Field]]:

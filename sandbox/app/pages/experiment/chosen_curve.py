@@ -37,9 +37,7 @@ class Exploring:
         self._work = Background()
         self._chosen: dict[str, Chosen] = {}
         self._scene: object = None
-        self._measures: tuple[Level, list[str]] | None = (
-            None  # of the level that was looked at last
-        )
+        self._measures: tuple[Level, list[str]] | None = None  # of the last level
         self._forget()
 
     def _forget(self) -> None:

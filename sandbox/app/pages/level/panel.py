@@ -93,5 +93,5 @@ def turn(session: Session) -> str:
 
 
 def switch(desk: Desk) -> str:
-    """Do the same by a key."""
+    """Do the same for the command `branch`."""
     return turn(desk.session)
