@@ -93,12 +93,16 @@ def test_a_command_of_a_page_is_called_for_by_its_key_and_shows_the_page(
     person: Person, page: Page, name: str
 ) -> None:
     person.window.open_level(LEVELS[0])
-    key = next(command.character for command in page.commands if command.name == name)
+    command = next(command for command in page.commands if command.name == name)
+    letter = command.character
+    key = pygame.key.key_code(letter.lower()) if letter else command.control
+    held = pygame.KMOD_LSHIFT if letter else pygame.KMOD_LCTRL
+    assert key is not None
 
-    person.press(pygame.key.key_code(key.lower()), key, pygame.KMOD_LSHIFT)
+    person.press(key, letter, held)
 
     assert person.window.panels.page == page.command
-    person.press(pygame.key.key_code(key.lower()), key, pygame.KMOD_LSHIFT)
+    person.press(key, letter, held)
     person.wait(0.1)
     person.window.close()
 
