@@ -66,6 +66,8 @@ def nearest(matrix: Array, wanted: Array) -> Array:
     By elimination where its rows are clearly independent, else by singular values.
     """
     count = len(matrix)
+    if count == 1:
+        return wanted / matrix[0, 0] if matrix[0, 0] else 0.0 * wanted
     columns = np.column_stack((_probe(count), wanted))
     try:
         found = np.linalg.solve(matrix, columns).astype(float, copy=False)
