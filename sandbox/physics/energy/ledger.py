@@ -138,8 +138,8 @@ class Ledger:
     def _stages(self, after: Array, tension: Array) -> Iterable[Stage]:
         """Return the parts of the last kick, with impulses in place of forces."""
         dt, direct = self._step.dt, self._scene.direct
-        if direct and direct.divided:
-            return direct.divided.before
+        if direct and direct.drifts.divided:
+            return direct.drifts.divided.before
         if direct and direct.stages:
             return direct.stages
         return (Stage(dt, after, tension * dt, self._kicked()),)
@@ -220,14 +220,14 @@ class Ledger:
     def _left(self) -> Array:
         """Return the velocities of the coming drift, or of its first part: (n, 3) [m/s, rad/s]."""
         direct = self._scene.direct
-        if direct and direct.divided:
-            return direct.divided.before[-1].velocity
+        if direct and direct.drifts.divided:
+            return direct.drifts.divided.before[-1].velocity
         return self._scene.batch.velocity()
 
     def _first(self) -> float:
         """Return the length of the first part of the coming drift, as a share of the drift."""
         direct = self._scene.direct
-        return direct.divided.first if direct and direct.divided else 1.0
+        return direct.drifts.divided.first if direct and direct.drifts.divided else 1.0
 
     def _divide(self, divided: "Divided") -> Array:
         """Book a drift in parts; return the velocities at its end, as of a whole drift: (n, 3).

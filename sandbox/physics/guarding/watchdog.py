@@ -170,7 +170,7 @@ class Watchdog:
         if self._strict and len(contacts.bodies):
             self._look_for_sunk(now, contacts)
         direct = self._scene.direct
-        led = before if direct is None or direct.led is None else direct.led
+        led = before if direct is None or direct.drifts.led is None else direct.drifts.led
         self._gains.follow(now, contacts, None if cut else led)
         if self._audit and not disturbed:
             self._refuse_if(now, self._audit.look(now, before, self._gains.lifted))

@@ -72,8 +72,8 @@ class Observer:
         """
         state = self._scene.batch.state()
         contacts, direct = self.contacts(), self._scene.direct
-        if direct and direct.kicked is not None:  # landing bodies have changed them since
-            state[:, 3:] = direct.kicked
+        if direct and direct.drifts.kicked is not None:  # landing bodies have changed them since
+            state[:, 3:] = direct.drifts.kicked
         rates = self._rates(state, begun, contacts)
         if (impacts := self._stages.impacts) and (found := impacts()):
             from sandbox.physics.events.located_impacts import as_contacts

@@ -22,10 +22,11 @@ from functools import partial
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.contacts.contact_queries import Query, pairs_of
+from sandbox.physics.contacts.contact_queries import Query
 from sandbox.physics.contacts.direct.constraint_rows import Active
 from sandbox.physics.contacts.direct.drift_parts import Landed, Part
-from sandbox.physics.contacts.direct.drift_subdivision import Divided, through
+from sandbox.physics.contacts.direct.drift_subdivision import through
+from sandbox.physics.contacts.direct.drifts import Drifts
 from sandbox.physics.contacts.direct.kick_builder import KickBuilder
 from sandbox.physics.contacts.direct.kick_parts import Stage, Taken
 from sandbox.physics.contacts.direct.kick_system import Kick
@@ -35,7 +36,7 @@ from sandbox.physics.contacts.direct.speculative_contacts import LOOKS, Speculat
 from sandbox.physics.contacts.direct.warm_start import WarmStart
 from sandbox.physics.contacts.direct.whole_kick import Beginning, take
 from sandbox.physics.contacts.sequential_impacts import Impacts
-from sandbox.physics.engine.batch import NO_CONTACTS, Batch, Booleans, Contacts
+from sandbox.physics.engine.batch import Batch, Booleans, Contacts
 from sandbox.physics.joints.exact.constraints import Coordinates, order
 from sandbox.physics.joints.exact.shake import ExactJoints
 from sandbox.physics.state.errors import JointFailure, NoForces
@@ -67,18 +68,8 @@ class Direct:
         The impacts of the last kick, with the impulses of landings in the drift before it.
     stages
         Its stages, if it had impacts; else empty.
-    kicked
-        (n, 3), the velocities after the kick, if landings in the drift after it have changed them;
-        else None [m/s, rad/s].
-    divided
-        The drift after the kick, if it is taken in parts; else None.
-    drifted
-        The same for the drift before it.
-    led
-        (n, 3), the mean velocities in `drifted`, if that was taken in parts; else None [m/s,
-        rad/s].
-    parted
-        The contacts that met in it and had parted at its end, without impulses.
+    drifts
+        The drifts before and after it.
     """
 
     def __init__(
@@ -108,13 +99,7 @@ class Direct:
         self._pushed: tuple[Kick, Array] | None = None  # impulses that the contacts lack so far
         self.last = self._calm
         self.stages: tuple[Stage, ...] = ()
-        self.kicked: Array | None = None
-        self.divided: Divided | None = None
-        self.drifted: Divided | None = None
-        self.led: Array | None = None
-        self._leads: Array | None = None  # the same of the drift after the kick
-        self.parted = self._met = NO_CONTACTS  # who landed on whom since the last kick
-        self._given = self._calm.impulse  # (n,), by which bodies were stopped since the last kick
+        self.drifts = Drifts(len(inertia))
         self._solved: tuple[Kick, Array] | None = None  # the last kick with contacts, its impulses
         self._taken: Taken | None = None  # the kick now, if contacts were solved in it
 
@@ -147,7 +132,8 @@ class Direct:
 
     def velocity(self) -> Array:
         """Return the velocities before a kick: (n, 3) [m/s, rad/s]."""
-        return self.divided.begun if self.divided else self._batch.velocity()
+        divided = self.drifts.divided
+        return divided.begun if divided else self._batch.velocity()
 
     def solve(self, until: float) -> None:
         """Find the impulses of a kick, and set the velocities after it.
@@ -166,10 +152,7 @@ class Direct:
         self._pushed, self._until = None, until
         self.last, self.stages = self._calm, ()
         self._taken = None
-        self.kicked, self.drifted, self.divided = None, self.divided, None
-        self.led, self._leads = self._leads, None
-        met, self._met = self._met, NO_CONTACTS
-        self.parted = _without(met, self._build.contacts)
+        self.drifts.begin(self._build.contacts)
         self._build.follow(until)
         if len(self._build.contacts.bodies) or np.count_nonzero(self._joints.added):
             self._solve_all()
@@ -177,9 +160,9 @@ class Direct:
             self._known.forget()
             self._solved = None
             self._solve_joints(until)
-        given, self._given = self._given, self._calm.impulse
-        after = self.divided.left if self.divided else self._batch.velocity()
-        landed = None if self.divided else self._land(until)
+        divided = self.drifts.divided
+        after = divided.left if divided else self._batch.velocity()
+        landed = None if divided else self._land(until)
         self._change = (after - self._begun) * (self._dt / self._joints.kick)
         if self.last is not self._calm:
             struck = self.last.struck[:, None]
@@ -187,8 +170,8 @@ class Direct:
         if landed:
             onwards = landed.onwards * self._dt
             self._change = np.where(landed.reached[:, None], onwards, self._change)
-        if np.count_nonzero(given):
-            self.last = self.last._replace(impulse=given)
+        if np.count_nonzero(self.drifts.pushed):
+            self.last = self.last._replace(impulse=self.drifts.pushed)
 
     def _moved(self) -> Array:
         """Return the sizes of the bodies' displacements in the last step: (n, 3) [m, rad]."""
@@ -213,21 +196,19 @@ class Direct:
         """Begin anew with other joints, at the present positions."""
         self._build.relay()
         self._known.forget()
-        self.divided = self._leads = None
-        self._met = NO_CONTACTS
+        self.drifts.forget()
         self._change = self._calm.jump
 
     def forget(self) -> None:
         """Begin anew: bodies were put elsewhere."""
         self._build.forget()
         self._known.forget()
-        self.divided = self._leads = None
-        self._met = NO_CONTACTS
+        self.drifts.forget()
         self._change = self._calm.jump
 
     def _solve_joints(self, until: float) -> None:
         """Solve joints without contacts; ropes that fail so are solved as contacts are."""
-        if self.drifted:  # pymunk knows only the mean velocities
+        if self.drifts.drifted:  # pymunk knows only the mean velocities
             self._batch.set_velocity(self._begun + self._acceleration * self._joints.kick)
         velocity = self._batch.velocity()
         try:
@@ -298,10 +279,9 @@ class Direct:
         found = through(kick, start.acceleration, self._until, takes)
         first = found.first
         self.last = first.impacts or self._calm
-        self.divided = found.seen(self._batch.state()[:, :3], self._order)
-        self.kicked = self.divided.left
-        self._leads = found.way[self._order] / self._joints.drift
-        self._batch.set_velocity(self._leads)
+        mean = found.way[self._order] / self._joints.drift
+        self.drifts.divide(found.seen(self._batch.state()[:, :3], self._order), mean)
+        self._batch.set_velocity(mean)
         self._known.note(first.kick, first.forces, first.active)
         self._report(first.kick, found.whole, first.active)
 
@@ -321,11 +301,12 @@ class Direct:
             return None
         last, start = parts[-1], self._batch.state()[:, :3]
         landed = Landed(whole, parts, laws, landings.reached, start)
-        self.divided = divided = landed.divided
-        self._given, self._met, self.kicked = landings.pushed, landings.met, divided.left
+        divided = landed.divided
         ways = (divided.end - start) / self._dt
-        self._leads = np.where(landed.reached[:, None], ways, self.kicked)
-        self._batch.set_velocity(self._leads)
+        mean = np.where(landed.reached[:, None], ways, divided.left)
+        self.drifts.divide(divided, mean)
+        self.drifts.land(landings.met, landings.pushed)
+        self._batch.set_velocity(mean)
         self._known.note(last.kick, last.forces, last.active)
         return landed
 
@@ -370,12 +351,3 @@ class Direct:
         if self._solved is None:
             return np.zeros((2, 0, 3))
         return self._solved[0].wrenches(self._solved[1], body)
-
-
-def _without(met: Contacts, others: Contacts) -> Contacts:
-    """Return the contacts whose pairs of bodies are not among others."""
-    if not len(met.bodies):
-        return met
-    touch = set(pairs_of(others))
-    left = [pair not in touch for pair in pairs_of(met)]
-    return Contacts._make(field[left] for field in met)

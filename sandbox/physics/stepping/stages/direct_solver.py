@@ -23,13 +23,13 @@ def make(setup: Setup) -> Stage:
         direct.forget()
 
     def record(step: StepRecord) -> StepRecord:
-        over = step.over + len(direct.parted.bodies)
-        return step._replace(divided=direct.drifted, over=over)
+        over = step.over + len(direct.drifts.parted.bodies)
+        return step._replace(divided=direct.drifts.drifted, over=over)
 
     return Stage(
         in_kick=begin,
         after_kick=bearing(setup, solve),
         refit=refit,
         record=record,
-        contacts=lambda: direct.parted.and_(direct.contacts),
+        contacts=lambda: direct.drifts.parted.and_(direct.contacts),
     )

@@ -55,8 +55,8 @@ def test_a_wheel_whips_light_planks_straight_and_rolls_on(monkeypatch: pytest.Mo
         world.advance()
         direct = world.scene.direct
         assert direct
-        if direct.divided and direct.divided.first < 1:  # no landing
-            divided.add(len(direct.divided.between))
+        if direct.drifts.divided and direct.drifts.divided.first < 1:  # no landing
+            divided.add(len(direct.drifts.divided.between))
         assert world.scene.joints.parting()[1] < 1e-9
     assert divided
 
@@ -120,8 +120,8 @@ def test_a_drift_in_two_parts_is_as_close_as_two_steps(monkeypatch: pytest.Monke
     divided = np.abs(world.advance(30).position - exact).max()
 
     assert world.scene.direct
-    assert world.scene.direct.divided
-    assert len(world.scene.direct.divided.between) == 2
+    assert world.scene.direct.drifts.divided
+    assert len(world.scene.direct.drifts.divided.between) == 2
     assert half < whole / 3.5
     assert divided == pytest.approx(half, rel=0.2)
 
@@ -163,9 +163,9 @@ def test_joints_alone_go_on_from_the_last_part_of_a_drift(monkeypatch: pytest.Mo
         ledger.note()
     direct = world.scene.direct
     assert direct
-    assert direct.divided
+    assert direct.drifts.divided
     world.advance()
     ledger.note()
 
-    assert direct.drifted
+    assert direct.drifts.drifted
     assert np.abs(ledger.balance.unexplained_impulse).max() < 1e-12 * 20 * G
