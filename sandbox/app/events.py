@@ -76,7 +76,8 @@ class Events:
             recover(left, self._space.workers.of(Editor), self._space.session)
 
     def _key(self, event: pygame.event.Event) -> None:
-        space, panels, typing = self._space, self._space.panels, self._space.panels.typing
+        space, panels = self._space, self._space.panels
+        typing = panels.typing or self._answers(event)
         if panels.focus.key(panels.manager, panels.layout, event):
             return
         if not typing and self._at_home(event):
@@ -89,6 +90,12 @@ class Events:
             self._commands.do(chosen)
         else:
             space.panels.manager.process_events(event)
+
+    def _answers(self, event: pygame.event.Event) -> bool:
+        """Let a key begin the answer to a question of the page, and return whether it does."""
+        panels, side = self._space.panels, self._space.panels.side
+        hidden = self._space.help or panels.home.open
+        return side is not None and not hidden and side.answers(event)
 
     def _click(self, event: pygame.event.Event) -> None:
         """Pass an event to the list, the controls, the side panel, or the stage."""

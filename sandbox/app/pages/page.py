@@ -14,6 +14,7 @@ from sandbox.app.keys import Binding
 from sandbox.app.runs.session import Session
 from sandbox.app.stage.stage import Stage
 from sandbox.app.widgets.sheet import Panel, Sheet, below
+from sandbox.app.widgets.text_field import Field
 from sandbox.model.level import Level
 
 Row = tuple[Color | None, str]
@@ -97,6 +98,16 @@ class Leading(Protocol):
 
     def leads(self, button: object) -> str | None:
         """Return the command of a button; None if it is not one of these."""
+        ...
+
+
+@runtime_checkable
+class Asking(Protocol):
+    """A page that asks for a number."""
+
+    @property
+    def awaited(self) -> Field | None:
+        """The field that awaits the answer; None while there is no question."""
         ...
 
 

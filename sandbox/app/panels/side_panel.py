@@ -12,7 +12,7 @@ from sandbox.app.drawing.text import Pen
 from sandbox.app.files.preferences import Comfort
 from sandbox.app.frame_time import Load
 from sandbox.app.pages import register
-from sandbox.app.pages.page import Desk, Leading, Zoomed
+from sandbox.app.pages.page import Asking, Desk, Leading, Zoomed
 from sandbox.app.pages.workers import Workers
 from sandbox.app.panels.footer import FIRST, FOLDED, Foot, View
 from sandbox.app.panels.tabs import GAP, TOP, Tabs
@@ -26,6 +26,8 @@ from sandbox.app.words.language import say
 REFRESH = 0.1  # s
 LEAST = 160  # px, the least height of a page above the footer
 AMPLE = 270  # px, the same above the default view of the footer
+BEGINS = tuple("0123456789.-+")
+"""The characters with which a number begins."""
 
 
 class SidePanel:
@@ -105,6 +107,14 @@ class SidePanel:
         if event.type == pygame.MOUSEWHEEL:
             return self.page.wheel(event.precise_y, pygame.mouse.get_pos())
         return event.type == pygame.KEYDOWN and event.key == pygame.K_HOME and self.page.home()
+
+    def answers(self, event: pygame.event.Event) -> bool:
+        """Focus the field that awaits a number if a key begins one, and return whether it did."""
+        field = self.page.awaited if isinstance(self.page, Asking) else None
+        if field is None or event.mod & pygame.KMOD_CTRL or event.unicode not in BEGINS:
+            return False
+        self._sheet.manager.set_focus_set(field.get_focus_set())
+        return True
 
     def draw_over(self, surface: pygame.Surface) -> None:
         """Write the time of the page over it while the stage shows a recorded state."""

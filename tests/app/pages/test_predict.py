@@ -72,6 +72,22 @@ def written(monkeypatch: pytest.MonkeyPatch) -> list[str]:
     return texts
 
 
+def test_a_number_that_is_typed_beside_the_field_answers_the_question(asked: Person) -> None:
+    """Digits open pages, and + and - change the speed, only while nobody is asked."""
+    page = asked.page(PredictPage)
+    asked.window.panels.manager.set_focus_set(None)
+
+    asked.type("-4.905")
+    assert asked.page(PredictPage).field.get_text() == "-4.905"
+    asked.press(pygame.K_RETURN)
+    asked.wait(0.5)
+
+    assert asked.page(PredictPage) is page
+    assert page._predicting.predicted == pytest.approx(-4.905)
+    asked.press(pygame.K_0, "0")
+    assert asked.window.panels.page == "settings page"
+
+
 def test_a_run_stands_at_its_start_until_something_is_predicted(asked: Person) -> None:
     assert asked.session.world.steps == 0
     assert asked.window.panels.typing

@@ -80,6 +80,11 @@ class PredictPage:
         return ""
 
     @property
+    def awaited(self) -> Field | None:
+        """The field for the answer; None while there is no question."""
+        return self.field if self._open else None
+
+    @property
     def _open(self) -> bool:
         """Whether an answer is awaited."""
         return self._predicting.question is not None and self._predicting.predicted is None
