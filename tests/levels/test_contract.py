@@ -275,6 +275,12 @@ def test_a_hard_case_says_what_it_is_and_starts_well(hard: Level, begun: Played)
     assert all(result.verdict == "passed" for result in results), results
 
 
+@pytest.mark.sweep
+def test_a_hard_case_passes_all_its_checks_at_its_end(hard: Level) -> None:
+    for result in grade(simulate(hard)):
+        assert result.verdict == "passed", result
+
+
 def test_a_hard_case_runs_the_same_twice(hard: Level, begun: Played) -> None:
     again = build(hard).advance(begun.world.steps)
 

@@ -37,6 +37,8 @@ class Part(NamedTuple):
         (3 N,), the velocities in the part [m/s, rad/s].
     before
         The stages at its beginning before that kick.
+    lasting
+        (r,), the forces that last beyond it, if its own are too rough for that; else None [N].
     """
 
     kick: Kick
@@ -48,6 +50,7 @@ class Part(NamedTuple):
     active: Active
     moved: Array
     before: tuple[Stage, ...] = ()
+    lasting: Array | None = None
 
     @classmethod
     def after(cls, taken: Taken, drift: float, moved: Array) -> "Part":
@@ -60,6 +63,11 @@ class Part(NamedTuple):
     def pulls(self) -> Array:
         """(3 N,), the accelerations by joints and contacts [m/s², rad/s²]."""
         return np.asarray(self.forces @ self.kick.response)
+
+    @property
+    def steady(self) -> Array:
+        """(r,), the forces that last beyond it [N]."""
+        return self.forces if self.lasting is None else self.lasting
 
     @property
     def end(self) -> Coordinates:
@@ -123,7 +131,7 @@ class Landed:
     def onwards(self) -> Array:
         """(n, 3), the accelerations at its end [m/s², rad/s²]."""
         last = self.parts[-1]
-        return np.asarray((self.laws + last.forces @ self._ended.response)[self._places])
+        return np.asarray((self.laws + last.steady @ self._ended.response)[self._places])
 
     @cached_property
     def _places(self) -> Integers:
@@ -146,7 +154,8 @@ class Landed:
         """The excess of the energy that is read in the middle of it, see `Divided` [J]."""
         inertia = inertia_of(self.whole.kick.joints.inverse)[self._places]
         mass = np.where(self.reached[:, None], inertia, 0.0)
-        bent = (self._led.pulls - self.parts[-1].pulls)[self._places]
+        last = self.parts[-1]
+        bent = (self._led.pulls - last.steady @ last.kick.response)[self._places]
         return float(np.sum(mass * self.laws[self._places] * bent)) * self.whole.drift**2 / 8
 
     def _given_less(self) -> Stage:
@@ -199,7 +208,7 @@ def _steady(last: Part, laws: Array, missing: float, reached: Booleans) -> Array
     Forces of bodies that jam do not last. Traced back over the `missing` time [s], they would add
     energy, and count as 0.
     """
-    kinetic, before = last.kick.joints.kinetic, last.moved - missing * (laws + last.pulls)
-    if kinetic(before) <= GROWS * kinetic(last.moved):
-        return last.forces
-    return np.where(concerned(last.kick, reached), 0.0, last.forces)
+    kinetic, pulls = last.kick.joints.kinetic, last.steady @ last.kick.response
+    if kinetic(last.moved - missing * (laws + pulls)) <= GROWS * kinetic(last.moved):
+        return last.steady
+    return np.where(concerned(last.kick, reached), 0.0, last.steady)

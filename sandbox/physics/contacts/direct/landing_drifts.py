@@ -39,6 +39,10 @@ from sandbox.physics.geometry.roots import root
 from sandbox.physics.joints.exact.constraints import Coordinates, order
 from sandbox.physics.state.errors import JointFailure, NoForces
 
+SHORT = 0.1
+"""The share of a drift below which the forces of its last part are solved for a whole one: those of
+a short part follow from small differences of positions, and their rounding is traced far back."""
+
 MOST = 8
 """The most landings of one drift that are located; later ones are found at its end."""
 
@@ -125,9 +129,21 @@ class Landings:
         try:
             while len(parts) <= MOST and (found := self._cut(parts[-1])):
                 parts[-1:] = found
+            if len(parts) > 1:
+                parts[-1] = self._lasting(parts[-1], whole.drift)
         finally:
             whole.kick.joints.time(whole.drift, whole.drift)
         return parts
+
+    def _lasting(self, last: Part, drift: float) -> Part:
+        """Return the last part with forces that last for a whole drift [s]."""
+        if last.drift >= SHORT * drift:
+            return last
+        try:
+            longer = self._solved(last, drift, drift / 2)
+        except (JointFailure, NoForces):
+            return last
+        return last._replace(lasting=longer.forces)
 
     def _cut(self, part: Part) -> tuple[Part, Part] | None:
         """Return a part up to its first landing, and the rest of it; None if nothing lands."""

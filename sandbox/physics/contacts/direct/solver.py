@@ -307,7 +307,7 @@ class Direct:
         self.drifts.divide(divided, mean)
         self.drifts.land(landings.met, landings.pushed)
         self._batch.set_velocity(mean)
-        self._known.note(last.kick, last.forces, last.active)
+        self._known.note(last.kick, last.steady, last.active)
         return landed
 
     def _whole(self, place: Coordinates, moved: Array) -> Part:
