@@ -424,6 +424,7 @@ MENDED = {
     815655796: "what was wedged was asked to rebound as fast as if it were free",
     1291654127: "a strut that stood upright under its load was asked which way it falls",
     2973538356: "a jerk that began in the last part of a drift was not booked as one afterwards",
+    3475234911: "the last step of Newton's method stretched a slack rope, and nobody looked",
 }
 """Scenes that failed once, and why."""
 

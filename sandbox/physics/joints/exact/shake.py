@@ -262,11 +262,14 @@ class ExactJoints(ConstraintForces):
                 delassus[slack] = 0.0
                 delassus[slack, slack] = 1.0
             try:
-                impulse = impulse + solved(delassus, wrong) / h
+                step = solved(delassus, wrong) / h
             except np.linalg.LinAlgError:
                 worst = int(np.argmin(np.abs(delassus).sum(axis=1)))
                 raise overlapping(self._joints, worst) from None
+            impulse = impulse + step
             if wrong.dot(wrong) <= QUADRATIC**2:
+                if slack is not None:  # the last step moves slack ropes, too
+                    violation = violation - h * there.jacobian.dot(step.dot(response))
                 return impulse, motion.values - impulse.dot(response), violation
         raise self.lost(int(np.argmax(np.abs(wrong))))
 
