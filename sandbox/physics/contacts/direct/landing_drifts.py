@@ -136,14 +136,18 @@ class Landings:
         return parts
 
     def _lasting(self, last: Part, drift: float) -> Part:
-        """Return the last part with forces that last for a whole drift [s]."""
+        """Return the last part with forces that last for a whole drift [s].
+
+        They stay its own if other rows would be active then.
+        """
         if last.drift >= SHORT * drift:
             return last
         try:
             longer = self._solved(last, drift, drift / 2)
         except (JointFailure, NoForces):
             return last
-        return last._replace(lasting=longer.forces)
+        same = longer.active.key == last.active.key
+        return last._replace(lasting=longer.forces) if same else last
 
     def _cut(self, part: Part) -> tuple[Part, Part] | None:
         """Return a part up to its first landing, and the rest of it; None if nothing lands."""
