@@ -27,6 +27,7 @@ from sandbox.model.expressions import Values
 from sandbox.model.level import Level
 from sandbox.model.shapes import Arc as ArcShape
 from sandbox.model.shapes import Curve, Polyline, Segment
+from sandbox.physics.contacts.corner_feelers import core_of
 from sandbox.physics.contacts.hollow_shapes import line_of
 from sandbox.physics.engine.bodies import local_points
 from sandbox.physics.engine.shape_pairs import Meeting, address
@@ -206,15 +207,4 @@ def _parts(spec: Body, body: pymunk.Body, values: Values, skin: float) -> list[_
         points = [complex(*point) for point in local_points(spec, values)]
         half = spec.shape.thickness(values) / 2 + skin
         return [_Part(piece, half) for piece in pairwise(points)]
-    return [_part(shape) for shape in plain(body.shapes)]
-
-
-def _part(shape: pymunk.Shape) -> _Part:
-    match shape:
-        case pymunk.Circle():
-            return _Part((complex(*shape.offset),), shape.radius)
-        case pymunk.Segment():
-            return _Part((complex(*shape.a), complex(*shape.b)), shape.radius)
-        case pymunk.Poly():
-            return _Part(tuple(complex(*v) for v in shape.get_vertices()), shape.radius)
-    raise TypeError(f"no part of a {type(shape).__name__}")
+    return [_Part(tuple(core_of(shape)), shape.radius) for shape in plain(body.shapes)]

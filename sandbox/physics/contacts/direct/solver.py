@@ -195,13 +195,15 @@ class Direct:
     def relay(self) -> None:
         """Begin anew with other joints, at the present positions."""
         self._build.relay()
-        self._known.forget()
-        self.drifts.forget()
-        self._change = self._calm.jump
+        self._begin_anew()
 
     def forget(self) -> None:
         """Begin anew: bodies were put elsewhere."""
         self._build.forget()
+        self._begin_anew()
+
+    def _begin_anew(self) -> None:
+        """Forget the last kick and the drift after it."""
         self._known.forget()
         self.drifts.forget()
         self._change = self._calm.jump
