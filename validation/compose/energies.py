@@ -3,6 +3,7 @@
 import numpy as np
 
 from sandbox.model.expressions import Array
+from sandbox.physics.state.snapshot import Snapshot
 from validation.compose.joint_constraints import Keeping, Places
 from validation.compose.recorded_run import Course
 from validation.compose.shapes import is_dynamic, moment
@@ -119,8 +120,10 @@ class Energies:
         usual = np.quantile(pulls, share) / 12 + np.quantile(jerks, share) / 6
         return float(peak * dt**2 * usual)
 
-    def swings(self) -> float:
+    def swings(self, seen: Snapshot) -> float:
         """Return the error of leapfrog's energy where joints curve motion the most [J].
+
+        `seen` is the motion, of this run or of a finer one; the step is that of this run.
 
         Constraint forces do no work, v · M a = 0, so v · M da/dt = −a · M a, and the terms of
         `second_order` become a · M a dt² / 4. The acceleration by a constraint follows from
@@ -128,12 +131,11 @@ class Energies:
         that goes wrong does not set its own bound, except by the share (ω dt)² / 2 of the motion it
         causes.
         """
-        seen = self._course.seen
         places = Places(seen.position[..., 0], seen.position[..., 1], seen.angle, seen.t)
         _, slopes = self._keeping.slopes(places)
         if not slopes.size:
             return 0.0
-        bends = self._bends(places)
+        bends = self._bends(seen, places)
         held = np.stack([~kept.pulls_only | (kept.off > -TAUT) for kept in self._keeping(places)])
         slopes, bends = slopes * held.T[..., None, None], bends * held.T
         inertia = np.stack((self._mass, self._mass, self._moment), axis=1)
@@ -142,9 +144,8 @@ class Energies:
         pulls = np.linalg.pinv(mass, SINGULAR, hermitian=True) @ bends[..., None]
         return float(np.einsum("ti,ti->t", bends, pulls[..., 0]).max() * self._course.dt**2 / 4)
 
-    def _bends(self, places: Places) -> Array:
+    def _bends(self, seen: Snapshot, places: Places) -> Array:
         """Return the second time derivatives of the constraints in straight motion: (T, m)."""
-        seen = self._course.seen
         x, y = np.moveaxis(seen.velocity, -1, 0)
         there = []
         for way in (-SLIGHT, 0.0, SLIGHT):
@@ -182,7 +183,7 @@ class Energies:
         """
         largest = max(float(np.abs(e).max()) for e in (self.kinetic, self.stored, self.high))
         late = self.weight() * overlapped + self.landings()
-        order = max(self.second_order(), self.swings())
+        order = max(self.second_order(), self.swings(self._course.seen))
         leading = min(order, ROUGHEST * self.turned()) + late
         return NEXT * leading + self.weight() * KNOWN + ROUNDING * largest + TINY
 

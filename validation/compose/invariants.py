@@ -14,10 +14,10 @@ import numpy as np
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Array
 from sandbox.physics.state.snapshot import Snapshot
-from validation.compose.energies import Energies, is_passive
+from validation.compose.energies import NEXT, Energies, is_passive
 from validation.compose.joint_constraints import Keeping, Places
 from validation.compose.overlaps import SKIN, excess, overlapped
-from validation.compose.recorded_run import Course, positions
+from validation.compose.recorded_run import Course, Refused, positions, run, start
 from validation.compose.separation import couples
 from validation.compose.shapes import extent, is_dynamic
 from validation.compose.statics import Measured, Statics
@@ -54,6 +54,9 @@ EXACT = 1e-9
 
 COARSE = 0.03
 """The error above which no order can show, since the runs have diverged [m]."""
+
+FINELY = 4
+"""How many times finer a run is with which the energy of another is compared."""
 
 FEW = 12
 """The least number of steps that show an order or a symmetry."""
@@ -166,14 +169,40 @@ def energy(case: Case) -> Iterator[Judgement]:
     Energy must not grow, neither from the start nor later. The latter is read between steps, since
     velocities at the step of an impact are the mean of those before and after it.
     """
-    energies = case.energies
-    allowed = energies.allowed(case.overlapped)
-    if is_passive(case.document):
-        grown = float((energies.total - energies.total[0]).max())
-        booked = case.course.booked
-        later = float((booked - np.minimum.accumulate(booked)).max())
-        yield _most("energy", max(grown, later), allowed)
-    yield _most("books", float(np.abs(case.course.unexplained).max()), allowed)
+    errors = _energy_errors(case)
+    allowed = case.energies.allowed(case.overlapped)
+    if max(errors.values()) > allowed:
+        allowed = max(allowed, _whipped(case))
+    for name, error in errors.items():
+        yield _most(name, error, allowed)
+
+
+def _energy_errors(case: Case) -> dict[str, float]:
+    """Return the energy that the ledger cannot explain and, where none may, that appeared [J]."""
+    total, booked = case.energies.total, case.course.booked
+    books = float(np.abs(case.course.unexplained).max())
+    if not is_passive(case.document):
+        return {"books": books}
+    later = (booked - np.minimum.accumulate(booked)).max()
+    return {"energy": float(max((total - total[0]).max(), later)), "books": books}
+
+
+def _whipped(case: Case) -> float:
+    """Return the error allowed where a joint whips a body round faster than was foreseen [J].
+
+    A finer run tells the peak of its acceleration, and what a second-order error would be. One
+    that does not conserve energy itself allows nothing.
+    """
+    course = case.course
+    try:
+        world = start(course.level, FINELY * course.rate)
+    except Refused:
+        return 0.0
+    finer = Case(run(course.scene, course.level, world, float(course.seen.t[-1])))
+    error = max(_energy_errors(finer).values())
+    if error > finer.energies.allowed(finer.overlapped):
+        return 0.0
+    return NEXT * min(case.energies.swings(finer.course.seen), FINELY**2 * error)
 
 
 def momentum(case: Case) -> Iterator[Judgement]:
