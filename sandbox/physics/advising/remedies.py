@@ -8,6 +8,7 @@ the stop, within a limited time for all and a limited number of steps each.
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import partial
+from math import ceil
 from time import process_time
 from typing import NamedTuple
 
@@ -16,14 +17,16 @@ from sandbox.model.expressions import Values
 from sandbox.model.joints import Own, is_exact
 from sandbox.model.level import HIGHEST_RATE, Level, Stepping, is_direct
 from sandbox.model.message import NOTHING, Message, both, joined
+from sandbox.physics.guarding.rate_limits import needs
 from sandbox.physics.measuring.recording import count_steps
 from sandbox.physics.run import build
+from sandbox.physics.scene.stability_limits import MARGIN
 from sandbox.physics.state.errors import BreakdownError, SimulationError
 from sandbox.physics.stepping.world import World
 
 DIRECT = Message('with "contact": {"solver": "direct"}')
 
-SECONDS = 2.0
+SECONDS = 4.0
 """s of processor time for all trials, so that a busy machine finds the same; a step in progress is
 not cut short."""
 
@@ -54,16 +57,19 @@ class Advice(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class _Trial:
-    """The outcome of the trial of a remedy."""
+    """The outcome of the trial of a remedy; `slow` if it took too long to prove anything."""
 
     description: Message
     rate: float | None
     t: float
-    whole: bool
-    stopped: bool
+    whole: bool = False
+    stopped: bool = False
+    slow: bool = False
 
     @property
     def outcome(self) -> Message:
+        if self.slow:
+            return Message("{description} it took too long to tell", description=self.description)
         if self.stopped:
             return Message(
                 "{description} it stops at t = {t:.4g} s", description=self.description, t=self.t
@@ -119,19 +125,17 @@ def advise(
     end = level.duration(values) if duration is None else duration
     attempt = partial(_attempt, values=values, before=error.time, end=end)
     deadline, failed = process_time() + seconds, list[_Trial]()
-    rates = list(_finer(error, stepping))
+    rates = list(_finer(error, level, values, stepping))
     others = list(_others(level, stepping))
     for i, (description, changed, with_, rate) in enumerate((*rates, *others)):
         left = len(rates) + len(others) - i
         share = (deadline - process_time()) / left * 2  # early stops leave more time to the others
         until = min(deadline, process_time() + share)
         trial = attempt(description, changed or level, with_, rate, until=until)
-        if trial is None:
-            continue
-        if not trial.stopped:
+        if not (trial.stopped or trial.slow):
             return Advice(_found(failed, trial), trial.rate)
         failed.append(trial)
-    if not failed:
+    if all(trial.slow for trial in failed):
         return Advice(
             Message("no remedy is known: nothing came as far within {seconds:g} s", seconds=seconds)
         )
@@ -148,9 +152,16 @@ def findings(
 
 def _found(failed: list[_Trial], trial: _Trial) -> Message:
     """Return the remedy that helps, and the higher rates that did not, if any were tried."""
-    rates = [Message("{rate:,.0f}", rate=trial.rate) for trial in failed if trial.rate]
+    stopped = (trial.rate for trial in failed if trial.stopped)
+    rates = [Message("{rate:,.0f}", rate=rate) for rate in stopped if rate]
     if not rates:
         return Message("tried: {outcome}", outcome=trial.outcome)
+    if trial.rate:
+        return Message(
+            "tried: at {rates} Hz it stops as well, but {outcome}",
+            rates=both(rates),
+            outcome=trial.outcome,
+        )
     return Message(
         "tried: a higher rate does not help ({rates} Hz), but {outcome}",
         rates=both(rates),
@@ -181,13 +192,25 @@ def solved_directly(level: Level) -> Level:
 Remedy = tuple[Message, Level | None, Stepping, float | None]
 
 
-def _finer(error: SimulationError, stepping: Stepping) -> Iterator[Remedy]:
+def _finer(
+    error: SimulationError, level: Level, values: Values, stepping: Stepping
+) -> Iterator[Remedy]:
     if stepping.is_stock:
         return
     first = error.rate or FINER * stepping.rate
-    for rate in (float(first), 2.0 * first):
+    known = MARGIN * _needed(level, values, stepping)
+    for rate in sorted({float(first), 2.0 * first, float(ceil(max(first, known)))}):
         if stepping.rate < rate <= HIGHEST_RATE:
             yield Message("at {rate:,.0f} Hz", rate=rate), None, stepping.at(rate), rate
+
+
+def _needed(level: Level, values: Values, stepping: Stepping) -> float:
+    """Return the rate that the state at the start needs, if it is known; else 0 [Hz]."""
+    try:
+        world = build(level, values, stepping)
+    except SandboxError:
+        return 0.0
+    return max((need.rate for need in needs(world.scene, world.snapshot)), default=0.0)
 
 
 def _others(level: Level, stepping: Stepping) -> Iterator[Remedy]:
@@ -219,20 +242,19 @@ def _attempt(
     before: float,
     end: float,
     until: float,
-) -> _Trial | None:
-    """Run a remedy as far as it goes; None if that proves nothing."""
+) -> _Trial:
+    """Run a remedy as far as it goes."""
     try:
         world = build(level, values, stepping)
     except SandboxError:
-        return _Trial(description, rate, 0.0, whole=False, stopped=True)
+        return _Trial(description, rate, 0.0, stopped=True)
     steps = count_steps(world, end)
     try:
         whole = _run(world, min(steps, STEPS), until) and steps <= STEPS
     except SandboxError:
-        return _Trial(description, rate, world.t, whole=False, stopped=True)
-    if not whole and world.t < PAST * before:
-        return None
-    return _Trial(description, rate, world.t, whole=whole, stopped=False)
+        return _Trial(description, rate, world.t, stopped=True)
+    slow = not whole and world.t < PAST * before
+    return _Trial(description, rate, world.t, whole=whole, slow=slow)
 
 
 def _run(world: World, steps: int, until: float) -> bool:

@@ -1,8 +1,10 @@
 """Advice is tried before it is given."""
 
 import pickle
+from itertools import pairwise
 from time import perf_counter
 
+import numpy as np
 import pytest
 
 from sandbox.model.level import Level
@@ -10,7 +12,7 @@ from sandbox.physics.advising.preflight import refusal
 from sandbox.physics.advising.remedies import advise, findings, leaning, tried
 from sandbox.physics.run import simulate
 from sandbox.physics.state.errors import SimulationError
-from tests.physics.scenes import GRAVITY, box, disc, floor, level, orbit
+from tests.physics.scenes import GRAVITY, box, disc, fixed, floor, level, orbit
 
 
 def strut(load: float = 100) -> Level:
@@ -52,6 +54,34 @@ def test_a_rate_is_advised_with_how_far_it_held() -> None:
 
     assert found.rate is not None
     assert found.text == f"tried: at {found.rate:,.0f} Hz it holds to its end, t = 1.5 s"
+
+
+def rope(links: int = 5, mass: float = 2e-4) -> Level:
+    """Two loads on a rope of light discs, which rolls over a drum and leaves it at one side."""
+    angles = np.linspace(np.pi, 0, links + 1)
+    bodies = {
+        f"k{i}": disc((0.52 * np.cos(a), 0.52 * np.sin(a)), radius=0.02, mass=mass, friction=1)
+        for i, a in enumerate(angles.tolist())
+    }
+    bodies["drum"] = fixed({"type": "disc", "radius": 0.5}, friction=0.3)
+    bodies["left"] = disc((-0.52, -1.5), radius=0.1, mass=10, friction=1)
+    bodies["right"] = disc((0.52, -1.5), radius=0.1, mass=14, friction=1)
+    ends = ["left", *(f"k{i}" for i in range(links + 1)), "right"]
+    joints = {f"r{i}": {"type": "rod", "ends": list(two)} for i, two in enumerate(pairwise(ends))}
+    effects = {**GRAVITY, "contact": {}, "friction": {}, "rotation": {}}
+    return level(bodies, effects, joints=joints, stepping={"rate": 60}, duration=0.6)
+
+
+@pytest.mark.sweep
+def test_the_rate_that_the_start_needs_is_tried_as_well() -> None:
+    """A link that has left the drum swings at 1 kHz, which no fault tells beforehand."""
+    scene = rope()
+    found = tried(stop(scene), scene, scene.defaults, scene.stepping)
+
+    assert found.rate is not None
+    assert 1000 < found.rate < 10_000
+    assert "Hz it stops as well, but at" in str(found)
+    assert "it holds to its end, t = 0.6" in str(found)
 
 
 @pytest.mark.sweep
