@@ -31,7 +31,7 @@ def ball(e: float = 1.0, rate: float = 60, *, located: bool = False) -> Document
     contact: Document = {"located": ["ball"]} if located else {}
     return level(
         "An elastic ball" if e == 1 else f"A ball of restitution {e:g}",
-        "A ball falls by 5 m and comes back as high as its restitution lets it.",
+        "A ball falls 5 m and must bounce to the height that its restitution allows.",
         MOMENTUM,
         effects={**GRAVITY, "contact": contact, "restitution": {}},
         bodies={
@@ -42,7 +42,7 @@ def ball(e: float = 1.0, rate: float = 60, *, located: bool = False) -> Document
         duration=5 if e == 1 else 2,
         checks=[check("ball.energy", G * (DROP + RADIUS), 1e-9, "energy")]
         if e == 1
-        else [check("ball.position.x", 0, 1e-9, "it stays over its place")],
+        else [check("ball.position.x", 0, 1e-9, "horizontal position")],
         view={"center": [0, 2.7], "width": 10},
     )
 
@@ -55,7 +55,7 @@ def many() -> Document:
     }
     return level(
         "49 elastic balls",
-        "SimBenchmark's bouncing: balls of 10 kg fall by 5 m and must keep their energy.",
+        "The bouncing test of SimBenchmark: balls of 10 kg fall 5 m and must keep their energy.",
         MOMENTUM,
         effects={**GRAVITY, **BOUNCE},
         bodies={**balls, "floor": line((-FLOOR_HALF, 0), (FLOOR_HALF, 0), restitution=1)},
@@ -77,7 +77,7 @@ def tumbling() -> Document:
     tumbler = box((0, 0), 0.6, 0.3, velocity=[2, 1.5], angular_velocity=2, restitution=1)
     return level(
         "A tumbling box",
-        "An elastic box flies, turns and bounces between smooth walls without loss.",
+        "An elastic box tumbles between smooth walls and must lose no energy.",
         MOMENTUM,
         effects={"contact": {}, "restitution": {"impacts": "sequence"}, "rotation": {}},
         bodies={"box": {**tumbler, "angle": 0.3}, "walls": _walls(2)},
@@ -100,7 +100,7 @@ def gas(count: int = 60) -> Document:
     total = sum(v[0] ** 2 + v[1] ** 2 for v in (b["velocity"] for b in balls.values())) / 2
     return level(
         f"A gas of {count} balls",
-        "Elastic balls fly about between walls, and keep their energy.",
+        "Elastic balls fly about between walls and must keep their energy.",
         MOMENTUM,
         effects={"contact": {}, "restitution": {"impacts": "sequence"}},
         bodies={**balls, "walls": _walls(half)},

@@ -17,7 +17,7 @@ def shot(times: float, rate: float = 240) -> Document:
     speed = times * (2 * RADIUS + WALL) * rate
     return level(
         f"A bullet of {times:g} widths a step",
-        "A fast ball flies at a wall that is as thin as it is small.",
+        "A fast ball flies at a wall as thin as the ball itself, and must not pass through it.",
         MOMENTUM,
         effects={"contact": {"located": ["bullet"]}, "restitution": {}},
         bodies={

@@ -56,8 +56,8 @@ def chain(
     return level(
         f"A chain of {count} links"
         if load == 1
-        else f"{count} links and {text_of(load)} times their mass",
-        "Links hang from each other, let go straight but aslant, and keep their lengths.",
+        else f"{count} links and a load of {text_of(load)} : 1",
+        "A straight chain is released at an angle, and its links must keep their lengths.",
         LAGRANGE,
         effects=GRAVITY,
         bodies=discs,
@@ -66,7 +66,10 @@ def chain(
         duration=min(2, WATCHED / rate),
         checks=[
             check(f"rod{i}.length", link, 1e-9, about)
-            for i, about in ((1, "the highest link"), (count, "the lowest link"))
+            for i, about in (
+                (1, "length of the highest link"),
+                (count, "length of the lowest link"),
+            )
         ],
         view={"center": [0, -0.5 * count * link], "width": 2.2 * count * link},
     )
@@ -81,14 +84,16 @@ def catenary(count: int = 40, width: float = 4.0, link: float = 0.15) -> Documen
     middle = f"bead{count // 2}"
     return level(
         f"A hanging chain of {count} links",
-        "A chain hangs between two points at rest: nearly in a catenary, for its links are short.",
+        "A chain of short links hangs at rest between two points, nearly in a catenary.",
         LAGRANGE,
         effects=GRAVITY,
         bodies=beads,
         joints=rods,
         stepping={"rate": 960},
         duration=3,
-        checks=[check(f"{middle}.position.y", places[count // 2][1], 1e-9, "the lowest bead")],
+        checks=[
+            check(f"{middle}.position.y", places[count // 2][1], 1e-9, "height of the lowest bead")
+        ],
         view={"center": [0, -1], "width": 7},
     )
 
@@ -138,14 +143,14 @@ def bridge(planks: int = 160, rate: float = 240) -> Document:
     rods = {f"rod{i + 1}": rod(ends[i], ends[i + 1]) for i in range(planks)}
     return level(
         f"A bridge of {planks} links",
-        "A load of 100 times a link's mass is put on the middle of a long bridge.",
+        "A load of 100 times the mass of a link rests on the middle of a long bridge.",
         LAGRANGE,
         effects=GRAVITY,
         bodies=beads,
         joints=rods,
         stepping={"rate": rate},
         duration=1,
-        checks=[check("rod1.length", link, 1e-9, "the first link")],
+        checks=[check("rod1.length", link, 1e-9, "length of the first link")],
         view={"center": [0, -3], "width": 1.1 * width},
     )
 
@@ -158,7 +163,7 @@ def net(count: int = 20, load: float = 100, rate: float = 1000) -> Document:
     last, middle, link = count - 1, count // 2, 0.5
     return level(
         f"A net of {count} by {count} joints",
-        "A net hangs by two of its corners, and a load of 100 knots pulls at its lower edge.",
+        "A net hangs from two corners. Its lower edge carries 100 times the mass of a knot.",
         LAGRANGE,
         effects=GRAVITY,
         bodies=_knots(count, load, link),
@@ -166,8 +171,8 @@ def net(count: int = 20, load: float = 100, rate: float = 1000) -> Document:
         stepping={"rate": rate, "iterations": 20},
         duration=min(2, WATCHED / rate),
         checks=[
-            check("down1_0.length", link, 0.01, "the rod at the corner"),
-            check(f"down{last}_{middle}.length", link, 0.01, "the rod above the load"),
+            check("down1_0.length", link, 0.01, "length of the rod at the corner"),
+            check(f"down{last}_{middle}.length", link, 0.01, "length of the rod above the load"),
         ],
         view={"center": [0.5 * count * link, -0.5 * count * link], "width": 1.5 * count * link},
     )

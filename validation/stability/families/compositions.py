@@ -53,7 +53,7 @@ def strut(ratio: float) -> Document:
     """Return a weight on a rod on a box of 1 kg on the floor; a rail keeps it upright."""
     return level(
         f"A strut under {text_of(ratio)} times its foot",
-        "A weight stands on a rod, the rod on a light box, and the box on the floor.",
+        "A weight rests on a rod, the rod on a light box, and the box on the floor.",
         NEWTON,
         effects={**GRAVITY, "contact": {}},
         bodies={
@@ -68,8 +68,8 @@ def strut(ratio: float) -> Document:
         stepping={"rate": RATE},
         duration=2,
         checks=[
-            check("foot.contact.normal", (ratio + 1) * G, CARRIES, "the floor carries"),
-            check("rod.tension", -ratio * G, CARRIES, "the rod carries"),
+            check("foot.contact.normal", (ratio + 1) * G, CARRIES, "force on the floor"),
+            check("rod.tension", -ratio * G, CARRIES, "force in the rod"),
         ],
         view={"center": [0, 0.6], "width": 3},
     )
@@ -98,10 +98,10 @@ def car(mass: float) -> Document:
         duration=2,
         checks=[
             *(
-                check(f"{n}.contact.normal", carried, ROLLS, f"the {n} wheel carries")
+                check(f"{n}.contact.normal", carried, ROLLS, f"force on the {n} wheel")
                 for n in AXLES
             ),
-            check("chassis.position.x", 0, ROLLS, "it rolls by"),
+            check("chassis.position.x", 0, ROLLS, "horizontal position"),
         ],
         view={"center": [0, 0.5], "width": 3},
     )
@@ -114,7 +114,8 @@ def capstans(links: int, rate: float = RATE / 2) -> Document:
     slips, slips_rods = _capstan("slips", 1.7, (1 + MARGIN) * limit, links)
     return level(
         f"Two capstans with ropes of {links} links",
-        "Friction holds e^(μ φ) times the small weight: one drum has 1 % less, the other 1 % more.",
+        "Friction holds up to e^(μ φ) times the small weight. "
+        "One drum has 1 % less and must hold, the other 1 % more and must slip.",
         NEWTON,
         effects={**GRAVITY, "contact": {}, "friction": {}},
         bodies={**held, **slips},
@@ -122,10 +123,10 @@ def capstans(links: int, rate: float = RATE / 2) -> Document:
         stepping={"rate": rate},
         duration=SLIPS,
         checks=[
-            check("held_large.position.y", -1.8, 1e-9, "the left one holds"),
+            check("held_large.position.y", -1.8, 1e-9, "left: height of the load"),
             check(
                 "slips_large.acceleration.y", -_slipping(limit * (1 + MARGIN), links), 1e-2,
-                "the right one slips: how fast", at=SLIPS / 2,
+                "right: acceleration of the load", at=SLIPS / 2,
             ),
         ],
         view={"center": [0, -0.5], "width": 7.5},
@@ -164,17 +165,20 @@ def stack(count: int) -> Document:
     boxes = {f"box{i + 1}": box((0, i + 0.5), 1, 1, friction=0.6) for i in range(count)}
     return level(
         f"A stack of {count} boxes, solved directly",
-        "Boxes lie on top of each other, and stay where they are at 60 steps a second.",
+        "A stack of boxes must stand still at only 60 steps per second.",
         NEWTON,
         effects={**GRAVITY, "contact": {"solver": "direct"}, "friction": {}, "rotation": {}},
         bodies={**boxes, "ground": ground(10)},
         stepping={"rate": 60},
         duration=10,
         checks=[
-            check(f"box{count}.position.y", count - 0.5, STANDS, "height of the highest"),
-            check(f"box{count}.position.x", 0, STANDS, "it leans by"),
+            check(f"box{count}.position.y", count - 0.5, STANDS, "height of the top box"),
+            check(f"box{count}.position.x", 0, STANDS, "lean of the stack"),
             check(
-                "box1.contact.normal", (2 * count - 1) * G, CARRIES, "above and below the lowest"
+                "box1.contact.normal",
+                (2 * count - 1) * G,
+                CARRIES,
+                "force between the lowest boxes",
             ),
         ],
         view={"center": [0, count / 2], "width": 2.4 * count},

@@ -23,15 +23,15 @@ def cradle(count: int, coming: int = 1, gap: float = 0.0) -> Document:
         balls[f"ball{i + 1}"] = disc(place, RADIUS, velocity=[float(comes), 0.0], restitution=1)
     return level(
         f"A cradle of {count} balls",
-        "Balls in a row touch each other. As many leave as come.",
+        "Balls in a row touch each other. As many must leave as arrive.",
         MOMENTUM,
         effects={"contact": {}, "restitution": {"impacts": "sequence"}},
         bodies=balls,
         stepping={"rate": 240},
         duration=1,
         checks=[
-            check(f"ball{count}.velocity.x", 1, 1e-9, "the last ball", at=0.9),
-            check("ball1.velocity.x", 0, 1e-9, "the first ball", at=0.9),
+            check(f"ball{count}.velocity.x", 1, 1e-9, "velocity of the last ball", at=0.9),
+            check("ball1.velocity.x", 0, 1e-9, "velocity of the first ball", at=0.9),
         ],
         view={"center": [count * RADIUS, 0], "width": 2.6 * count * RADIUS + 1},
     )
@@ -55,14 +55,14 @@ def hanging(count: int = 20) -> Document:
         rods[f"rod{i + 1}"] = rod([round(x, 12), 0], f"ball{i + 1}")
     return level(
         f"A hanging cradle of {count} balls",
-        "Balls hang in a row and touch; the first is lifted and let go.",
+        "Balls hang in a row and touch. The first is lifted and let go.",
         MOMENTUM,
         effects={**GRAVITY, "contact": {}, "restitution": {"impacts": "sequence"}},
         bodies=balls,
         joints=rods,
         stepping={"rate": 240},
         duration=2,
-        checks=[check("rod1.length", 1, 1e-9, "the first rod")],
+        checks=[check("rod1.length", 1, 1e-9, "length of the first rod")],
         view={"center": [count * RADIUS, -0.5], "width": 2.6 * count * RADIUS + 1},
     )
 

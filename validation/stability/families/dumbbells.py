@@ -41,14 +41,16 @@ def dumbbells(ratio: float) -> Document:
         momentum += sum(masses) * dumbbell_bounce(masses, angle, FALL, e)[1]
     return level(
         f"Dumbbells of {text_of(ratio)} : 1",
-        "Dumbbells fall on a smooth floor aslant, and bounce as one body each.",
+        "Tilted dumbbells fall on a smooth floor, and each must bounce as one rigid body.",
         MOMENTUM,
         effects={"contact": {}, "restitution": {}},
         bodies=bodies,
         joints=joints,
         stepping={"rate": RATE},
         duration=0.25,
-        checks=[check("system.momentum.y", momentum, 1e-9, "after the bounces", at=2 / RATE)],
+        checks=[
+            check("system.momentum.y", momentum, 1e-9, "momentum after the bounces", at=2 / RATE)
+        ],
         view={"center": [0.5, 1], "width": 16},
     )
 

@@ -102,7 +102,7 @@ def pair() -> Document:
     """Return two boxes that are pinned to each other and to nothing else."""
     return level(
         "Two boxes on a pivot",
-        "Two boxes that turn about a common pin, free of everything else.",
+        "Two boxes rotate about a common pin, with no other forces.",
         ROTATION,
         effects={"rotation": {}},
         bodies={
@@ -118,7 +118,7 @@ def pair() -> Document:
         stepping={"rate": 960},
         duration=5,
         checks=[
-            check("pin.length", 0, 1e-9, "the pin stays closed"),
+            check("pin.length", 0, 1e-9, "gap of the pin"),
         ],
         view={"center": [3, 1], "width": 10},
     )
@@ -145,13 +145,13 @@ def boxes() -> Document:
         many[f"box{i + 1}"] = {**box(place, 0.5, 0.5, friction=0.7), "angle": round(i * 0.1 % 1, 6)}
     return level(
         "144 boxes",
-        "Boxes fall on each other, the same way every time.",
+        "Boxes fall on each other, and must do so in the same way every time.",
         NEWTON,
         effects=pile(0.5, overlaps=True),
         bodies={**many, "ground": ground(12, friction=0.7)},
         stepping={"rate": 60},
         duration=10,
-        checks=[check("system.center.x", 0, 3, "they stay together, within three metres")],
+        checks=[check("system.center.x", 0, 3, "centre of mass, within three metres")],
         view={"center": [0, 3], "width": 16},
     )
 

@@ -45,8 +45,8 @@ def orbit(rate: float = 480) -> Document:
     """Return Kepler's ellipse of e = 0.5."""
     speed = np.sqrt(PULL * (1 + ECCENTRICITY) / NEAR)
     return level(
-        "An ellipse, twenty times around",
-        "Kepler's ellipse with e = 0.5. Leapfrog keeps its energy, turn after turn.",
+        "An ellipse, twenty turns",
+        "A Kepler ellipse with e = 0.5. Leapfrog must keep its energy, turn after turn.",
         "5. Work and energy: potential energy and conservative forces",
         effects={"attraction": [{"mu": PULL}]},
         bodies={
@@ -75,7 +75,7 @@ def pendulum(degrees: float, rate: float = RATE, far: float = 0.0) -> Document:
     angle = np.radians(degrees)
     return level(
         f"A pendulum of {degrees:g}°",
-        "A pendulum that swings wide, against its elliptic integral.",
+        "A pendulum of large amplitude, compared with its elliptic integral.",
         LAGRANGE,
         effects=GRAVITY,
         bodies={"bob": disc((far + np.sin(angle), -np.cos(angle)), 0.1)},
@@ -141,7 +141,7 @@ def stiff(share: float = 1.99, rate: float = RATE) -> Document:
     stiffness = (share * rate) ** 2
     return level(
         f"A spring at ω dt = {share:g}",
-        "At ω dt = 2 leapfrog's spring would explode; just below it must not.",
+        "At ω dt = 2 leapfrog becomes unstable. Just below that, it must not.",
         LAGRANGE,
         effects={},
         bodies={"block": disc((1.01, 0), 0.1)},
@@ -155,7 +155,7 @@ def stiff(share: float = 1.99, rate: float = RATE) -> Document:
         },
         stepping={"rate": rate},
         duration=2,
-        checks=[check("block.position.y", 0, 1e-9, "it stays on its line")],
+        checks=[check("block.position.y", 0, 1e-9, "distance from its line")],
         view={"center": [0.6, 0], "width": 3},
     )
 
@@ -182,7 +182,7 @@ def spinning() -> Document:
     stick = box((0.5, 0), 1, 0.05, velocity=[0, SPIN / 2], angular_velocity=SPIN)
     return level(
         "A spinning rod",
-        "A rod on a pin at its end, with nothing to slow it down.",
+        "A rod rotates about a pin at its end, with nothing to slow it down.",
         ROTATION,
         effects={"rotation": {}},
         bodies={"rod": stick},
@@ -208,7 +208,7 @@ def slope() -> Document:
     incline = {"type": "polygon", "vertices": corners}
     return level(
         "A block that must not creep",
-        "On 30° friction of 0.6 holds a block: tan 30° = 0.577. It must not creep.",
+        "Since tan 30° = 0.577, friction of 0.6 holds a block on a slope of 30°.",
         NEWTON,
         effects=pile(1e-4),
         bodies={
@@ -217,7 +217,7 @@ def slope() -> Document:
         },
         stepping={"rate": 60},
         duration=10,
-        checks=[check("block.speed", 0, 1e-9, "it creeps at")],
+        checks=[check("block.speed", 0, 1e-9, "speed of creep")],
         view={"center": [0, 0], "width": 8},
     )
 

@@ -41,15 +41,15 @@ def stack(
     top, many = f"box{count}", f"{last} boxes" if last > 1 else "one box"
     return level(
         f"A stack of {count} boxes" if heaviest == 1 else f"{text_of(heaviest)} : 1 on {many}",
-        "Boxes lie on top of each other, and must go on doing so.",
+        "A stack of boxes must stand still.",
         NEWTON,
         effects=pile(size),
         bodies={**boxes, "ground": ground(10 * size)},
         stepping={"rate": rate, "iterations": iterations},
         duration=min(5, WATCHED / rate),
         checks=[
-            check(f"{top}.position.y", (count - 0.5) * size, RESTS, "height of the highest"),
-            check(f"{top}.position.x", 0, RESTS * size, "it leans by"),
+            check(f"{top}.position.y", (count - 0.5) * size, RESTS, "height of the top box"),
+            check(f"{top}.position.x", 0, RESTS * size, "lean of the stack"),
         ],
         view={"center": [0, count / 2 * size], "width": 2.4 * count * size},
     )
@@ -75,14 +75,14 @@ def pyramid(
     floor = ground(rows * size)
     floor["position"] = [far, -0.5]
     standing = [
-        check(f"{top}.position.y", (rows - 0.5) * size, RESTS, "height of the highest"),
-        check(f"{top}.position.x", far, RESTS * size, "it leans by", at=3),
+        check(f"{top}.position.y", (rows - 0.5) * size, RESTS, "height of the top box"),
+        check(f"{top}.position.x", far, RESTS * size, "lean of the stack", at=3),
     ]
     return level(
         f"A pyramid of {rows} rows" if not overlap else f"Boxes that overlap by {overlap:.0%}",
-        "Boxes in a pyramid stay where they are."
+        "A pyramid of boxes must stand still."
         if not overlap
-        else "Boxes that are made in each other must part gently.",
+        else "Boxes that overlap at the start must separate gently.",
         NEWTON,
         effects=pile(size, overlaps=overlap > 0),
         bodies={**boxes, "ground": floor},
@@ -90,7 +90,7 @@ def pyramid(
         duration=3,
         checks=standing
         if not overlap
-        else [check(f"{top}.position.x", 0, 1, "it stays over the middle by a metre")],
+        else [check(f"{top}.position.x", 0, 1, "horizontal position, within a metre")],
         view={"center": [far, rows * size / 2], "width": 2 * rows * size},
     )
 
@@ -111,7 +111,7 @@ def dropped(rows: int = 6, heights: float = 2.0) -> Document:
         checks.append(check(f"{apex}.position.y", rows - 0.5, SINKS, about, at=3))
     return level(
         "Three pyramids dropped",
-        "Pyramids whose apexes are 100, 200 and 300 times as heavy as a box fall by 2 m.",
+        "Three pyramids fall 2 m. Their top boxes are 100, 200 and 300 times as heavy.",
         NEWTON,
         effects=pile(1),
         bodies={**boxes, "ground": ground(4 * rows)},

@@ -32,7 +32,7 @@ def arch(count: int = 17, inner: float = 4.0, outer: float = 5.0) -> Document:
     high = wedges[keystone]["position"][1]
     return level(
         f"An arch of {count} stones",
-        "Nothing but their weight and friction holds the stones of an arch.",
+        "Only weight and friction hold the stones of an arch together.",
         NEWTON,
         effects=pile(0.5),
         bodies={**wedges, "ground": ground(10, friction=0.775)},
@@ -73,14 +73,14 @@ def cards(stories: int = 5) -> Document:
     top = f"left{stories}_1"
     return level(
         f"A house of cards of {stories} stories",
-        "Cards of 40 cm and 2 mm lean on each other at 25°; only friction keeps their feet.",
+        "Cards of 40 cm by 2 mm lean on each other at 25°. Only friction holds their feet.",
         NEWTON,
         effects=pile(0.02),
         bodies={**house, "ground": ground(2, friction=0.8367)},
         stepping={"rate": 4000, "iterations": 10},
         duration=1,
         checks=[
-            check(f"{top}.position.y", house[top]["position"][1], 0.005, "height of the highest")
+            check(f"{top}.position.y", house[top]["position"][1], 0.005, "height of the top box")
         ],
         view={"center": [0, base / 2], "width": 2.4 * base},
     )
