@@ -205,10 +205,11 @@ def _catches(whole: Part, first: Part) -> bool:
 def _steady(last: Part, laws: Array, missing: float, reached: Booleans) -> Array:
     """Return the forces of the last part that may stand for a whole kick after it: (r,).
 
-    Forces of bodies that jam do not last. Traced back over the `missing` time [s], they would add
-    energy, and count as 0.
+    Forces of bodies that jam do not last. Traced back over the `missing` time [s], they would give
+    the bodies more energy than they have, or than the laws alone give them, and count as 0.
     """
     kinetic, pulls = last.kick.joints.kinetic, last.steady @ last.kick.response
-    if kinetic(last.moved - missing * (laws + pulls)) <= GROWS * kinetic(last.moved):
+    least = kinetic(last.moved) + kinetic(missing * laws)
+    if kinetic(last.moved - missing * (laws + pulls)) <= GROWS * least:
         return last.steady
     return np.where(concerned(last.kick, reached), 0.0, last.steady)
