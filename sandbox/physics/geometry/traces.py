@@ -1,10 +1,10 @@
-"""Contacts with the inside of an arc or with a curve, traced to other positions of their bodies."""
+"""Contacts with arcs and curves, traced to other positions of their bodies."""
 
 from collections.abc import Callable
 from typing import NamedTuple
 
 from sandbox.physics.geometry.arcs import Piece, Placed, Touch, put
-from sandbox.physics.geometry.distance import dot
+from sandbox.physics.geometry.distance import Outline, dot, gap
 from sandbox.physics.geometry.plane_curve import Side
 
 
@@ -14,11 +14,11 @@ class Spot(NamedTuple):
     Attributes
     ----------
     normal
-        The unit normal of the arc or curve, towards the other body.
+        The unit normal from the first surface, which is the arc or curve if one is met from inside.
     tip
         The point of the other body [m].
     gap
-        Its distance from the arc or curve, negative beyond it [m].
+        Its distance from the first surface, negative beyond it [m].
     """
 
     normal: complex
@@ -47,6 +47,17 @@ def trace(touch: Touch, hollow: Piece, other: Piece, at: Placed, there: Placed) 
     if other.corner is None and len(other.core) > 1:
         return _side_on_curve(hollow.curve, -touch.normal / there[1], touch, there)
     return _on_curve(hollow.curve, touch, at, there)
+
+
+def trace_convex(one: Outline, other: Outline) -> Trace:
+    """Return the contact of two convex outlines, one of which is a disc."""
+
+    def found(at: Placed, there: Placed) -> Spot:
+        cores = [put(at, corner) for corner in one.corners], [put(there, p) for p in other.corners]
+        apart, normal, points = gap(*cores, one.radius + other.radius)
+        return Spot(normal, points[0] + normal * (one.radius + apart), apart)
+
+    return found
 
 
 def _in_arc(touch: Touch, at: Placed, there: Placed) -> Spot:

@@ -22,7 +22,7 @@ from sandbox.physics.geometry.arcs import Piece, Placed, Touch
 from sandbox.physics.geometry.curves import verdict
 from sandbox.physics.geometry.distance import FEELER, Outline, dot, outline_of
 from sandbox.physics.geometry.roots import root
-from sandbox.physics.geometry.traces import Spot, Trace, trace
+from sandbox.physics.geometry.traces import Spot, Trace, trace, trace_convex
 from sandbox.physics.joints.exact.constraints import Coordinates
 from sandbox.physics.state.anchor import Plane
 
@@ -44,14 +44,14 @@ Places = tuple[Placed, Placed]
 
 
 class HollowCorner(NamedTuple):
-    """A point of a body that meets an arc from inside, or a curve.
+    """A point of a body that meets an arc or a curve.
 
     Attributes
     ----------
     pair
         The bodies.
     own
-        The hollow one: 0 or 1.
+        The one with the normal, the hollow one of a contact from inside or with a curve: 0 or 1.
     trace
         Their contact.
     """
@@ -200,10 +200,17 @@ class HollowPairs:
 
     def corners(self, pair: Pair, here: Coordinates, there: Coordinates) -> Iterator[HollowCorner]:
         """Yield the points of two bodies that are apart here, and in each other there."""
-        end, start = placed(pair, there), placed(pair, here)
-        for corner, _ in self._contacts(pair, end):
+        start, end = placed(pair, here), placed(pair, there)
+        for corner in (*self._outside(pair, end), *(c for c, _ in self._contacts(pair, end))):
             if corner.spot(end).gap < -LEAST and corner.spot(start).gap > 0:
                 yield corner
+
+    def _outside(self, pair: Pair, places: Places) -> Iterator[HollowCorner]:
+        """Yield the possible contacts with the outside and the ends of arcs and curves."""
+        for one, other in self._combined(pair):
+            both = one.outline, other.outline
+            if both[0] and both[1] and verdict(one.piece, other.piece, *places) is True:
+                yield HollowCorner(pair, 0, trace_convex(both[0], both[1]))
 
     def _convex(self, path: Path, lasts: float, pair: Pair, gives: Array) -> Iterator[Hit]:
         """Yield the impacts of convex shapes, which are apart at the start."""

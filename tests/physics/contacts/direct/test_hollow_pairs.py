@@ -153,3 +153,26 @@ def test_what_passes_the_end_of_an_arc_is_not_stopped() -> None:
     seen = run(fallen("half-pipe", ball, 240, e=0.5), 1.0)
 
     assert seen.place == pytest.approx([0.0, -0.2 + 6.0 - G / 2, 0.0], abs=1e-12)
+
+
+def tipped(rate: float) -> Ended:
+    """An arch that lands on one foot, and then on the other, and slides on."""
+    ground = fixed({"type": "box", "width": 40, "height": 1}, (0, -0.5), friction=0.3)
+    arch: Spec = {
+        "shape": {"type": "arc", "radius": 0.6, "start": 0, "end": "180*deg", "thickness": 0.04},
+        "mass": 1,
+        "position": [0, 1.4],
+        "velocity": [3, 0],
+        "angle": 0.2,
+        "friction": 0.3,
+    }
+    effects = DIRECT | {"friction": {}}
+    return run(level({"ground": ground, "arch": arch}, effects, stepping={"rate": rate}), 0.65)
+
+
+def test_an_arch_lands_on_one_foot_and_then_on_the_other() -> None:
+    """It was refused: a corner of the ground, 20 m away, was 19.6 m deep in it."""
+    coarse, fine = tipped(60), tipped(240)
+
+    assert max(coarse.deepest, fine.deepest) <= DEEP
+    assert coarse.place == pytest.approx(fine.place, abs=1e-11)
