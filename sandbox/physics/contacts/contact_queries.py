@@ -83,7 +83,7 @@ class Query:
 
     Attributes
     ----------
-    bodies, gates
+    bodies, hollows, gates
         As above.
     """
 
@@ -94,7 +94,7 @@ class Query:
         hollows: Hollows | None,
         gates: "Gates | None" = None,
     ) -> None:
-        self._space, self.bodies, self._hollows, self.gates = space, bodies, hollows, gates
+        self._space, self.bodies, self.hollows, self.gates = space, bodies, hollows, gates
         self._rows = {body: row for row, body in enumerate(bodies)}
 
     def more(self, known: Contacts, moved: Collection[int], least: float) -> Contacts:
@@ -136,7 +136,7 @@ class Query:
             self._space.reindex_shapes_for_body(self.bodies[row])
         for row in moved:
             for shape in self.bodies[row].shapes:
-                for found in touched(self._space, shape, self._hollows, self.gates):
+                for found in touched(self._space, shape, self.hollows, self.gates):
                     other = self._rows[found.body]
                     if row < other:
                         yield row, other, found

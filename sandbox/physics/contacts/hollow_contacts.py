@@ -46,8 +46,8 @@ class Hollows:
 
     Attributes
     ----------
-    pairs
-        The names of these pairs.
+    pairs, rows
+        The names of these pairs, and their indices.
     enclosures
         As above.
     """
@@ -59,7 +59,7 @@ class Hollows:
         enclosures: Enclosures,
     ) -> None:
         self.pairs, self._drift, self.enclosures = frozenset(pairs), drift, enclosures
-        self._rows = frozenset(pairs.values())
+        self.rows = frozenset(pairs.values())
         self._pieces: dict[int, Piece] = {}
         self._shapes: list[pymunk.Shape] = []  # keeps pymunk's shapes alive
         self._touching: dict[Shapes, Touch | None] = {}
@@ -69,6 +69,11 @@ class Hollows:
         """Register a shape with its exact geometry."""
         self._shapes.append(shape)
         self._pieces[address(shape)] = piece
+
+    def known(self) -> Iterator[tuple[pymunk.Shape, Piece]]:
+        """Yield the registered shapes with their exact geometry."""
+        for shape in self._shapes:
+            yield shape, self._pieces[address(shape)]
 
     def correct(self, arbiter: pymunk.Arbiter) -> bool:
         """Correct a contact before it is solved, and return whether there is one."""
@@ -152,7 +157,7 @@ class Hollows:
         )
         shapes = address(one), address(other)
         rows = frozenset(self._pieces[s].body for s in shapes if s in self._pieces)
-        return rows not in self._rows or self._judge(shapes, at, there)
+        return rows not in self.rows or self._judge(shapes, at, there)
 
     def inside(self, state: Array) -> Iterator[Touch]:
         """Yield the contacts with arcs from inside and with curves, given a `Batch.state`.

@@ -135,7 +135,7 @@ class Path:
             self.acceleration += self._grip.renew(place, velocity + jump, self.acceleration, struck)
 
 
-class _Motion:
+class Motion:
     """The motion of a body at a time on its path, in complex numbers."""
 
     def __init__(self, path: Path, body: int, t: float) -> None:
@@ -193,7 +193,7 @@ def meet(
     t, at_end = since, False
     gets = [[complex(*way) for way in gives[:, o.body, :2].tolist()] for o in (one, other)]
     for _ in range(TRIES):
-        here, there = _Motion(path, one.body, t), _Motion(path, other.body, t)
+        here, there = Motion(path, one.body, t), Motion(path, other.body, t)
         cores = here.put(one.corners), there.put(other.corners)
         found = gap(*cores, one.radius + other.radius)
         if found.distance <= (_rounding(here, there) if at_end else _touch(here, there)):
@@ -230,7 +230,7 @@ def _allowed(
 
 def touching(path: Path, one: Outline, other: Outline, t: float) -> Hit | None:
     """Return the contact of two shapes at a time, separating or not; None without a contact."""
-    here, there = _Motion(path, one.body, t), _Motion(path, other.body, t)
+    here, there = Motion(path, one.body, t), Motion(path, other.body, t)
     cores = here.put(one.corners), there.put(other.corners)
     found = gap(*cores, one.radius + other.radius)
     if found.distance > _touch(here, there) + NEAR:
@@ -240,18 +240,18 @@ def touching(path: Path, one: Outline, other: Outline, t: float) -> Hit | None:
     return _hit(t, (one, other), (here, there), found)
 
 
-def _touch(here: _Motion, there: _Motion) -> float:
+def _touch(here: Motion, there: Motion) -> float:
     """Return the gap at which bodies touch [m]."""
     return TOUCH + max(CLOSE, _rounding(here, there))
 
 
-def _rounding(here: _Motion, there: _Motion) -> float:
+def _rounding(here: Motion, there: Motion) -> float:
     """Return the rounding error of the gap between bodies [m]."""
     return FAR * max(abs(here.place), abs(there.place))
 
 
 def _hit(
-    t: float, outlines: tuple[Outline, Outline], bodies: tuple[_Motion, _Motion], found: Gap
+    t: float, outlines: tuple[Outline, Outline], bodies: tuple[Motion, Motion], found: Gap
 ) -> Hit:
     """Return the hit of two touching shapes."""
     (one, other), (here, there) = outlines, bodies
@@ -263,7 +263,7 @@ def _hit(
 
 def _clear(
     normal: complex,
-    bodies: tuple[_Motion, _Motion],
+    bodies: tuple[Motion, Motion],
     cores: tuple[Sequence[complex], ...],
     outlines: tuple[Outline, Outline],
     left: float,
@@ -295,8 +295,8 @@ def _clear(
 
 def _turning(
     normal: complex,
-    first: _Motion,
-    other: _Motion,
+    first: Motion,
+    other: Motion,
     cores: tuple[Sequence[complex], ...],
     reach: float,
     radii: float,

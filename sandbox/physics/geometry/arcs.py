@@ -235,13 +235,27 @@ def _at_side(side: Piece, other: Piece, at: Placed, there: Placed) -> Verdict:
     if other.corner is None and other.away:
         return False  # its feeler touches instead
     if other.corner is not None:
-        leans = dot(put(there, _mean(other.core)) - center, way) >= arc.radius * abs(way)
-        if leans or _is_outside(arc, other, center, at[1], there):
+        middle = put(there, _mean(other.core)) - center
+        comes = _leaves(arc, middle, way, at[1])
+        if not comes or _is_outside(arc, other, center, at[1], there):
             return False
     found = _inside(arc, center, other.body, point, other.radius, way)
     if found.depth <= 0 or (other.away and not _ends_at(other, there, center + 2 * way)):
         return False
     return found
+
+
+def _leaves(arc: Arc, start: complex, end: complex, turned: complex) -> bool:
+    """Return whether the way between two points, seen from the centre, leads out through an arc."""
+    if dot(start, end) >= arc.radius * abs(end):
+        return False
+    if abs(end) <= arc.radius:
+        return True
+    way = end - start
+    ahead, square = dot(start, way), dot(way, way)
+    root = ahead * ahead - square * (dot(start, start) - arc.radius**2)
+    share = (sqrt(root) - ahead) / square if root > 0 else 0.0
+    return share > 0 and arc.spans(start + share * way, turned)
 
 
 def _inside(

@@ -72,9 +72,7 @@ class Gap(NamedTuple):
 def outlines(bodies: Sequence[pymunk.Body]) -> list[Outline]:
     """Return the outlines of all shapes, in an order independent of memory addresses."""
     found = [
-        _outline(shape, row, body)
-        for row, body in enumerate(bodies)
-        for shape in plain(body.shapes)
+        outline_of(shape, row) for row, body in enumerate(bodies) for shape in plain(body.shapes)
     ]
     return sorted(found, key=lambda o: (o.body, [(c.real, c.imag) for c in o.corners], o.radius))
 
@@ -90,8 +88,10 @@ def surfaces(bodies: Iterable[pymunk.Body]) -> Array:
     return np.array([shapes[0] if shapes else (0.0, 0.0) for shapes in velocities])
 
 
-def _outline(shape: pymunk.Shape, row: int, body: pymunk.Body) -> Outline:
-    group = shape.filter.group
+def outline_of(shape: pymunk.Shape, row: int) -> Outline:
+    """Return the outline of a shape of the body with an index."""
+    group, body = shape.filter.group, shape.body
+    assert body
     match shape:
         case pymunk.Circle():
             center = complex(*shape.offset)

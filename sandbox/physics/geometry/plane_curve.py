@@ -94,13 +94,15 @@ class Course:
         Its parts.
     ends
         Its first and last point; empty if it is closed.
+    knots
+        Points along it [m].
     spacing
         The largest length between successive knots [m].
     """
 
     def __init__(self, points: Points) -> None:
         self._curve = Quintics(points)
-        self._knots = points[::KNOT]
+        self.knots = points[::KNOT]
         self.spacing = STRAIGHT * KNOT * float(np.abs(np.diff(points)).max())
         ends = () if self._curve.closed else (0.0, float(self._curve.count))
         self.ends = tuple(self.look(at) for at in ends)
@@ -109,9 +111,9 @@ class Course:
     def knot(self, point: complex, stretch: Stretch | None = None) -> tuple[int, complex]:
         """Return the knot of the course or a stretch nearest to a point, and its position [m]."""
         first, last = self._range(stretch)
-        way = self._knots[first : last + 1] - point
+        way = self.knots[first : last + 1] - point
         near = first + int(np.argmin(way.real**2 + way.imag**2))
-        return near, complex(self._knots[near])
+        return near, complex(self.knots[near])
 
     def foot(
         self, point: complex, stretch: Stretch | None = None, near: int | None = None
@@ -132,7 +134,7 @@ class Course:
 
     def _range(self, stretch: Stretch | None) -> tuple[int, int]:
         """Return the first and last knot of a stretch, or of the whole course."""
-        return (stretch.first, stretch.last) if stretch else (0, len(self._knots) - 1)
+        return (stretch.first, stretch.last) if stretch else (0, len(self.knots) - 1)
 
     def follow(self, point: complex, at: float) -> Foot:
         """Return the foot point on the course near a parameter."""
@@ -160,6 +162,12 @@ class Course:
                 return self.look(at + step)
             at = at + step if steep and low < at + step < high else (low + high) / 2
         return self.look(at)
+
+    def lowest(self, direction: complex, stretch: Stretch) -> complex:
+        """Return the point of a stretch that is farthest against a direction [m]."""
+        ends = [complex(self.knots[knot]) for knot in (stretch.first, stretch.last)]
+        foot = self.parallel(-stretch.bend * 1j * direction, stretch)
+        return min([foot.point] if foot else ends, key=lambda point: dot(point, direction))
 
     def look(self, at: float) -> Foot:
         """Return the point at a parameter."""
@@ -205,7 +213,7 @@ class Course:
         """Return the stretches, which end at maxima of curvature, inflections, or large turns."""
         _, slope, bend = self._curve.over(np.arange(0, self._curve.count + 1, KNOT))
         speed = np.abs(slope)
-        size = float(np.abs(self._knots - self._knots[0]).max())
+        size = float(np.abs(self.knots - self.knots[0]).max())
         bends = (slope.conj() * bend).imag / speed**3
         bends[np.abs(bends) < FLATTEST] = FLATTEST
         bends[np.abs(bends) * size < QUADRATIC] = 0.0
@@ -214,7 +222,7 @@ class Course:
         return tuple(self._stretch(a, b, bends[a : b + 1]) for a, b in pairwise(cuts))
 
     def _stretch(self, first: int, last: int, bends: np.ndarray) -> Stretch:
-        knots = self._knots[first : last + 1]
+        knots = self.knots[first : last + 1]
         center = (
             complex(knots.real.min() + knots.real.max(), knots.imag.min() + knots.imag.max()) / 2
         )

@@ -1,6 +1,6 @@
 """Bodies that overlap at the start are a mistake, unless the level says that it wants them to."""
 
-from math import cos, sin, sqrt
+from math import cos, pi, sin, sqrt
 
 import pytest
 
@@ -56,10 +56,19 @@ def test_an_overlap_is_told_with_both_names_and_its_depth(
         {"a": disc((0, 0.5 - 9e-7)), "b": floor()},
         {"a": disc((0.5, 0)), "b": fixed(HOOP)},
         {"a": disc((0, 0.2)), "b": fixed(HALF)},
+        {"a": {"shape": HALF, "mass": 1, "position": [0, 2], "angle": pi + 0.2}, "b": floor(0)},
         {"a": fixed({"type": "disc", "radius": 1}), "b": fixed(HOOP), "c": disc((5, 0))},
         {"a": box((0, 0), size=(sqrt(2), sqrt(2))), "b": fixed(HOOP)},
     ],
-    ids=["touching", "by a micrometre", "in a hoop", "above a hollow", "static", "inscribed"],
+    ids=[
+        "touching",
+        "by a micrometre",
+        "in a hoop",
+        "above a hollow",
+        "above a long floor",
+        "static",
+        "inscribed",
+    ],
 )
 def test_what_only_touches_does_not_overlap(bodies: dict[str, Spec]) -> None:
     assert refused(bodies) == ""

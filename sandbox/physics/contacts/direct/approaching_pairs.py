@@ -14,8 +14,9 @@ import pymunk
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.collision_filter import meets
 from sandbox.physics.contacts.contact_queries import Query, pairs_of
-from sandbox.physics.contacts.direct.convex_parts import Pair, Shapes
+from sandbox.physics.contacts.direct.convex_parts import Pair, Placed, Shapes
 from sandbox.physics.contacts.direct.corner_contacts import LEAST
+from sandbox.physics.contacts.direct.hollow_pairs import HollowPairs
 from sandbox.physics.contacts.direct.row_layout import Surfaces
 from sandbox.physics.contacts.direct.separation import Separation
 from sandbox.physics.contacts.time_of_impact import Hit, Path, meet
@@ -40,6 +41,8 @@ class ApproachingPairs:
         Their contact properties, and the pairs to consider.
     moves
         (n,), which of them are dynamic.
+    hollows
+        The pairs of a hollow body and another.
     """
 
     def __init__(
@@ -48,15 +51,19 @@ class ApproachingPairs:
         shapes: Shapes,
         surfaces: Surfaces,
         moves: Booleans,
+        hollows: HollowPairs,
     ) -> None:
         self._bodies, self._gates, self._shapes = query.bodies, query.gates, shapes
-        known = np.isfinite(shapes.reach) & surfaces.figures.convex
-        self._hollow = surfaces.figures.inner > 0
-        may = np.triu(surfaces.lands & known[:, None] & known, 1)
+        self._hollows = hollows
+        reach, convex = self._hollows.reach(shapes.reach), surfaces.figures.convex
+        known = np.isfinite(reach)
+        convex = known & convex
+        may = np.triu(surfaces.lands & (convex[:, None] & convex | self._hollows.pairs), 1)
         may &= moves[:, None] | moves
         self._first, self._second = np.nonzero(may)
         self._outlines: dict[int, list[Outline]] = {}
-        reach = np.where(known, shapes.reach, 0.0)
+        self._hollow = surfaces.figures.inner > 0
+        reach = np.where(known, reach, 0.0)
         self._weights = np.concatenate((np.ones(2 * len(reach) + 2), reach, (0.0,)))
         self._room = np.zeros(len(self._first))  # lower bounds of their distances [m]
         self._calm = 0.0  # the least of these [m]
@@ -92,13 +99,16 @@ class ApproachingPairs:
     def meet(self, path: Path, lasts: float, pairs: Iterable[Pair]) -> list[Hit]:
         """Return the impacts of pairs of bodies on a path of length `lasts` [s]."""
         gives = np.stack((path.acceleration * lasts,) * 2)
-        separation = Separation(self._shapes, path, lasts)
-        found = (
-            meet(path, self._outline(a)[first], self._outline(b)[second], 0.0, lasts, gives)
-            for a, b in pairs
-            for first, second in separation.unsure((a, b))
-        )
-        return [hit for hit in found if hit]
+        separation, hits = Separation(self._shapes, path, lasts), []
+        for a, b in pairs:
+            if self._hollows.pairs[a, b]:
+                hits += self._hollows.meet(path, lasts, (a, b), gives)
+                continue
+            for first, second in separation.unsure((a, b)):
+                one, other = self._outline(a)[first], self._outline(b)[second]
+                if hit := meet(path, one, other, 0.0, lasts, gives):
+                    hits.append(hit)
+        return hits
 
     def _outline(self, body: int) -> list[Outline]:
         """Return the outlines of a body's shapes, in the order of its parts."""
@@ -122,7 +132,7 @@ class ApproachingPairs:
             if pair in touch:
                 self._room[row], room[row] = 0.0, np.inf  # computed once they part
                 continue
-            gap = self._shapes.gap(pair, here)
+            gap = self._gap(pair, here)
             if (first or gap <= ahead[row]) and (self._never_meet(pair) or self._within(pair, gap)):
                 gap = np.inf
             self._room[row] = room[row] = gap
@@ -130,6 +140,12 @@ class ApproachingPairs:
                 found.append(pair)
         self._calm = float(room.min())
         return found
+
+    def _gap(self, pair: Pair, here: Placed) -> float:
+        """Return a lower bound of the distance between two bodies [m]."""
+        if self._hollows.pairs[pair]:
+            return self._hollows.gap(pair, here.place)
+        return self._shapes.gap(pair, here)
 
     def _is_let(self, pair: Pair, place: Coordinates) -> bool:
         """Return whether one of two bodies lets the other pass through from this side."""
@@ -147,7 +163,7 @@ class ApproachingPairs:
 
     def _within(self, pair: Pair, gap: float) -> bool:
         """Return whether one of two bodies is within the other, and never met from outside."""
-        return bool(gap < 0 and self._hollow[list(pair)].any())
+        return bool(gap < 0 and not self._hollows.pairs[pair] and self._hollow[list(pair)].any())
 
     def _never_meet(self, pair: Pair) -> bool:
         """Return whether two bodies do not collide, or are parts of one solid."""

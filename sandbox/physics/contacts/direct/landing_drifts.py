@@ -29,7 +29,7 @@ from sandbox.physics.contacts.direct.kick_parts import Stage
 from sandbox.physics.contacts.direct.kick_system import Kick
 from sandbox.physics.contacts.direct.speculative_contacts import (
     LOOKS,
-    Corner,
+    AnyCorner,
     SpeculativeContacts,
 )
 from sandbox.physics.contacts.direct.warm_start import recalled
@@ -72,7 +72,7 @@ class Met(NamedTuple):
 
     time: float
     hits: Sequence[Hit]
-    corners: Sequence[Corner]
+    corners: Sequence[AnyCorner]
 
     @property
     def pairs(self) -> list[Pair]:
@@ -186,13 +186,17 @@ class Landings:
         return shorter, met
 
     def _meet(
-        self, part: Part, longest: float, pairs: Sequence[Pair], corners: Sequence[Corner]
+        self,
+        part: Part,
+        longest: float,
+        pairs: Sequence[Pair],
+        corners: Sequence[AnyCorner],
     ) -> Met | None:
         """Return the first landing on the parabolas of a part within a time `longest` [s]."""
         total = self._laws + part.pulls
         begun, place = part.moved - total * (part.drift / 2), part.kick.place.values
 
-        def height(corner: Corner, t: float) -> float:
+        def height(corner: AnyCorner, t: float) -> float:
             there = Coordinates(place + t * (begun + total * (t / 2)))
             return self._speculative.height(corner, there) - TOUCH
 

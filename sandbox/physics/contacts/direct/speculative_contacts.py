@@ -11,7 +11,7 @@ That is for corners that come down gently. Those that strike, and bodies that do
 located within the drift (see `landing_drifts`). Other corners of what bounces wait for theirs.
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -21,11 +21,12 @@ from sandbox.physics.contacts.contact_queries import Query, Touched, contacts_of
 from sandbox.physics.contacts.direct.approaching_pairs import ApproachingPairs
 from sandbox.physics.contacts.direct.convex_parts import Pair, Shapes
 from sandbox.physics.contacts.direct.corner_contacts import ALIKE, LEAST, Spot, on_side, within
+from sandbox.physics.contacts.direct.hollow_pairs import HollowCorner, HollowPairs, placed
 from sandbox.physics.contacts.direct.kick_system import Kick
 from sandbox.physics.contacts.direct.row_layout import Surfaces
 from sandbox.physics.contacts.time_of_impact import TOUCH, Hit
 from sandbox.physics.engine.batch import Booleans, Contacts
-from sandbox.physics.joints.exact.constraints import Coordinates, angles
+from sandbox.physics.joints.exact.constraints import Coordinates, angles, planes
 
 LOOKS = 30
 """The most times that a drift is followed to its end: in a rocking stack each time finds one more
@@ -52,6 +53,10 @@ class Corner(NamedTuple):
     corner: int
 
 
+AnyCorner = Corner | HollowCorner
+"""A corner that meets a side, an arc or a curve."""
+
+
 class SpeculativeContacts:
     """Finds the corners that meet a side within a drift; n bodies.
 
@@ -72,14 +77,15 @@ class SpeculativeContacts:
 
     def __init__(self, query: Query, surfaces: Surfaces, moves: Booleans) -> None:
         self._bodies, self._shapes = query.bodies, Shapes(query.bodies)
-        shapes = self._shapes
-        self._looks = shapes.sided[:, None] & shapes.sided & (surfaces.restitution == 0)
+        shapes, self._hollows = self._shapes, HollowPairs(query.hollows, len(moves))
+        looks = shapes.sided[:, None] & shapes.sided | self._hollows.pairs
+        self._looks = looks & (surfaces.restitution == 0)
         self._any = bool(self._looks.any())
         self._asked: tuple[Kick, float, Array] | None = None  # who asked last, and about what
-        self._found: list[Corner] = []  # what came of it
-        self.approaching = ApproachingPairs(query, shapes, surfaces, moves)
+        self._found: list[AnyCorner] = []  # what came of it
+        self.approaching = ApproachingPairs(query, shapes, surfaces, moves, self._hollows)
 
-    def corners(self, kick: Kick, motion: Array) -> list[Corner]:
+    def corners(self, kick: Kick, motion: Array) -> list[AnyCorner]:
         """Return the corners that come down within the drift after a kick and are new to it.
 
         Whoever closes a drift and whoever looks for landings in it ask for the same ones.
@@ -99,32 +105,36 @@ class SpeculativeContacts:
         self._asked, self._found = (kick, drift, motion), self._search(kick, motion, drift)
         return self._found
 
-    def _search(self, kick: Kick, motion: Array, drift: float) -> list[Corner]:
+    def _search(self, kick: Kick, motion: Array, drift: float) -> list[AnyCorner]:
         """Return the corners that come down within so long a drift [s]; see `corners`."""
-        turning = self._turning(kick.contacts, angles(motion) * drift)
+        turning = self._turning(kick.contacts, motion * drift)
         if not turning:
             return []
-        here = self._shapes.at(kick.place)
-        there = self._shapes.at(Coordinates(kick.place.values + drift * motion))
-        found = [
-            Corner(pair, parts, *down)
-            for pair in turning
-            for parts in self._shapes.close(pair, there)
-            for down in within(there.both(pair, parts))
-            if on_side(here.both(pair, parts), *down).gap > 0
-        ]
+        ended = Coordinates(kick.place.values + drift * motion)
+        found = [one for pair in turning for one in self._down(pair, kick.place, ended)]
         if not found:
             return []
         new = _new(self.contacts(found, kick.place, kick.joints.origin), kick).tolist()
         return [corner for corner, is_new in zip(found, new, strict=True) if is_new]
 
-    def height(self, corner: Corner, place: Coordinates) -> float:
+    def _down(self, pair: Pair, start: Coordinates, end: Coordinates) -> Iterator[AnyCorner]:
+        """Yield the corners of two bodies that come down between two placements."""
+        if self._hollows.pairs[pair]:
+            yield from self._hollows.corners(pair, start, end)
+            return
+        here, there = self._shapes.at(start), self._shapes.at(end)
+        for parts in self._shapes.close(pair, there):
+            for down in within(there.both(pair, parts)):
+                if on_side(here.both(pair, parts), *down).gap > 0:
+                    yield Corner(pair, parts, *down)
+
+    def height(self, corner: AnyCorner, place: Coordinates) -> float:
         """Return the distance of a corner from its side at given positions [m]."""
         return self._spot(corner, place).gap
 
     def contacts(
         self,
-        corners: Sequence[Corner],
+        corners: Sequence[AnyCorner],
         place: Coordinates,
         origin: complex,
         hits: Sequence[Hit] = (),
@@ -140,22 +150,30 @@ class SpeculativeContacts:
             found.setdefault(pair, []).append(touched)
         return contacts_of(found)
 
-    def _spot(self, corner: Corner, place: Coordinates) -> Spot:
+    def _spot(self, corner: AnyCorner, place: Coordinates) -> Spot:
+        if isinstance(corner, HollowCorner):
+            return Spot(corner.own, *corner.spot(placed(corner.pair, place)))
         pair, parts, own, side, number = corner
         return on_side(self._shapes.at(place).both(pair, parts), own, side, number)
 
-    def _turning(self, contacts: Contacts, turns: Array) -> list[Pair]:
-        """Return the touching pairs that rotate far enough for another corner to meet.
+    def _turning(self, contacts: Contacts, way: Array) -> list[Pair]:
+        """Return the touching pairs that move far enough for another corner to meet.
+
+        Straight sides only meet one if they rotate.
 
         Parameters
         ----------
-        turns
-            (N,), the rotations of the bodies in the drift [rad].
+        way
+            (3 N,), the displacements of the bodies in the drift [m, rad].
         """
         a, b = contacts.bodies.T
-        reach, single = self._shapes.reach, self._shapes.single
-        way = np.abs(turns[a] - turns[b]) * np.minimum(reach[a], reach[b])
-        far = way > LEAST
+        reach, single, turns = self._shapes.reach, self._shapes.single, angles(way)
+        turned = np.abs(turns[a] - turns[b])
+        far = turned * np.minimum(reach[a], reach[b]) > LEAST
+        if self._hollows.pairs.any():
+            plane = planes(way)
+            moved = np.abs(plane[a] - plane[b]) + turned
+            far |= self._hollows.pairs[a, b] & (moved > LEAST)
         if not np.count_nonzero(far):
             return []
         whole = (contacts.touches == 2) & single[a] & single[b]
