@@ -1,5 +1,7 @@
 """Pairs of bodies that do not touch, but might within a drift.
 
+A body that touches one part of another, as one side of a kink, may meet the next part.
+
 The distance of a pair is computed again only when the two may have moved that far relative to each
 other since the last time: about ten times for a body that falls, once for one that stands beside
 another.
@@ -43,6 +45,8 @@ class ApproachingPairs:
         (n,), which of them are dynamic.
     hollows
         The pairs of a hollow body and another.
+    beside
+        (n, n), the pairs that may meet beside where they touch.
     """
 
     def __init__(
@@ -52,6 +56,7 @@ class ApproachingPairs:
         surfaces: Surfaces,
         moves: Booleans,
         hollows: HollowPairs,
+        beside: Booleans,
     ) -> None:
         self._bodies, self._gates, self._shapes = query.bodies, query.gates, shapes
         self._hollows = hollows
@@ -61,6 +66,7 @@ class ApproachingPairs:
         may = np.triu(surfaces.lands & (convex[:, None] & convex | self._hollows.pairs), 1)
         may &= moves[:, None] | moves
         self._first, self._second = np.nonzero(may)
+        self._beside = beside[may]
         self._outlines: dict[int, list[Outline]] = {}
         self._hollow = surfaces.figures.inner > 0
         reach = np.where(known, reach, 0.0)
@@ -73,7 +79,7 @@ class ApproachingPairs:
         self._found: list[Pair] = []  # its result
 
     def near(self, contacts: Contacts, place: Coordinates, way: Array) -> list[Pair]:
-        """Return the pairs that do not touch, but might within the drift.
+        """Return the pairs that do not touch, or not where they might within the drift.
 
         Parameters
         ----------
@@ -129,8 +135,12 @@ class ApproachingPairs:
         room, found = self._room.copy(), []
         for row in np.flatnonzero(self._room < ahead).tolist():
             pair = int(self._first[row]), int(self._second[row])
-            if pair in touch:
-                self._room[row], room[row] = 0.0, np.inf  # computed once they part
+            if pair in touch:  # computed again in each search
+                self._room[row], room[row] = 0.0, np.inf
+                if self._beside[row]:
+                    room[row] = self._shapes.gap(pair, here, beside=True)
+                if LEAST < ahead[row] >= room[row]:
+                    found.append(pair)
                 continue
             gap = self._gap(pair, here)
             if (first or gap <= ahead[row]) and (self._never_meet(pair) or self._within(pair, gap)):

@@ -12,7 +12,7 @@ import numpy as np
 import pymunk
 
 from sandbox.model.expressions import Array
-from sandbox.physics.geometry.distance import plain
+from sandbox.physics.geometry import distance
 from sandbox.physics.joints.exact.constraints import Coordinates
 
 if TYPE_CHECKING:
@@ -20,6 +20,9 @@ if TYPE_CHECKING:
 
 PLACES = 2
 """How many placements are remembered: those at the start and at the end of a drift."""
+
+TOUCHING = 1e-7
+"""The largest distance of parts that count as touching [m]; those that rest are 3e-8 m apart."""
 
 Pair = tuple[int, int]
 """Two bodies, the lower index first; or the indices of a part of each."""
@@ -122,13 +125,18 @@ class Part(NamedTuple):
             return around
         return max(self.shows(other)[0], other.shows(self)[0])
 
+    def touches(self, other: "Part") -> bool:
+        """Return whether two parts touch or overlap."""
+        proud = self.rounding + other.rounding
+        return distance.gap(self.corners, other.corners, proud).distance <= TOUCHING
+
 
 def parts_of(shapes: Sequence[pymunk.Shape]) -> list[Part]:
     """Return the parts of a body, in an order that does not depend on memory addresses.
 
     A body with a shape of another kind has none.
     """
-    own = plain(shapes)
+    own = distance.plain(shapes)
     if not all(isinstance(s, pymunk.Circle | pymunk.Poly | pymunk.Segment) for s in own):
         return []
     parts = map(Part.of, own)
@@ -213,8 +221,11 @@ class Shapes:
         one, other = (range(len(self._parts[body])) for body in pair)
         return product(one, other)
 
-    def gap(self, pair: Pair, here: Placed) -> float:
-        """Return a lower bound of the distance between two bodies [m]."""
+    def gap(self, pair: Pair, here: Placed, *, beside: bool = False) -> float:
+        """Return a lower bound of the distance between two bodies [m].
+
+        With `beside` it is that of the parts that do not touch.
+        """
         a, b = pair
         if self.single[a] and self.single[b]:
             return here.part(a, 0).gap(here.part(b, 0))
@@ -223,7 +234,10 @@ class Shapes:
             first, second = divmod(int(at), between.shape[1])
             if between[first, second] >= least:
                 break
-            least = min(least, here.part(a, first).gap(here.part(b, second)))
+            one, other = here.part(a, first), here.part(b, second)
+            gap = one.gap(other)
+            if not (beside and gap <= TOUCHING and one.touches(other)):
+                least = min(least, gap)
         return least
 
     def _between(self, pair: Pair, place: Coordinates) -> Array:

@@ -81,9 +81,12 @@ class SpeculativeContacts:
         looks = shapes.sided[:, None] & shapes.sided | self._hollows.pairs
         self._looks = looks & (surfaces.restitution == 0)
         self._any = bool(self._looks.any())
+        several = ~(shapes.single[:, None] & shapes.single)
+        self._slides = several | self._hollows.pairs  # where corners may meet without any rotation
         self._asked: tuple[Kick, float, Array] | None = None  # who asked last, and about what
         self._found: list[AnyCorner] = []  # what came of it
-        self.approaching = ApproachingPairs(query, shapes, surfaces, moves, self._hollows)
+        beside = several & ~self._looks
+        self.approaching = ApproachingPairs(query, shapes, surfaces, moves, self._hollows, beside)
 
     def corners(self, kick: Kick, motion: Array) -> list[AnyCorner]:
         """Return the corners that come down within the drift after a kick and are new to it.
@@ -159,7 +162,7 @@ class SpeculativeContacts:
     def _turning(self, contacts: Contacts, way: Array) -> list[Pair]:
         """Return the touching pairs that move far enough for another corner to meet.
 
-        Straight sides only meet one if they rotate.
+        Two straight sides only meet one if they rotate.
 
         Parameters
         ----------
@@ -170,10 +173,10 @@ class SpeculativeContacts:
         reach, single, turns = self._shapes.reach, self._shapes.single, angles(way)
         turned = np.abs(turns[a] - turns[b])
         far = turned * np.minimum(reach[a], reach[b]) > LEAST
-        if self._hollows.pairs.any():
+        slides = self._slides[a, b]
+        if np.count_nonzero(slides):
             plane = planes(way)
-            moved = np.abs(plane[a] - plane[b]) + turned
-            far |= self._hollows.pairs[a, b] & (moved > LEAST)
+            far |= slides & (np.abs(plane[a] - plane[b]) + turned > LEAST)
         if not np.count_nonzero(far):
             return []
         whole = (contacts.touches == 2) & single[a] & single[b]
