@@ -198,10 +198,11 @@ class Layouts:
 
     def of(self, contacts: Contacts) -> Layout:
         """Return the layout for some contacts, and remember it."""
-        count = len(self._joints.added)
-        if self._last is None or self._last[1] != count or not _alike_in(self._last[0], contacts):
-            self._last = contacts, count, self.anew(contacts)
-        return self._last[2]
+        count, last = len(self._joints.added), self._last
+        same = last is not None and last[1] == count and _alike_in(last[0], contacts)
+        layout = last[2] if last and same else self.anew(contacts)
+        self._last = contacts, count, layout
+        return layout
 
     def anew(self, contacts: Contacts) -> Layout:
         """Return the layout for some contacts without remembering it."""
@@ -210,10 +211,11 @@ class Layouts:
 
 def _alike_in(one: Contacts, other: Contacts) -> bool:
     """Return whether the same bodies touch, with as many points."""
-    return all(
-        a is b or np.array_equal(a, b)
-        for a, b in ((one.bodies, other.bodies), (one.touches, other.touches))
-    )
+    return _equal(one.bodies, other.bodies) and _equal(one.touches, other.touches)
+
+
+def _equal(one: Integers, other: Integers) -> bool:
+    return one is other or np.array_equal(one, other)
 
 
 def _joined(

@@ -247,7 +247,7 @@ class Direct:
         for _ in range(LOOKS):
             corners = self._speculative.corners(taken.kick, taken.moved)
             if not corners:
-                return taken._replace(strikes=False)
+                return taken
             origin = self._joints.origin
             ahead = self._speculative.contacts(corners, taken.kick.place, origin)
             kick = self._build.with_ahead(taken.kick, ahead)
@@ -335,12 +335,12 @@ class Direct:
 
     def _driven(self) -> bool:
         """Whether running surfaces or kinematic bodies may add energy."""
-        return self._runs or bool(np.count_nonzero(self._begun[self._fixed]))
+        return self._runs or bool(np.count_nonzero(self._begun.take(self._fixed, axis=0)))
 
     def _report(self, kick: Kick, total: Array, active: Active) -> None:
         """Pass the impulses of the whole kick, (r,), and its active rows to joints and contacts."""
         joints = kick.layout.joints
-        struck = bool(self.last.struck.any())
+        struck = self.last is not self._calm and bool(self.last.struck.any())
         self._joints.take(total[joints] / self._joints.kick, active.on[joints], struck=struck)
         self._solved = self._pushed = kick, total
 

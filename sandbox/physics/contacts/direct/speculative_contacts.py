@@ -74,6 +74,7 @@ class SpeculativeContacts:
         self._bodies, self._shapes = query.bodies, Shapes(query.bodies)
         shapes = self._shapes
         self._looks = shapes.sided[:, None] & shapes.sided & (surfaces.restitution == 0)
+        self._looks &= moves[:, None] | moves
         self._any = bool(self._looks.any())
         self._asked: tuple[Kick, float, Array] | None = None  # who asked last, and about what
         self._found: list[Corner] = []  # what came of it
