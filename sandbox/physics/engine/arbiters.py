@@ -86,17 +86,14 @@ class Arbiters:
         _, rows, bodies, first, touches, _ = self.pairs
         if not len(rows):
             return None
-        floats = np.frombuffer(floating).reshape(-1, 12)[rows]
+        floats = np.frombuffer(floating).reshape(-1, 12).take(rows, axis=0)
         impulse, direction = floats[:, :2], floats[:, 2:4]
         on_surfaces = floats[:, 4:].reshape(-1, 2, 2, 2)
         overlap = on_surfaces[:, :, 0] - on_surfaces[:, :, 1]
         across = overlap * direction[:, None]
         depth = across[:, :, 0] + across[:, :, 1]
         points = (on_surfaces[:, :, 0] + on_surfaces[:, :, 1]) / 2
-        along = impulse[:, 0] * direction[:, 0] + impulse[:, 1] * direction[:, 1]
-        impulse = impulse * np.where(along < 0, -1.0, 1.0)[:, None]  # acts on the second body
-        normal = np.abs(along)
-        friction = np.abs(impulse[:, 0] * direction[:, 1] - impulse[:, 1] * direction[:, 0])
+        normal, friction, impulse = _split(impulse, direction)
         return bodies, first, direction, normal, friction, touches, points, impulse, depth
 
     def _read_pairs(self, integer: bytes) -> Pairs:
@@ -109,3 +106,19 @@ class Arbiters:
         alone = bool((bodies[1:] != bodies[:-1]).any(axis=1).all())
         first, touches = integers[rows, 2] > 0, integers[rows, 3].astype(np.intp)
         return Pairs(integer, rows, bodies, first, touches, alone)
+
+
+def _split(
+    impulse: NDArray[np.float64], direction: NDArray[np.float64]
+) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
+    """Return the sizes of impulses along normals and across, (k,), and those on the second bodies.
+
+    Without pymunk's own solver there are none.
+    """
+    if not np.count_nonzero(impulse):
+        normal, friction = np.zeros((2, len(impulse)))
+        return normal, friction, impulse
+    along = impulse[:, 0] * direction[:, 0] + impulse[:, 1] * direction[:, 1]
+    impulse = impulse * np.where(along < 0, -1.0, 1.0)[:, None]
+    across = impulse[:, 0] * direction[:, 1] - impulse[:, 1] * direction[:, 0]
+    return np.abs(along), np.abs(across), impulse

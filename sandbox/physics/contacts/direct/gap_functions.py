@@ -114,8 +114,9 @@ class Features:
         spin += self.owns * leans
         if len(rubs):
             spin[:, count:] += self.rolls
-        partials = np.concatenate((way.view(float).ravel(), spin.ravel()))
-        jacobian.reshape(-1)[self.touching.into] = partials
+        in_plane, in_angle = self.touching.into
+        flat = jacobian.reshape(-1)
+        flat[in_plane], flat[in_angle] = way.view(float), spin
 
     def _of_round(self, d: Plane, rows: tuple[Array, Array, Plane, Plane]) -> None:
         """Set the rows of discs: the gaps and slips, and their derivatives by d, (k,) each."""

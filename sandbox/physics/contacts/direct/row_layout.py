@@ -9,7 +9,12 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.model.message import Message
-from sandbox.physics.contacts.direct.constraint_rows import Friction, Problem, TooMuch
+from sandbox.physics.contacts.direct.constraint_rows import (
+    NO_FRICTION,
+    Friction,
+    Problem,
+    TooMuch,
+)
 from sandbox.physics.contacts.direct.islands import islands
 from sandbox.physics.contacts.direct.outlines import Figures
 from sandbox.physics.contacts.direct.touching import Touching
@@ -104,9 +109,20 @@ class Layout:
         return slice(self.gaps.start, None)
 
     def asking(self, problem: Problem) -> "Layout":
-        """Return the same rows with other kinds."""
-        parts = [_part(problem, one.rows, one.slips) for one in self.islands]
+        """Return the same rows with other kinds, or without friction."""
+        rubs = bool(len(problem.friction.row))
+        parts = [
+            _part(problem, one.rows, one.slips if rubs else one.slips[:0]) for one in self.islands
+        ]
         return replace(self, problem=problem, islands=parts)
+
+    @cached_property
+    def hangs_together(self) -> bool:
+        """Whether all rows take part in one island, of more than the row of a joint."""
+        if len(self.islands) != 1 or _is_alone(self.islands[0]):
+            return False
+        rows, slips, _ = self.islands[0]
+        return len(rows) == len(self.problem.free) and len(slips) == len(self.touching.rubs)
 
     @cached_property
     def alone(self) -> Integers:
@@ -126,10 +142,8 @@ class Layout:
 
     @cached_property
     def smooth(self) -> "Layout":
-        """Return the same rows without friction."""
-        none = np.zeros(len(self.touching.rubs))
-        friction = replace(self.problem.friction, sticks=none, slips=none)
-        return self.asking(self.problem._replace(friction=friction))
+        """Return the same rows without friction: its rows take no part."""
+        return self.asking(self.problem._replace(friction=NO_FRICTION))
 
 
 def lay_out(contacts: Contacts, joints: ExactJoints, surfaces: Surfaces, moves: Booleans) -> Layout:

@@ -291,9 +291,9 @@ class Direct:
         """Locate the landings in the drift after a kick, which ends at a time [s]."""
         if not self._locates:
             return None
-        place, motion = self._joints.coordinates()
-        way = self._dt * motion.values
-        strikes = self._taken is not None and self._taken.strikes
+        taken = self._taken
+        place, motion = taken.coordinates if taken else self._joints.coordinates()
+        strikes, way = taken is not None and taken.strikes, self._dt * motion.values
         if not (strikes or self._speculative.approaching.near(self._build.contacts, place, way)):
             return None
         whole, (laws,) = self._whole(place, motion.values), self._spread(self._acceleration)
