@@ -59,6 +59,8 @@ class Arbiters:
         The space.
     ids, order
         (n,), the ids of the bodies in ascending order, and the indices of these bodies.
+    pushes
+        Whether pymunk's impulses count; else they only tell pairs of the same bodies apart.
 
     Attributes
     ----------
@@ -67,8 +69,9 @@ class Arbiters:
     """
 
     def __init__(
-        self, space: pymunk.Space, ids: NDArray[np.uintp], order: NDArray[np.intp]
+        self, space: pymunk.Space, ids: NDArray[np.uintp], order: NDArray[np.intp], *, pushes: bool
     ) -> None:
+        self._pushes = pushes
         self._table, self._ids, self._order = ArbiterTable(space, _FIELDS), ids, order
         self._raw = b"", b""
         self.pairs: Pairs | None = None
@@ -83,7 +86,7 @@ class Arbiters:
         integer, floating = self._raw
         if self.pairs is None or integer != self.pairs.raw:
             self.pairs = self._read_pairs(integer)
-        _, rows, bodies, first, touches, _ = self.pairs
+        _, rows, bodies, first, touches, alone = self.pairs
         if not len(rows):
             return None
         floats = np.frombuffer(floating).reshape(-1, 12).take(rows, axis=0)
@@ -93,7 +96,10 @@ class Arbiters:
         across = overlap * direction[:, None]
         depth = across[:, :, 0] + across[:, :, 1]
         points = (on_surfaces[:, :, 0] + on_surfaces[:, :, 1]) / 2
-        normal, friction, impulse = _split(impulse, direction)
+        if alone and not self._pushes:
+            (normal, friction), impulse = np.zeros((2, len(rows))), np.zeros((len(rows), 2))
+        else:
+            normal, friction, impulse = _split(impulse, direction)
         return bodies, first, direction, normal, friction, touches, points, impulse, depth
 
     def _read_pairs(self, integer: bytes) -> Pairs:
@@ -111,13 +117,7 @@ class Arbiters:
 def _split(
     impulse: NDArray[np.float64], direction: NDArray[np.float64]
 ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
-    """Return the sizes of impulses along normals and across, (k,), and those on the second bodies.
-
-    Without pymunk's own solver there are none.
-    """
-    if not np.count_nonzero(impulse):
-        normal, friction = np.zeros((2, len(impulse)))
-        return normal, friction, impulse
+    """Return the sizes of impulses along and across normals, (k,), and those on second bodies."""
     along = impulse[:, 0] * direction[:, 0] + impulse[:, 1] * direction[:, 1]
     impulse = impulse * np.where(along < 0, -1.0, 1.0)[:, None]
     across = impulse[:, 0] * direction[:, 1] - impulse[:, 1] * direction[:, 0]
