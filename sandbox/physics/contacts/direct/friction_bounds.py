@@ -64,5 +64,6 @@ class FrictionBounds:
         """
         gives = np.eye(len(self._size))
         for contact, share in zip(self.contact, self._shares[1] * slip, strict=True):
-            gives[self.row, contact] += share
+            if np.count_nonzero(share):
+                gives[self.row, contact] += share
         return gives

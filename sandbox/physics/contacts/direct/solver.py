@@ -291,9 +291,8 @@ class Direct:
         """Locate the landings in the drift after a kick, which ends at a time [s]."""
         if not self._locates:
             return None
-        taken = self._taken
-        place, motion = taken.coordinates if taken else self._joints.coordinates()
-        strikes, way = taken is not None and taken.strikes, self._dt * motion.values
+        place, motion = self._taken.coordinates if self._taken else self._joints.coordinates()
+        strikes, way = self._taken is not None and self._taken.strikes, self._dt * motion.values
         if not (strikes or self._speculative.approaching.near(self._build.contacts, place, way)):
             return None
         whole, (laws,) = self._whole(place, motion.values), self._spread(self._acceleration)
@@ -330,7 +329,8 @@ class Direct:
     def _spread(self, *rates: Array) -> Array:
         """Return s arrays of rates (n, 3) in the order of coordinates: (s, 3 N)."""
         values = np.zeros((len(rates), 3 * len(self._moves) + 3))
-        values[:, self._order] = rates
+        for row, rate in zip(values, rates, strict=True):
+            row[self._order] = rate
         return values
 
     def _driven(self) -> bool:
