@@ -114,7 +114,7 @@ def test_friction_takes_no_part_where_an_overlap_is_taken_back(
     wall = build(load(find("machines/wrecking-ball")))
     wall.advance(150)
     slipping: list[bool] = []
-    take_back = overlap_correction.newton
+    take_back = newton.newton
 
     def watched(*given: object) -> object:
         impulse, way, active = take_back(*given)  # type: ignore[arg-type]
