@@ -59,6 +59,8 @@ class Arbiters:
         The space.
     ids, order
         (n,), the ids of the bodies in ascending order, and the indices of these bodies.
+    pushes
+        Whether pymunk's impulses count; else they only tell pairs of the same bodies apart.
 
     Attributes
     ----------
@@ -67,8 +69,9 @@ class Arbiters:
     """
 
     def __init__(
-        self, space: pymunk.Space, ids: NDArray[np.uintp], order: NDArray[np.intp]
+        self, space: pymunk.Space, ids: NDArray[np.uintp], order: NDArray[np.intp], *, pushes: bool
     ) -> None:
+        self._pushes = pushes
         self._table, self._ids, self._order = ArbiterTable(space, _FIELDS), ids, order
         self._raw = b"", b""
         self.pairs: Pairs | None = None
@@ -83,20 +86,20 @@ class Arbiters:
         integer, floating = self._raw
         if self.pairs is None or integer != self.pairs.raw:
             self.pairs = self._read_pairs(integer)
-        _, rows, bodies, first, touches, _ = self.pairs
+        _, rows, bodies, first, touches, alone = self.pairs
         if not len(rows):
             return None
-        floats = np.frombuffer(floating).reshape(-1, 12)[rows]
+        floats = np.frombuffer(floating).reshape(-1, 12).take(rows, axis=0)
         impulse, direction = floats[:, :2], floats[:, 2:4]
         on_surfaces = floats[:, 4:].reshape(-1, 2, 2, 2)
         overlap = on_surfaces[:, :, 0] - on_surfaces[:, :, 1]
         across = overlap * direction[:, None]
         depth = across[:, :, 0] + across[:, :, 1]
         points = (on_surfaces[:, :, 0] + on_surfaces[:, :, 1]) / 2
-        along = impulse[:, 0] * direction[:, 0] + impulse[:, 1] * direction[:, 1]
-        impulse = impulse * np.where(along < 0, -1.0, 1.0)[:, None]  # acts on the second body
-        normal = np.abs(along)
-        friction = np.abs(impulse[:, 0] * direction[:, 1] - impulse[:, 1] * direction[:, 0])
+        if alone and not self._pushes:
+            (normal, friction), impulse = np.zeros((2, len(rows))), np.zeros((len(rows), 2))
+        else:
+            normal, friction, impulse = _split(impulse, direction)
         return bodies, first, direction, normal, friction, touches, points, impulse, depth
 
     def _read_pairs(self, integer: bytes) -> Pairs:
@@ -109,3 +112,13 @@ class Arbiters:
         alone = bool((bodies[1:] != bodies[:-1]).any(axis=1).all())
         first, touches = integers[rows, 2] > 0, integers[rows, 3].astype(np.intp)
         return Pairs(integer, rows, bodies, first, touches, alone)
+
+
+def _split(
+    impulse: NDArray[np.float64], direction: NDArray[np.float64]
+) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
+    """Return the sizes of impulses along and across normals, (k,), and those on second bodies."""
+    along = impulse[:, 0] * direction[:, 0] + impulse[:, 1] * direction[:, 1]
+    impulse = impulse * np.where(along < 0, -1.0, 1.0)[:, None]
+    across = impulse[:, 0] * direction[:, 1] - impulse[:, 1] * direction[:, 0]
+    return np.abs(along), np.abs(across), impulse

@@ -1,8 +1,7 @@
 """All bodies and contacts of a space, read and written as arrays.
 
-pymunk has an order of its own, with one more row for its static body, so rows are mapped by the
-ids of bodies. The arrays are passed to pymunk once and reused: nothing is allocated in a step, and
-no body may be added to the space once there is a `Batch` for it.
+pymunk has its own order, with a row more for its static body: rows are mapped by ids of bodies. The
+arrays are made once. No body may be added to the space once there is a `Batch` for it.
 """
 
 from collections.abc import Sequence
@@ -144,6 +143,7 @@ class Batch:
         self._velocity = Table(space, _VELOCITY, len(ids), 3)
         self._force = Table(space, _FORCE, len(ids), 3)
         self._arbiters: Arbiters | None = None
+        self.solved_by_pymunk = True  # or its impulses at contacts mean nothing, and are 0 here
         self._known = NO_CONTACTS
 
     def pair(self, a: int | None, b: int | None) -> Pair:
@@ -193,4 +193,4 @@ class Batch:
         """Return the reader of contacts, which is imported only when needed."""
         from sandbox.physics.engine.arbiters import Arbiters
 
-        return Arbiters(self._space, self._ids, self._order)
+        return Arbiters(self._space, self._ids, self._order, pushes=self.solved_by_pymunk)

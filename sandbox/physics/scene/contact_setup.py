@@ -138,6 +138,7 @@ def make_direct(made: Made, pairs: Pairs) -> "Direct | None":
     assert bodies[0].space
     query = Query(bodies[0].space, bodies, pairs.hollows, pairs.gates)
     dt, strikes = 1 / stepping.rate, not level.effects.in_sequence
+    made.batch.solved_by_pymunk = False
     return Direct(
         made.batch, made.joints.together, surfaces, made.inertia, dt, query, strikes=strikes
     )

@@ -19,6 +19,7 @@ from sandbox.physics.contacts.contact_queries import Query, pairs_of
 from sandbox.physics.contacts.direct.convex_parts import Pair, Placed, Shapes
 from sandbox.physics.contacts.direct.corner_contacts import LEAST
 from sandbox.physics.contacts.direct.hollow_pairs import HollowPairs
+from sandbox.physics.contacts.direct.linear_systems import most
 from sandbox.physics.contacts.direct.row_layout import Surfaces
 from sandbox.physics.contacts.direct.separation import Separation
 from sandbox.physics.contacts.time_of_impact import Hit, Path, meet
@@ -95,7 +96,7 @@ class ApproachingPairs:
         way = way * self._weights
         if self._seen is not None and contacts.bodies is self._touch:
             went = (place.values - self._seen) * self._weights
-            if MOST * float((np.abs(went) + np.abs(way)).max()) < self._calm:
+            if MOST * most(np.abs(went) + np.abs(way)) < self._calm:
                 return []
             if not np.count_nonzero(went) and self._ahead == way.tobytes():
                 return self._found

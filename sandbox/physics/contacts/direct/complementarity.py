@@ -264,11 +264,13 @@ class _Scaled:
 
     def _holds(self, rate: Array, active: Active) -> bool:
         """Return whether the active rows are kept, and do not contradict each other."""
+        off, blur = np.abs(rate), most(self._blur)
+        if not np.count_nonzero(active.on & ~(off <= blur)):  # nearly always
+            return True
         allowed: Array | float = CONTRADICTS * self._asked
         if self._lets < inf:
             allowed = np.minimum(allowed, self._lets / self._size)
-        within = np.abs(rate) <= allowed + most(self._blur)
-        return not np.count_nonzero(active.on & ~within)
+        return not np.count_nonzero(active.on & ~(off <= allowed + blur))
 
     def _judge(self, impulse: Array, rate: Array, active: Active) -> Active | None:
         """Return a better active set for these impulses and rates; None if this one is right."""

@@ -117,10 +117,10 @@ def _squeezes(kick: Kick, motion: Array, found: Held, energy: float) -> bool:
     """
     impulse, moved, _ = found
     gaps, least = kick.layout.gaps, GIVES * energy
-    closing = kick.here.jacobian[gaps]
+    closing, pushes = kick.here.jacobian[gaps], impulse[gaps]
 
     def work(before: Array) -> float:
-        return float(impulse[gaps] @ (closing @ (before + moved))) / 2
+        return float(pushes.dot(closing.dot(before + moved))) / 2
 
     return work(motion) > least and work(_joined(kick, motion)) > least
 

@@ -50,9 +50,10 @@ class FalseContacts:
         if not len(contacts.bodies):
             self._pairs, self._same = set(), None
             return contacts
-        good: Booleans = np.asarray(contacts.direction.any(axis=1))
-        if contacts.bodies is self._same and good.all():
+        directed = np.count_nonzero(contacts.direction.view(complex)) == len(contacts.bodies)
+        if contacts.bodies is self._same and directed:
             return contacts
+        good: Booleans = np.asarray(contacts.direction.any(axis=1))
         pairs, known = pairs_of(contacts), self._pairs
         if known is not None and (new := np.array([pair not in known for pair in pairs])).any():
             good &= ~new | (contacts.depth <= _reach(contacts, *moved()))

@@ -25,25 +25,19 @@ class FrictionBounds:
         self._friction, self._size = friction, size
 
     @cached_property
-    def _scale(self) -> Array:
-        """The scale of friction over that of each of its contacts: (2, f)."""
-        return np.asarray(self._size.take(self.row) / self._size.take(self.contact))
-
-    @cached_property
-    def _sticks(self) -> Array:
-        return self._friction.shares[0] * self._scale
-
-    @cached_property
-    def _slips(self) -> Array:
-        return self._friction.shares[1] * self._scale
+    def _shares(self) -> tuple[Array, Array]:
+        """The static and the kinetic coefficients of each contact, scaled: (2, f) each."""
+        (sticks, slips), size = self._friction.shares, self._size
+        scale = size.take(self.row) / size.take(self.contact)
+        return sticks * scale, slips * scale
 
     def sticking(self, impulse: Array) -> Array:
         """Return the bounds of friction while it sticks, (f,), with impulses (m,)."""
-        return self._bounds(impulse, self._sticks)
+        return self._bounds(impulse, self._shares[0])
 
     def slipping(self, impulse: Array) -> Array:
         """Return the size of friction while it slips, (f,), with impulses (m,)."""
-        return self._bounds(impulse, self._slips)
+        return self._bounds(impulse, self._shares[1])
 
     def _bounds(self, impulse: Array, coefficients: Array) -> Array:
         bounds = coefficients * np.maximum(impulse.take(self.contact), 0.0)
@@ -51,11 +45,11 @@ class FrictionBounds:
 
     def sticking_by_each(self) -> Array:
         """Return the bounds while friction sticks as a matrix of the impulses: (f, m)."""
-        return self._by_each(self._sticks)
+        return self._by_each(self._shares[0])
 
     def slipping_by_each(self) -> Array:
         """Return the sizes while friction slips as a matrix of the impulses: (f, m)."""
-        return self._by_each(self._slips)
+        return self._by_each(self._shares[1])
 
     def _by_each(self, coefficients: Array) -> Array:
         shares, each = np.zeros((len(self.row), len(self._size))), np.arange(len(self.row))
@@ -69,6 +63,7 @@ class FrictionBounds:
         Friction that slips, in the direction of its sign in `slip`, (f,), follows from its contact.
         """
         gives = np.eye(len(self._size))
-        for contact, share in zip(self.contact, self._slips * slip, strict=True):
-            gives[self.row, contact] += share
+        for contact, share in zip(self.contact, self._shares[1] * slip, strict=True):
+            if np.count_nonzero(share):
+                gives[self.row, contact] += share
         return gives

@@ -36,6 +36,9 @@ from sandbox.physics.engine.batch import Booleans, Contacts, Integers
 from sandbox.physics.joints.exact.constraints import Coordinates
 from sandbox.physics.state.anchor import Plane
 
+OUT = -FROM_TO
+"""The sign of the direction from each of the two bodies to the other."""
+
 
 @dataclass(slots=True)  # not frozen: made in every step
 class Features:
@@ -105,8 +108,8 @@ class Features:
             arms[:, count:] = arms[:, rubs]
         total[:count], ways, leans = gap, along, off
         if len(rubs):
-            slipped, rolled = off.take(rubs), self.rolls * place.angle.take(held[:, count:])
-            total[count:] = slipped + rolled[0] + rolled[1]
+            rolled = self.rolls * place.angle.take(held[:, count:])
+            total[count:] = off.take(rubs) + rolled[0] + rolled[1]
             ways = np.concatenate((along, across.take(rubs)))
             leans = np.concatenate((off, -gap.take(rubs)))
         way = FROM_TO * ways
@@ -114,8 +117,9 @@ class Features:
         spin += self.owns * leans
         if len(rubs):
             spin[:, count:] += self.rolls
-        partials = np.concatenate((way.view(float).ravel(), spin.ravel()))
-        jacobian.reshape(-1)[self.touching.into] = partials
+        in_plane, in_angle = self.touching.into
+        flat = jacobian.reshape(-1)
+        flat[in_plane], flat[in_angle] = way.view(float), spin
 
     def _of_round(self, d: Plane, rows: tuple[Array, Array, Plane, Plane]) -> None:
         """Set the rows of discs: the gaps and slips, and their derivatives by d, (k,) each."""
@@ -162,11 +166,12 @@ def features(
     figures, outlines = touching.figures, touching.outlines
     n = contacts.direction.view(complex).take(pair)
     middle = np.ascontiguousarray(contacts.points).view(complex).take(number) - origin
-    out = -FROM_TO * n  # of each body
+    out = OUT * n  # of each body
     surfaces = middle + out * (contacts.depths.take(number) / 2)
     where, turned = place.plane.take(bodies), place.turned.take(bodies)
     is_round, center = outlines.round(where, turned, n, middle)
-    owns = _owners(touching, out * turned.conj())
+    back = turned.conj()
+    owns = _owners(touching, out * back)
     curved = tuple(on_curves(figures, bodies, n, surfaces, (place.plane, place.turned)))
     is_round, center = _with_curves(curved, place, is_round, center, owns)
     corners, corner = _corners(outlines, is_round, owns)
@@ -176,11 +181,12 @@ def features(
     sign, rounds = (None, None) if corner is None else _rounds(corner, d, n)
     side = np.where(owns[1], bodies[1], bodies[0])
     rolls = _rolls(touching, is_round, owns, sign)
-    roll_on_curves(curved, owns[0] | owns[1], rubs, figures, rolls)
+    if curved:
+        roll_on_curves(curved, owns[0] | owns[1], rubs, figures, rolls)
     circles = _circles(sign, curved, rubs)
     return Features(
         touching=touching,
-        points=((at - where) * turned.conj()).take(touching.rows, axis=1),
+        points=((at - where) * back).take(touching.rows, axis=1),
         side=side,
         normal=n * place.turned.take(side).conj(),
         owns=owns.take(touching.rows, axis=1).astype(float),

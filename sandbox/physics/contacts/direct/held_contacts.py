@@ -27,11 +27,12 @@ def without_held(kick: Kick) -> tuple[Layout, Booleans] | None:
     layout = kick.layout
     if not len(layout.joined):
         return None
-    here, response = kick.here.jacobian, kick.response
-    rows, answers = layout.joined + layout.gaps.start, response[layout.ties]
-    across = here[rows] @ answers.T
-    shares = nearest(here[layout.ties] @ answers.T, across.T)
-    own = np.vecdot(here[rows], response[rows])
+    rows = layout.joined + layout.gaps.start
+    here, ties = (kick.here.jacobian.take(some, axis=0) for some in (rows, layout.ties))
+    response, answers = (kick.response.take(some, axis=0) for some in (rows, layout.ties))
+    across = here.dot(answers.T)
+    shares = nearest(ties.dot(answers.T), across.T)
+    own = np.vecdot(here, response)
     held = layout.joined[own - np.vecdot(across, shares.T) <= MOVES * own]
     if not len(held):
         return None

@@ -38,10 +38,11 @@ def struck(kick: Kick, came: Array, acts: Array, change: Array, *, looks: bool) 
     jacobian = kick.here.jacobian[kick.layout.gaps]
     if not looks:
         return np.zeros(len(jacobian), dtype=bool)
-    closing, *others = np.array((came, acts, change)).dot(jacobian.T)
+    rates = np.array((came, acts, change)).dot(jacobian.T)
+    closing, (acting, changing) = rates[0], np.abs(rates[1:])
     if kick.closes:
         closing = np.where(kick.ahead, 0.0, closing)
-    gives = np.maximum(*np.abs(others))
+    gives = np.maximum(acting, changing)
     far: Booleans = closing < -gives
     if not np.count_nonzero(far):  # bodies at rest need no closer look
         return far

@@ -9,6 +9,7 @@ from sandbox.physics.contacts.direct.constraint_rows import Active
 from sandbox.physics.contacts.direct.kick_system import Kick
 from sandbox.physics.contacts.sequential_impacts import Impacts
 from sandbox.physics.engine.batch import Booleans, Contacts
+from sandbox.physics.joints.exact.constraints import Coordinates
 
 
 class Stage(NamedTuple):
@@ -91,3 +92,8 @@ class Taken(NamedTuple):
     begun: Array
     lasts: float
     strikes: bool = False
+
+    @property
+    def coordinates(self) -> tuple[Coordinates, Coordinates]:
+        """The positions at its time, and the velocities after it."""
+        return self.kick.place, Coordinates(self.moved)

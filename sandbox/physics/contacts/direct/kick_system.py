@@ -157,6 +157,8 @@ class Kick:
             The velocities after the kick, (3 N,) [m/s, rad/s], and its forces, (r,) [N].
         """
         first, gaps = self.layout.gaps.start, self.layout.gaps
+        if gaps.stop - first == len(self.contacts.bodies):  # each touches at one point
+            return None
         one, other = self.layout.problem.friction.contact
         bears = (forces[one] <= 0) & (other >= 0) & (forces[other] > 0)
         if not np.count_nonzero(bears):

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from math import inf
+from typing import NamedTuple
 
 import numpy as np
 
@@ -139,6 +140,10 @@ def solve_rows(
     """
     found = np.zeros(len(rate))
     on, slip = np.zeros(len(rate), dtype=bool), np.zeros(len(active.slip), dtype=np.intp)
+    if layout.hangs_together:
+        allow = inf if off is not None and np.count_nonzero(off) else lets
+        terms = _Terms(kick.response, jacobian, rate, impulse)
+        return _solve_island(kick, layout.islands[0], terms, active, allow)
     if len(alone := layout.alone):
         each = np.full(len(alone), lets) if off is None else np.where(off[alone], inf, lets)
         found[alone], on[alone] = _solve_alone(kick, alone, jacobian, rate, impulse, each), True
@@ -146,26 +151,36 @@ def solve_rows(
         rows, slips, _ = island
         guess = Active(active.on.take(rows), active.slip.take(slips))
         allow = inf if off is not None and np.count_nonzero(off.take(rows)) else lets
-        found[rows], held = _solve_island(kick, island, jacobian, rate, guess, impulse, allow)
+        terms = _Terms(kick.response, jacobian, rate, impulse).of(rows)
+        found[rows], held = _solve_island(kick, island, terms, guess, allow)
         on[rows], slip[slips] = held
     return found, Active(on, slip)
 
 
+class _Terms(NamedTuple):
+    """What the system of some rows follows from; see `solve_rows`."""
+
+    response: Array
+    jacobian: Array
+    rate: Array
+    impulse: Array | None
+
+    def of(self, rows: Integers) -> "_Terms":
+        """Return the terms of some of the rows."""
+        impulse = None if self.impulse is None else self.impulse.take(rows)
+        response, jacobian = self.response.take(rows, axis=0), self.jacobian.take(rows, axis=0)
+        return _Terms(response, jacobian, self.rate.take(rows), impulse)
+
+
 def _solve_island(
-    kick: Kick,
-    island: Island,
-    jacobian: Array,
-    rate: Array,
-    guess: Active,
-    impulse: Array | None,
-    lets: float,
+    kick: Kick, island: Island, terms: _Terms, guess: Active, lets: float
 ) -> tuple[Array, Active]:
     """Solve one island; see `solve_rows`."""
     rows, _, problem = island
-    across = kick.response.take(rows, axis=0).T
-    delassus, free = jacobian.take(rows, axis=0).dot(across), rate.take(rows)
+    response, jacobian, free, impulse = terms
+    delassus = jacobian.dot(response.T)
     if impulse is not None:
-        free -= delassus.dot(impulse.take(rows))
+        free = free - delassus.dot(impulse)
     try:
         return solve(problem, delassus, free, guess, kick.blur, lets)
     except Unsolvable as error:

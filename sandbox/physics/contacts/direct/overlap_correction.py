@@ -104,9 +104,8 @@ class OverlapCorrection:
     def _back(self, kick: Kick, leaving: Array) -> Array | None:
         """Return by how much the gaps are to grow, (k,) [m]; None if none is to."""
         layout, correction = kick.layout, self._surfaces.correction
-        touching, depths = layout.touching, kick.contacts.depths
-        deep = depths[touching.pair, touching.point] - self._surfaces.slop
-        if not correction or not (deep > 0).any():
+        deep = kick.contacts.depths.take(layout.touching.number) - self._surfaces.slop
+        if not correction or not np.count_nonzero(deep > 0):
             return None
         parts = kick.here.jacobian[layout.gaps] @ leaving
         parts[self._known.pressed(kick)] = 0.0  # rolling bodies separate a little: their paths bend

@@ -9,7 +9,12 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.model.message import Message
-from sandbox.physics.contacts.direct.constraint_rows import Friction, Problem, TooMuch
+from sandbox.physics.contacts.direct.constraint_rows import (
+    NO_FRICTION,
+    Friction,
+    Problem,
+    TooMuch,
+)
 from sandbox.physics.contacts.direct.islands import islands
 from sandbox.physics.contacts.direct.outlines import Figures
 from sandbox.physics.contacts.direct.touching import Touching
@@ -104,9 +109,20 @@ class Layout:
         return slice(self.gaps.start, None)
 
     def asking(self, problem: Problem) -> "Layout":
-        """Return the same rows with other kinds."""
-        parts = [_part(problem, one.rows, one.slips) for one in self.islands]
+        """Return the same rows with other kinds, or without friction."""
+        rubs = bool(len(problem.friction.row))
+        parts = [
+            _part(problem, one.rows, one.slips if rubs else one.slips[:0]) for one in self.islands
+        ]
         return replace(self, problem=problem, islands=parts)
+
+    @cached_property
+    def hangs_together(self) -> bool:
+        """Whether all rows take part in one island, of more than the row of a joint."""
+        if len(self.islands) != 1 or _is_alone(self.islands[0]):
+            return False
+        rows, slips, _ = self.islands[0]
+        return len(rows) == len(self.problem.free) and len(slips) == len(self.touching.rubs)
 
     @cached_property
     def alone(self) -> Integers:
@@ -126,10 +142,8 @@ class Layout:
 
     @cached_property
     def smooth(self) -> "Layout":
-        """Return the same rows without friction."""
-        none = np.zeros(len(self.touching.rubs))
-        friction = replace(self.problem.friction, sticks=none, slips=none)
-        return self.asking(self.problem._replace(friction=friction))
+        """Return the same rows without friction: its rows take no part."""
+        return self.asking(self.problem._replace(friction=NO_FRICTION))
 
 
 def lay_out(contacts: Contacts, joints: ExactJoints, surfaces: Surfaces, moves: Booleans) -> Layout:
@@ -198,10 +212,11 @@ class Layouts:
 
     def of(self, contacts: Contacts) -> Layout:
         """Return the layout for some contacts, and remember it."""
-        count = len(self._joints.added)
-        if self._last is None or self._last[1] != count or not _alike_in(self._last[0], contacts):
-            self._last = contacts, count, self.anew(contacts)
-        return self._last[2]
+        count, last = len(self._joints.added), self._last
+        same = last is not None and last[1] == count and _alike_in(last[0], contacts)
+        layout = last[2] if last and same else self.anew(contacts)
+        self._last = contacts, count, layout
+        return layout
 
     def anew(self, contacts: Contacts) -> Layout:
         """Return the layout for some contacts without remembering it."""
@@ -210,10 +225,11 @@ class Layouts:
 
 def _alike_in(one: Contacts, other: Contacts) -> bool:
     """Return whether the same bodies touch, with as many points."""
-    return all(
-        a is b or np.array_equal(a, b)
-        for a, b in ((one.bodies, other.bodies), (one.touches, other.touches))
-    )
+    return _equal(one.bodies, other.bodies) and _equal(one.touches, other.touches)
+
+
+def _equal(one: Integers, other: Integers) -> bool:
+    return one is other or np.array_equal(one, other)
 
 
 def _joined(

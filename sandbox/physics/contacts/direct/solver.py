@@ -247,7 +247,7 @@ class Direct:
         for _ in range(LOOKS):
             corners = self._speculative.corners(taken.kick, taken.moved)
             if not corners:
-                return taken._replace(strikes=False)
+                return taken
             origin = self._joints.origin
             ahead = self._speculative.contacts(corners, taken.kick.place, origin)
             kick = self._build.with_ahead(taken.kick, ahead)
@@ -291,9 +291,8 @@ class Direct:
         """Locate the landings in the drift after a kick, which ends at a time [s]."""
         if not self._locates:
             return None
-        place, motion = self._joints.coordinates()
-        way = self._dt * motion.values
-        strikes = self._taken is not None and self._taken.strikes
+        place, motion = self._taken.coordinates if self._taken else self._joints.coordinates()
+        strikes, way = self._taken is not None and self._taken.strikes, self._dt * motion.values
         if not (strikes or self._speculative.approaching.near(self._build.contacts, place, way)):
             return None
         whole, (laws,) = self._whole(place, motion.values), self._spread(self._acceleration)
@@ -330,17 +329,18 @@ class Direct:
     def _spread(self, *rates: Array) -> Array:
         """Return s arrays of rates (n, 3) in the order of coordinates: (s, 3 N)."""
         values = np.zeros((len(rates), 3 * len(self._moves) + 3))
-        values[:, self._order] = rates
+        for row, rate in zip(values, rates, strict=True):
+            row[self._order] = rate
         return values
 
     def _driven(self) -> bool:
         """Whether running surfaces or kinematic bodies may add energy."""
-        return self._runs or bool(np.count_nonzero(self._begun[self._fixed]))
+        return self._runs or bool(np.count_nonzero(self._begun.take(self._fixed, axis=0)))
 
     def _report(self, kick: Kick, total: Array, active: Active) -> None:
         """Pass the impulses of the whole kick, (r,), and its active rows to joints and contacts."""
         joints = kick.layout.joints
-        struck = bool(self.last.struck.any())
+        struck = self.last is not self._calm and bool(self.last.struck.any())
         self._joints.take(total[joints] / self._joints.kick, active.on[joints], struck=struck)
         self._solved = self._pushed = kick, total
 

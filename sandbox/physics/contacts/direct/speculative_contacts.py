@@ -80,6 +80,7 @@ class SpeculativeContacts:
         shapes, self._hollows = self._shapes, HollowPairs(query.hollows, len(moves))
         looks = shapes.sided[:, None] & shapes.sided | self._hollows.pairs
         self._looks = looks & (surfaces.restitution == 0)
+        self._looks &= moves[:, None] | moves
         self._any = bool(self._looks.any())
         several = ~(shapes.single[:, None] & shapes.single)
         self._slides = several | self._hollows.pairs  # where corners may meet without any rotation

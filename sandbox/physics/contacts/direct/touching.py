@@ -29,8 +29,8 @@ class Touching(NamedTuple):
     held
         (2, k + f), the bodies of these.
     into
-        The indices of the bodies' coordinates in the flattened Jacobian of gaps and friction: x and
-        y of the first bodies, of the second bodies, and then the angles.
+        The indices of the bodies' coordinates in the flattened Jacobian of gaps and friction: of x
+        and y by turns, (2, 2 (k + f)), and of the angles, (2, k + f).
     figures
         The outlines of all bodies.
     outlines
@@ -47,7 +47,7 @@ class Touching(NamedTuple):
     rubs: Integers
     rows: Integers
     held: Integers
-    into: Integers
+    into: tuple[Integers, Integers]
     figures: Figures
     outlines: Outlines
     yields: Booleans
@@ -99,9 +99,9 @@ class Touching(NamedTuple):
         return self.held[:, len(self.pair) :]
 
 
-def _into(bodies: Integers, count: int) -> Integers:
+def _into(bodies: Integers, count: int) -> tuple[Integers, Integers]:
     """Return the indices of the bodies, (2, s), in a flattened Jacobian of s rows."""
     start = np.arange(bodies.shape[1]) * (3 * count)
     x = start + 2 * bodies
-    plane = np.stack((x, x + 1), axis=2).ravel()
-    return np.concatenate((plane, (start + 2 * count + bodies).ravel()))
+    plane = np.stack((x, x + 1), axis=2).reshape(2, -1)
+    return plane, start + 2 * count + bodies

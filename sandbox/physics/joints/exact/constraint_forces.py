@@ -117,7 +117,7 @@ class ConstraintForces(JointSystem):
         last = self._past[: 3 * self.parts - 1]
         self._past = [] if struck else [tension, *last]
         self._struck, self._fresh = False, False
-        self.added = np.zeros_like(taut)
+        self.added = np.zeros(len(taut), dtype=bool)
 
     def force(self, name: str) -> float:
         """Return the force by which a joint pulled in the last kick [N]."""

@@ -96,7 +96,8 @@ def kinetic_energy(inertia: Array, motion: Array) -> Array:
 
 def blur(place: Array, drift: float) -> float:
     """Return how well velocities are known that are chosen by places after a drift [m/s]."""
-    return PLACES * float(np.abs(place).max()) / abs(drift)
+    sizes = np.abs(place)
+    return PLACES * sizes.item(sizes.argmax()) / abs(drift)
 
 
 @cache

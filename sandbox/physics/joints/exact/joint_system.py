@@ -13,7 +13,6 @@ from sandbox.physics.joints.exact.constraints import (
     Equation,
     Rows,
     inertia_of,
-    kinetic_energy,
     order,
     planes,
 )
@@ -169,7 +168,7 @@ class JointSystem:
 
     def kinetic(self, motion: Array) -> float:
         """Return the kinetic energy of velocities (3 N,) [J]."""
-        return float(kinetic_energy(self._inertia, motion))
+        return float((motion * motion).dot(self._inertia)) / 2
 
     def parting(self) -> tuple[str, float]:
         """Return the joint with the largest residual, and that residual [m, rad]."""

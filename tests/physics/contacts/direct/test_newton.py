@@ -2,12 +2,14 @@
 
 import json
 
+import numpy as np
 import pytest
 
 from sandbox.model.catalog import find
 from sandbox.model.level import Level
 from sandbox.model.loading import load, parse
 from sandbox.physics.contacts.direct import complementarity, newton, overlap_correction
+from sandbox.physics.contacts.direct.row_layout import Layout
 from sandbox.physics.run import build
 
 
@@ -90,3 +92,37 @@ def test_the_impact_of_a_landing_begins_with_what_held_before_it(
     wall.advance(170)
 
     assert len(systems) < 4 * len(problems)
+
+
+def test_rows_that_all_hang_together_are_solved_as_if_they_were_picked(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """One car on its four contacts, its joints among them: the same to the last bit."""
+    name = find("machines/car-over-bumps")
+    whole = build(load(name)).advance(120)
+    monkeypatch.setattr(Layout, "hangs_together", False)
+    picked = build(load(name)).advance(120)
+
+    assert np.array_equal(whole.position, picked.position)
+    assert np.array_equal(whole.velocity, picked.velocity)
+
+
+def test_friction_takes_no_part_where_an_overlap_is_taken_back(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Its rows had bounds of 0, and were switched on and off before."""
+    wall = build(load(find("machines/wrecking-ball")))
+    wall.advance(150)
+    slipping: list[bool] = []
+    take_back = newton.newton
+
+    def watched(*given: object) -> object:
+        impulse, way, active = take_back(*given)  # type: ignore[arg-type]
+        slipping.append(bool(active.slip.any()))
+        return impulse, way, active
+
+    monkeypatch.setattr(overlap_correction, "newton", watched)
+    wall.advance(60)
+
+    assert slipping
+    assert not any(slipping)
