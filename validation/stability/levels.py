@@ -1,4 +1,4 @@
-"""The hard cases as levels: `python -m validation.stability.levels` writes `levels/hard` anew."""
+"""Hard cases as levels: `python -m validation.stability.levels` writes those that are computed."""
 
 from sandbox.model.catalog import root
 from sandbox.model.files import write_atomically

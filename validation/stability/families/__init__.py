@@ -45,5 +45,9 @@ def all_frontiers() -> Iterator[Frontier]:
 
 
 def all_levels() -> Mapping[str, Callable[[], Document]]:
-    """Return the function that makes each level of `levels/hard`, by file name."""
+    """Return the functions that make levels of `levels/hard`, by file name.
+
+    The others are written in their files alone: nothing makes them harder, and none of their
+    numbers is computed.
+    """
     return {name: make for family in FAMILIES for name, make in family.LEVELS.items()}

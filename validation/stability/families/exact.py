@@ -98,32 +98,6 @@ def rollers(run: Run) -> float:
     return float(np.abs(measured(run, "box.velocity.x") - expected).max() / expected[-1])
 
 
-def pair() -> Document:
-    """Return two boxes that are pinned to each other and to nothing else."""
-    return level(
-        "Two boxes on a pivot",
-        "Two boxes rotate about a common pin, with no other forces.",
-        ROTATION,
-        effects={"rotation": {}},
-        bodies={
-            "left": box((-0.6, 0), 1, 0.4, 1, velocity=[0, 1], angular_velocity=3),
-            "right": box((0.6, 0), 1, 0.4, 2, velocity=[0.5, 0], angular_velocity=-2),
-        },
-        joints={
-            "pin": {
-                "type": "pivot",
-                "ends": [{"body": "left", "at": [0.6, 0]}, {"body": "right", "at": [-0.6, 0]}],
-            }
-        },
-        stepping={"rate": 960},
-        duration=5,
-        checks=[
-            check("pin.length", 0, 1e-9, "gap of the pin"),
-        ],
-        view={"center": [3, 1], "width": 10},
-    )
-
-
 def linear(run: Run) -> float:
     """Return the relative change of momentum after the start."""
     p = np.stack([measured(run, f"system.momentum.{axis}") for axis in "xy"], axis=1)[1:]
@@ -175,7 +149,7 @@ def _fingerprint_elsewhere(name: str) -> str:
     return fingerprint(load(find(name)))
 
 
-LEVELS = {"rollers": rolling, "free-pair": pair, "144-boxes": boxes}
+LEVELS = {"rollers": rolling, "144-boxes": boxes}
 
 
 def cases() -> Iterator[HardCase]:

@@ -1,7 +1,7 @@
 """Scenes that should converge: orbits, pendulums, springs, a spinning rod, a block at rest."""
 
 from collections.abc import Iterator
-from math import cos, inf, pi, sin
+from math import inf
 
 import numpy as np
 
@@ -17,15 +17,11 @@ from validation.stability.run_measures import Run, drift, energy, measured
 from validation.stability.scene import (
     GRAVITY,
     LAGRANGE,
-    NEWTON,
-    ROTATION,
     Document,
     G,
-    box,
     check,
     disc,
     level,
-    pile,
     rod,
 )
 
@@ -38,7 +34,6 @@ NEAR, ECCENTRICITY, PULL = 1.5, 0.5, 8.0  # m, 1, m³/s²
 YEAR = kepler_period(NEAR / (1 - ECCENTRICITY), PULL)  # s
 
 RATE = 960.0  # Hz
-SPIN = 0.01 * RATE  # rad/s
 
 
 def orbit(rate: float = 480) -> Document:
@@ -177,55 +172,10 @@ def is_told(_scene: Level, duration: float) -> float:
     return inf
 
 
-def spinning() -> Document:
-    """Return a rod that spins about a pin at its end by a hundredth of a radian per step."""
-    stick = box((0.5, 0), 1, 0.05, velocity=[0, SPIN / 2], angular_velocity=SPIN)
-    return level(
-        "A spinning rod",
-        "A rod rotates about a pin at its end, with nothing to slow it down.",
-        ROTATION,
-        effects={"rotation": {}},
-        bodies={"rod": stick},
-        joints={"pin": {"type": "pivot", "ends": [{"body": "rod", "at": [-0.5, 0]}, [0, 0]]}},
-        stepping={"rate": RATE},
-        duration=5,
-        checks=[check("rod.angular_velocity", SPIN, 1e-3, "angular velocity")],
-        view={"center": [0, 0], "width": 4},
-    )
-
-
 def loses_spin(run: Run) -> float:
     """Return the relative loss of spin."""
     spin = measured(run, "rod.angular_velocity")
-    return float(np.abs(spin / SPIN - 1)[1:].max())
-
-
-def slope() -> Document:
-    """Return a block on an incline of 30° that friction of 0.6 should hold."""
-    angle = pi / 6
-    block = box(_on_slope(0, 0.25), 0.5, 0.5, friction=0.6)
-    corners = [list(_on_slope(x, y)) for x, y in ((-5, 0), (5, 0), (5, -1), (-5, -1))]
-    incline = {"type": "polygon", "vertices": corners}
-    return level(
-        "A block that must not creep",
-        "Since tan 30° = 0.577, friction of 0.6 holds a block on a slope of 30°.",
-        NEWTON,
-        effects=pile(1e-4),
-        bodies={
-            "block": {**block, "angle": angle},
-            "slope": {"type": "static", "shape": incline, "friction": 1},
-        },
-        stepping={"rate": 60},
-        duration=10,
-        checks=[check("block.speed", 0, 1e-9, "speed of creep")],
-        view={"center": [0, 0], "width": 8},
-    )
-
-
-def _on_slope(along: float, out: float) -> tuple[float, float]:
-    """Return a position on an incline of 30°, from the distances along and out of it [m]."""
-    c, s = cos(pi / 6), sin(pi / 6)
-    return along * c - out * s, along * s + out * c
+    return float(np.abs(spin[1:] / spin[0] - 1).max())
 
 
 LEVELS = {
@@ -233,8 +183,6 @@ LEVELS = {
     "pendulum-of-90": lambda: pendulum(90),
     "pendulum-of-170": lambda: pendulum(170),
     "spring-at-its-limit": stiff,
-    "spinning-rod": spinning,
-    "no-creep": slope,
 }
 
 
