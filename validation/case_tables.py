@@ -26,7 +26,6 @@ from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Instant
 from sandbox.model.level_parts import names_in
-from sandbox.model.message import Message
 from validation.case import FOURTH_ORDER, SECOND_ORDER, Case, Parameters, ends, textbook
 from validation.formulas import (
     chapter_code,
@@ -68,9 +67,6 @@ _INSTANT: TypeAdapter[Instant] = TypeAdapter(Instant)
 
 class TableError(SandboxError):
     """A mistake in a table, with its file, its case, and the reason."""
-
-    def __init__(self, text: str) -> None:
-        super().__init__(Message("{text}", text=text))
 
 
 @dataclass(frozen=True, slots=True)

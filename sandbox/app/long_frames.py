@@ -17,7 +17,6 @@ from sandbox.app.panels import messages
 from sandbox.app.words.language import say
 from sandbox.app.workspace import Workspace
 from sandbox.model.errors import SandboxError
-from sandbox.model.message import Message
 from sandbox.physics.state.cancellation import cancellable
 
 LONG = 0.25  # s, after which a message is shown
@@ -62,7 +61,7 @@ class HoldUp:
         self._draw(say("This takes long: {took}. Esc stops it.", took=took))
         self._looked = perf_counter()
         if stopped:
-            raise SandboxError(Message("stopped by Esc after {took}", took=took))
+            raise SandboxError("stopped by Esc after {took}", took=took)
 
     def _stopped(self) -> bool:
         """Collect events, and return whether the user wants to stop or to quit."""

@@ -37,21 +37,18 @@ def _start(level: str) -> float:
     try:
         done = subprocess.run(command, capture_output=True, text=True, timeout=LIMIT, check=False)
     except subprocess.TimeoutExpired as error:
-        message = Message(
+        raise SandboxError(
             "{level}: a window that was started on it showed no picture in {limit:g} s",
             level=level,
             limit=LIMIT,
-        )
-        raise SandboxError(message) from error
+        ) from error
     if done.returncode != 0:
         reason = done.stderr.strip().rpartition("\n")[2] or Message(
             "exit status {status}", status=done.returncode
         )
         raise SandboxError(
-            Message(
-                "{level}: a window that was started on it showed no picture: {reason}",
-                level=level,
-                reason=reason,
-            )
+            "{level}: a window that was started on it showed no picture: {reason}",
+            level=level,
+            reason=reason,
         )
     return float(done.stdout) - begun

@@ -15,7 +15,6 @@ from sandbox.app.startup_timing import first_picture
 from sandbox.app.window import RATE, Window
 from sandbox.model import catalog
 from sandbox.model.errors import SandboxError
-from sandbox.model.message import Message
 
 BEFORE = (FIRST, "newton/atwood")
 """The levels from which the change to another level is timed."""
@@ -92,9 +91,7 @@ def time_window(name: str, size: tuple[int, int], seconds: float) -> Timing:
     try:
         switch = _switch(window, name)
         if window.session is None:
-            raise SandboxError(
-                Message("{name} does not open: 'sandbox check {name}' says why", name=name)
-            )
+            raise SandboxError("{name} does not open: 'sandbox check {name}' says why", name=name)
         for command in SHOWN:
             window.do(command)
         _settle(window)

@@ -12,7 +12,6 @@ from sandbox.cli.accuracy_option import asking, find_out
 from sandbox.cli.render import go_headless
 from sandbox.model.errors import SandboxError
 from sandbox.model.loading import choose
-from sandbox.model.message import Message
 
 TOUR = Path("out", "tour")
 """The folder of the tour that is made if there is no display."""
@@ -61,10 +60,8 @@ def play(
         return
     if not displayed:
         raise DisplayError(
-            Message(
-                "there is no display to open a window on; 'render' draws a level without one,"
-                " 'simulate' runs it"
-            )
+            "there is no display to open a window on; 'render' draws a level without one,"
+            " 'simulate' runs it"
         )
     run(argument, settings, accuracy, racing=racing)
 

@@ -3,12 +3,16 @@
 Run it as `python -m sandbox.cli.texts`. It needs Babel, which the extra `test` installs.
 """
 
+import builtins
+import re
 import sys
 from collections.abc import Callable, Iterator, Mapping
 from io import BytesIO
 from itertools import product
 from pathlib import Path
 from typing import TYPE_CHECKING
+
+import pydantic_core
 
 from sandbox.app.translatable_texts import has_words, shown_keys, words
 from sandbox.app.words import language
@@ -30,6 +34,9 @@ UNSAID = frozenset({"cli", "reporting"})
 
 KEYWORDS = {"say": None, "later": None, "plural": (1, 2), "say_in": ((1, "c"), 2), "Message": None}
 """The functions that take a message, with the positions of the message arguments."""
+
+_ERROR = re.compile(r"\b([A-Z]\w+Error)\(\s*\"[^\"]")
+"""The call of an error with a text: the project's own take a message."""
 
 
 def main() -> int:
@@ -68,8 +75,10 @@ def of_the_window() -> "Catalog":
     found, root = Catalog(), catalog.sources()
     for path in said_in(root / "sandbox"):
         place = path.relative_to(root).as_posix()
+        named = set(_ERROR.findall(path.read_text("utf-8")))
+        keywords = KEYWORDS | dict.fromkeys(named.difference(dir(builtins), dir(pydantic_core)))
         with path.open("rb") as file:
-            for line, message, _, context in extract("python", file, KEYWORDS):
+            for line, message, _, context in extract("python", file, keywords):
                 if any(map(has_words, (message,) if isinstance(message, str) else message)):
                     found.add(message, locations=[(place, line)], context=context)
     declared = [((FOLDER / "translatable_texts.py").as_posix(), 1)]

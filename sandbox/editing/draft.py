@@ -11,7 +11,6 @@ from sandbox.model.errors import LevelError, Mistake, SandboxError
 from sandbox.model.files import write_atomically
 from sandbox.model.level import Level
 from sandbox.model.loading import content, decoded, parse, read
-from sandbox.model.message import Message
 
 MOST_STEPS = 1000
 """The largest number of steps that can be undone."""
@@ -181,7 +180,7 @@ class Draft:
         """
         target = path or self.path
         if target is None:
-            raise SandboxError(Message("the level has no file yet; say where to save it"))
+            raise SandboxError("the level has no file yet; say where to save it")
         if not overwrite:
             self._refuse_to_overwrite(target)
         mark = codecs.BOM_UTF8 if self._held.startswith(codecs.BOM_UTF8) else b""
@@ -208,7 +207,7 @@ class Draft:
             If there is no file, or it cannot be read, or has mistakes.
         """
         if self.path is None:
-            raise SandboxError(Message("the level has no file yet; there is nothing to read again"))
+            raise SandboxError("the level has no file yet; there is nothing to read again")
         held = content(self.path)
         text = decoded(held, str(self.path))
         parse(text, str(self.path))  # refuses a file with mistakes
@@ -218,15 +217,12 @@ class Draft:
     def _refuse_to_overwrite(self, target: Path) -> None:
         if target != self.path:
             if os.path.lexists(target):
-                raise SandboxError(
-                    Message("{target} is there already; choose another name", target=target)
-                )
+                raise SandboxError("{target} is there already; choose another name", target=target)
         elif self.changed_outside():
-            message = Message(
+            raise SandboxError(
                 "{target} was changed outside since it was read; read it again, or overwrite it",
                 target=target,
             )
-            raise SandboxError(message)
 
     def _now(self) -> tuple[Level | None, tuple[Mistake, ...]]:
         if self._loaded is None or self._loaded[0] != self.text:

@@ -13,7 +13,6 @@ from sandbox.model.body import Body
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level
-from sandbox.model.message import Message
 from sandbox.model.shapes import (
     XY,
     Arc,
@@ -149,7 +148,7 @@ def chosen(level: Level, names: Iterable[str]) -> dict[str, Placed]:
     where = placed(level)
     found = {name: where[name] for name in names}
     if not found:
-        raise SandboxError(Message("choose the bodies first"))
+        raise SandboxError("choose the bodies first")
     return found
 
 

@@ -14,7 +14,6 @@ from sandbox.model.json_positions import Path
 from sandbox.model.level import Level
 from sandbox.model.level_parts import expressions
 from sandbox.model.loading import parse
-from sandbox.model.message import Message
 from sandbox.model.naming import NAME
 from sandbox.model.quantities import quantity
 from sandbox.model.rules.consistency.mentions import mentions
@@ -48,9 +47,7 @@ def rename(text: str, path: Path, name: str) -> str:
     level = parse(text)
     part, old = path
     if part not in ("bodies", "joints", "parameters") or old not in getattr(level, str(part)):
-        raise SandboxError(
-            Message("there is no {path} to be renamed", path=".".join(map(str, path)))
-        )
+        raise SandboxError("there is no {path} to be renamed", path=".".join(map(str, path)))
     if name == old:
         return text
     _refuse_taken(level, str(part), name)
@@ -61,12 +58,12 @@ def rename(text: str, path: Path, name: str) -> str:
 def _refuse_taken(level: Level, part: str, name: str) -> None:
     if not re.fullmatch(NAME, name):
         raise SandboxError(
-            Message("'{name}' is no name: a letter, then letters, digits or _", name=brief(name))
+            "'{name}' is no name: a letter, then letters, digits or _", name=brief(name)
         )
     numbers = {**level.parameters, **level.constants}
     among = numbers if part == "parameters" else {**level.bodies, **level.joints}
     if name in among or (part == "parameters" and name in RESERVED):
-        raise SandboxError(Message("the name '{name}' is taken; choose another one", name=name))
+        raise SandboxError("the name '{name}' is taken; choose another one", name=name)
 
 
 def _renamed(level: Level, part: str, old: str, name: str) -> Iterator[tuple[Path, str]]:

@@ -23,7 +23,6 @@ from sandbox.model.level import Level
 from sandbox.model.level_parts import expressions, names_in
 from sandbox.model.live_parameters import obstacle
 from sandbox.model.loading import parse
-from sandbox.model.message import Message
 from sandbox.model.shapes import evaluate
 from sandbox.physics.stepping.world import World
 
@@ -54,7 +53,7 @@ def as_it_stands(world: World, *, anew: bool) -> str:
     """
     _refuse(world)
     if world.scene.happened or (anew and world.level.events):
-        raise SandboxError(Message("events have their times, and no level can begin between them"))
+        raise SandboxError("events have their times, and no level can begin between them")
     if not anew:
         _refuse_to_begin_late(world.level)
     level, values = world.level, world.values
@@ -107,36 +106,31 @@ def _refuse(world: World) -> None:
     level = world.level
     flows = [e for e, _, _ in level.effects.said if e.changes_mass]
     if flows:
-        message = Message(
+        raise SandboxError(
             "'{name}' has made the masses what they are by now, and no level can begin with that",
             name=flows[0].name,
         )
-        raise SandboxError(message)
     welds = sum(isinstance(joint, Weld) for joint in level.joints.values())
     if len(world.scene.joints.joined) > welds:
-        raise SandboxError(
-            Message("bodies have stuck to each other, and no level can begin with that")
-        )
+        raise SandboxError("bodies have stuck to each other, and no level can begin with that")
     for row, (name, joint) in enumerate(level.joints.items()):
         if isinstance(joint, Winding) and world.snapshot.tension[row] == 0 and world.steps:
-            message = Message(
+            raise SandboxError(
                 "'{name}' is slack, and no level can say how much is off its wheel; wait until it"
                 " is taut",
                 name=name,
             )
-            raise SandboxError(message)
 
 
 def _refuse_to_begin_late(level: Level) -> None:
     """Refuse rods whose length is a formula of time, since a run starts with the initial length."""
     for name, joint in level.joints.items():
         if isinstance(joint, Rod) and "t" in names_in(joint):
-            message = Message(
+            raise SandboxError(
                 "'{name}' is as long as a formula of the time says; keep the run as a level, and go"
                 " on it",
                 name=name,
             )
-            raise SandboxError(message)
 
 
 def _state(world: World, row: int) -> Mapping[str, list[float] | float]:

@@ -15,7 +15,6 @@ from sandbox.editing.json_spans import Span, Spans
 from sandbox.model.document import Document
 from sandbox.model.errors import SandboxError
 from sandbox.model.json_positions import Path
-from sandbox.model.message import Message
 from sandbox.model.writing import NAMED, ORDER, WIDTH
 
 Changes = dict[Path, Json]
@@ -121,7 +120,7 @@ def _read(text: str) -> Spans:
 
 def _at(found: Spans, path: Path) -> Span:
     if not path or path not in found:
-        raise PatchError(Message("nothing stands at {path}", path=shown(path)))
+        raise PatchError("nothing stands at {path}", path=shown(path))
     return found[path]
 
 
@@ -156,7 +155,7 @@ def spliced(text: str, pieces: Iterable[tuple[int, int, str]]) -> str:
     changed, end = [], 0
     for begin, over, new in sorted(pieces):
         if begin < end:
-            raise PatchError(Message("two values are put in one place"))
+            raise PatchError("two values are put in one place")
         changed += [text[end:begin], new]
         end = over
     return "".join(changed) + text[end:]
@@ -172,16 +171,14 @@ def _inserted(text: str, path: Path, value: Json) -> str:
     parent, step = found[path[:-1]], path[-1]
     if parent.kind != ("object" if isinstance(step, str) else "list"):
         raise PatchError(
-            Message("{path} holds nothing of the name {step}", path=shown(parent.path), step=step)
+            "{path} holds nothing of the name {step}", path=shown(parent.path), step=step
         )
     if isinstance(step, int) and step != len(parent.members):
         raise PatchError(
-            Message(
-                "{path} has {count} items, so none at {step}",
-                path=shown(parent.path),
-                count=len(parent.members),
-                step=step,
-            )
+            "{path} has {count} items, so none at {step}",
+            path=shown(parent.path),
+            count=len(parent.members),
+            step=step,
         )
     return _with_member(text, parent, f"{line(step)}: " if isinstance(step, str) else "", value)
 

@@ -12,7 +12,6 @@ from sandbox.experiments.results import Results
 from sandbox.experiments.table import error
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Array
-from sandbox.model.message import Message
 
 QUANTILES = (0.025, 0.5, 0.975)
 
@@ -109,7 +108,7 @@ def sensitivities(plan: Plan, path: Path) -> list[Sensitivity]:
     found = results.read(path, texts)
     if found.runs != len(found.numbers):
         raise SandboxError(
-            Message("Sobol's indices are computed of at most {most:,} runs", most=results.MOST)
+            "Sobol's indices are computed of at most {most:,} runs", most=results.MOST
         )
     return [sensitivity(text, found.number(text), names) for text in texts]
 
@@ -126,16 +125,14 @@ def sensitivity(measure: str, column: Array, names: Sequence[str]) -> Sensitivit
 
     if missing := int((~np.isfinite(column)).sum()):
         raise SandboxError(
-            Message(
-                "'{measure}' has no number in {missing:,} runs: no indices without it",
-                measure=measure,
-                missing=missing,
-            )
+            "'{measure}' has no number in {missing:,} runs: no indices without it",
+            measure=measure,
+            missing=missing,
         )
     rows = column.reshape(-1, len(names) + 2)
     if not rows.std():
         raise SandboxError(
-            Message("'{measure}' is the same in all runs: nothing to attribute", measure=measure)
+            "'{measure}' is the same in all runs: nothing to attribute", measure=measure
         )
     parts = {"f_A": rows[:, :1].T, "f_B": rows[:, 1:2].T, "f_AB": rows[:, 2:].T[:, None]}
     indices = sobol_indices(func=parts, n=len(rows), rng=np.random.default_rng(0))

@@ -194,14 +194,10 @@ def _items(text: str) -> list[str]:
         raise AxisError(Message("has nothing before a comma") if text else empty)
     if len(items) > MOST_LISTED:
         raise AxisError(
-            Message(
-                "lists {count:,} values; {most:,} are the most",
-                count=len(items),
-                most=MOST_LISTED,
-            )
+            "lists {count:,} values; {most:,} are the most", count=len(items), most=MOST_LISTED
         )
     if twice := next((item for item in items if items.count(item) > 1), None):
-        raise AxisError(Message("lists '{twice}' twice", twice=brief(twice)))
+        raise AxisError("lists '{twice}' twice", twice=brief(twice))
     return items
 
 
@@ -210,33 +206,28 @@ def _grid(parts: list[str]) -> Grid:
         raise AxisError(FORMS)
     low, high, count = (_number(part) for part in parts[:3])
     if count != int(count):
-        raise AxisError(Message("{count:g} is not a number of values", count=count))
+        raise AxisError("{count:g} is not a number of values", count=count)
     if count < 1:
-        raise AxisError(Message("is an empty grid: {count:g} values", count=count))
+        raise AxisError("is an empty grid: {count:g} values", count=count)
     if count == 1 and low != high:
-        raise AxisError(Message("has one value only, but two ends"))
+        raise AxisError("has one value only, but two ends")
     if count > 1 and low == high:
-        raise AxisError(
-            Message("has {count:g} values, which are all {low:g}", count=count, low=low)
-        )
+        raise AxisError("has {count:g} values, which are all {low:g}", count=count, low=low)
     return _checked(Grid(low, high, int(count), _scale(parts[3] if len(parts) > 3 else "")))
 
 
 def _checked(axis: Range) -> Range:
     if axis.scale == "log" and min(axis.low, axis.high) <= 0:
-        raise AxisError(Message("a logarithmic range begins and ends above 0"))
+        raise AxisError("a logarithmic range begins and ends above 0")
     if isinstance(axis, Uniform) and not axis.low < axis.high:
-        raise AxisError(Message("must begin below its end"))
+        raise AxisError("must begin below its end")
     return axis
 
 
 def _normal(mean: float, deviation: float) -> Normal:
     if deviation <= 0:
         raise AxisError(
-            Message(
-                "has the standard deviation {deviation:g}, which must be above 0",
-                deviation=deviation,
-            )
+            "has the standard deviation {deviation:g}, which must be above 0", deviation=deviation
         )
     return Normal(mean, deviation)
 
@@ -246,15 +237,13 @@ def _scale(text: str) -> Scale:
         return "linear"
     if text.strip() == "log":
         return "log"
-    raise AxisError(Message("'{text}' is no scale; known: linear, log", text=brief(text)))
+    raise AxisError("'{text}' is no scale; known: linear, log", text=brief(text))
 
 
 def _number(text: str) -> float:
     if not re.fullmatch(r"\s*[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?\s*", text):
-        raise AxisError(
-            Message("'{text}' is not a number; {forms}", text=brief(text.strip()), forms=FORMS)
-        )
+        raise AxisError("'{text}' is not a number; {forms}", text=brief(text.strip()), forms=FORMS)
     value = float(text)
     if not isfinite(value):
-        raise AxisError(Message("'{text}' is too large a number", text=brief(text.strip())))
+        raise AxisError("'{text}' is too large a number", text=brief(text.strip()))
     return value

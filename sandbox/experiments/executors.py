@@ -9,7 +9,6 @@ from itertools import islice
 from typing import TYPE_CHECKING, Protocol, TypeVar
 
 from sandbox.model.errors import SandboxError, brief
-from sandbox.model.message import Message
 from sandbox.optional_packages import needed_for
 from sandbox.processes import AHEAD, spread
 from sandbox.version import __version__
@@ -73,11 +72,8 @@ class Cluster:
         self.jobs = sum(client.nthreads().values())
         if not self.jobs:
             raise SandboxError(
-                Message(
-                    "the cluster at {address} has no workers: start some with 'dask worker"
-                    " {address}'",
-                    address=address,
-                )
+                "the cluster at {address} has no workers: start some with 'dask worker {address}'",
+                address=address,
             )
         self._refuse_others()
 
@@ -99,9 +95,7 @@ class Cluster:
         except Exception as error:
             what = brief(" ".join(f"{error}".split()) or type(error).__name__, 200)
             raise SandboxError(
-                Message(
-                    "the cluster at {address} has failed: {what}", address=self._address, what=what
-                )
+                "the cluster at {address} has failed: {what}", address=self._address, what=what
             ) from error
 
     def _submit(self, work: Callable[[Item], Result], item: Item) -> object:
@@ -113,26 +107,22 @@ class Cluster:
             found = self._client.run(_versions)
         except Exception as error:
             raise SandboxError(
-                Message(
-                    "a worker of the cluster at {address} lacks the sandbox, or something that it"
-                    " needs ({error}); install the same version there: python -m pip install"
-                    " 'mechanics-sandbox[cluster]'",
-                    address=self._address,
-                    error=brief(str(error)),
-                )
+                "a worker of the cluster at {address} lacks the sandbox, or something that it"
+                " needs ({error}); install the same version there: python -m pip install"
+                " 'mechanics-sandbox[cluster]'",
+                address=self._address,
+                error=brief(str(error)),
             ) from error
         for worker, versions in found.items():
             for name, there in versions.items():
                 if there != (here := _versions()[name]):
                     raise SandboxError(
-                        Message(
-                            "the worker {worker} has {name} {there}, but this machine {here}: with"
-                            " different versions rows would not be the same to the last bit",
-                            worker=worker,
-                            name=name,
-                            there=there,
-                            here=here,
-                        )
+                        "the worker {worker} has {name} {there}, but this machine {here}: with"
+                        " different versions rows would not be the same to the last bit",
+                        worker=worker,
+                        name=name,
+                        there=there,
+                        here=here,
                     )
 
 
@@ -166,11 +156,9 @@ def cluster(address: str, workers: int = 1) -> Iterator[Cluster]:
         client = Client(address, timeout=PATIENCE, set_as_default=False)
     except (OSError, ValueError, TypeError) as error:
         raise SandboxError(
-            Message(
-                "no scheduler answers at {address}: start one with 'dask scheduler', and workers"
-                " with 'dask worker ADDRESS'",
-                address=brief(address),
-            )
+            "no scheduler answers at {address}: start one with 'dask scheduler', and workers"
+            " with 'dask worker ADDRESS'",
+            address=brief(address),
         ) from error
     try:
         with suppress(TimeoutError):  # go on with the workers that came

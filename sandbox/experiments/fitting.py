@@ -10,7 +10,7 @@ from sandbox.model.did_you_mean import suggestion
 from sandbox.model.errors import SandboxError, ValueRangeError, brief
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level, Stepping
-from sandbox.model.message import Message, both
+from sandbox.model.message import both
 from sandbox.physics.measuring.event_interpolation import value_at
 from sandbox.physics.run import simulate
 
@@ -123,9 +123,7 @@ def _inverse_square(jacobian: Array, names: Sequence[str]) -> Array:
     """
     square = jacobian.T @ jacobian
     if not np.linalg.cond(square) < 1e14:
-        raise FitError(
-            Message("the data do not tell {names} apart from anything else", names=both(names))
-        )
+        raise FitError("the data do not tell {names} apart from anything else", names=both(names))
     return np.asarray(np.linalg.inv(square))
 
 
@@ -152,17 +150,14 @@ def _check(level: Level, names: Sequence[str], data: Data) -> None:
         if name not in level.parameters:
             hint = suggestion(name, level.parameters, most=20)
             raise ValueRangeError(
-                Message("'{name}' is no parameter of the level{hint}", name=brief(name), hint=hint)
+                "'{name}' is no parameter of the level{hint}", name=brief(name), hint=hint
             )
     if data.count <= len(names):
-        message = Message(
+        raise FitError(
             "{count} numbers were measured; for {names} parameters more are needed",
             count=data.count,
             names=len(names),
         )
-        raise FitError(message)
     if data.uncertainties and set(data.uncertainties) != set(data.columns):
         name = next(name for name in data.columns if name not in data.uncertainties)
-        raise FitError(
-            Message("'{name}' has no uncertainties, but others have: all, or none", name=name)
-        )
+        raise FitError("'{name}' has no uncertainties, but others have: all, or none", name=name)

@@ -12,7 +12,6 @@ from sandbox.model.errors import SandboxError, brief
 from sandbox.model.expressions import Array
 from sandbox.model.files import read_ordinary
 from sandbox.model.level import Level
-from sandbox.model.message import Message
 from sandbox.model.quantities import QuantityError, quantity
 
 MAX_BYTES = 10_000_000
@@ -62,7 +61,7 @@ def read(path: Path, level: Level) -> Data:
     numbered = [(i, line) for i, line in lines if line.strip() and line[0] != "#"]
     if len(numbered) < 2:
         raise DataError(
-            Message("{path}: holds no rows below a header, such as t,ball.position.y", path=path)
+            "{path}: holds no rows below a header, such as t,ball.position.y", path=path
         )
     names = [name.strip() for name in next(csv.reader([numbered[0][1]]))]
     where = f"{path}:{numbered[0][0]}"
@@ -72,9 +71,7 @@ def read(path: Path, level: Level) -> Data:
     t = columns.pop("t")
     if not np.isfinite(t).all() or t.min() < 0 or not t.max() > 0:
         raise DataError(
-            Message(
-                "{path}: times are in seconds from the start of the run: 0 and later", path=path
-            )
+            "{path}: times are in seconds from the start of the run: 0 and later", path=path
         )
     return Data(
         t,
@@ -88,60 +85,52 @@ def _lines(path: Path) -> list[str]:
         content = read_ordinary(path, MAX_BYTES)
     except OSError as error:
         raise DataError(
-            Message("{path}: cannot be read: {reason}", path=path, reason=error.strerror or error)
+            "{path}: cannot be read: {reason}", path=path, reason=error.strerror or error
         ) from error
     if content is None:
-        message = Message(
+        raise DataError(
             "{path}: is no ordinary file, or larger than {most} MB",
             path=path,
             most=MAX_BYTES // 10**6,
         )
-        raise DataError(message)
     try:
         return content.decode("utf-8-sig").splitlines()
     except UnicodeDecodeError as error:
-        raise DataError(Message("{path}: is not UTF-8 text", path=path)) from error
+        raise DataError("{path}: is not UTF-8 text", path=path) from error
 
 
 def _check_names(names: list[str], level: Level, where: str) -> None:
     if "t" not in names:
-        raise DataError(
-            Message("{where}: no column is called 't', the time in seconds", where=where)
-        )
+        raise DataError("{where}: no column is called 't', the time in seconds", where=where)
     if len(set(names)) < len(names):
-        raise DataError(Message("{where}: two columns have the same name", where=where))
+        raise DataError("{where}: two columns have the same name", where=where)
     measured = [name.removesuffix(SIGN).strip() for name in names if name != "t"]
     for name in measured:
         try:
             quantity(name, level)
         except QuantityError as error:
-            raise DataError(
-                Message("{where}: {error}", where=where, error=error.message)
-            ) from error
+            raise DataError("{where}: {error}", where=where, error=error.message) from error
         if name not in names:
             raise DataError(
-                Message(
-                    "{where}: there are uncertainties of '{name}', but no '{name}'",
-                    where=where,
-                    name=name,
-                )
+                "{where}: there are uncertainties of '{name}', but no '{name}'",
+                where=where,
+                name=name,
             )
     if not measured:
-        raise DataError(Message("{where}: no column holds a quantity of the level", where=where))
+        raise DataError("{where}: no column holds a quantity of the level", where=where)
 
 
 def _rows(lines: list[tuple[int, str]], names: list[str], source: str) -> Iterator[list[float]]:
     for number, line in lines:
         cells = next(csv.reader([line]))
         if len(cells) != len(names):
-            message = Message(
+            raise DataError(
                 "{source}:{number}: has {cells} cells, but the header {names}",
                 source=source,
                 number=number,
                 cells=len(cells),
                 names=len(names),
             )
-            raise DataError(message)
         yield [_number(c, n, f"{source}:{number}") for c, n in zip(cells, names, strict=True)]
 
 
@@ -152,16 +141,12 @@ def _number(cell: str, name: str, where: str) -> float:
         value = float(cell)
     except ValueError:
         raise DataError(
-            Message("{where}: '{cell}' is not a number", where=where, cell=brief(cell))
+            "{where}: '{cell}' is not a number", where=where, cell=brief(cell)
         ) from None
     if not isfinite(value):
-        raise DataError(
-            Message("{where}: '{cell}' is not a finite number", where=where, cell=brief(cell))
-        )
+        raise DataError("{where}: '{cell}' is not a finite number", where=where, cell=brief(cell))
     if name.endswith(SIGN) and value <= 0:
         raise DataError(
-            Message(
-                "{where}: an uncertainty of {value:g}; it must be above 0", where=where, value=value
-            )
+            "{where}: an uncertainty of {value:g}; it must be above 0", where=where, value=value
         )
     return value

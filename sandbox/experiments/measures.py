@@ -165,18 +165,16 @@ def parse(text: str, level: Level, *, until: bool) -> Measure:
         name, at, place = text.rpartition("@")
         if not at:
             raise MeasureError(
-                Message(
-                    "'{text}' does not say when: QUANTITY@end, QUANTITY@TIME, QUANTITY@landing and"
-                    " so on, or one of {over_time} of (QUANTITY), or error(CHECK)",
-                    text=brief(text),
-                    over_time=", ".join(OVER_TIME),
-                )
+                "'{text}' does not say when: QUANTITY@end, QUANTITY@TIME, QUANTITY@landing and"
+                " so on, or one of {over_time} of (QUANTITY), or error(CHECK)",
+                text=brief(text),
+                over_time=", ".join(OVER_TIME),
             )
         of, instant = Observable.of(name, level), _instant(place.strip(), level)
     except SandboxError as error:
         raise MeasureError(error.message) from error
     if instant == "until" and not until:
-        raise MeasureError(Message("'until' is measured, but no condition 'until' is given"))
+        raise MeasureError("'until' is measured, but no condition 'until' is given")
     return Measure(text, of, instant, "", _closed_form(of, instant, level))
 
 
@@ -206,15 +204,13 @@ def _check(text: str, level: Level) -> Check:
         if check.label == text:
             return check
     if not level.checks:
-        raise MeasureError(Message("the level states no checks, so there is no error"))
+        raise MeasureError("the level states no checks, so there is no error")
     hint = suggestion(text, [check.label or check.quantity for check in level.checks])
     raise MeasureError(
-        Message(
-            "'{text}' is none of the level's checks, 1 to {count}{hint}",
-            text=brief(text),
-            count=len(level.checks),
-            hint=hint,
-        )
+        "'{text}' is none of the level's checks, 1 to {count}{hint}",
+        text=brief(text),
+        count=len(level.checks),
+        hint=hint,
     )
 
 
@@ -240,9 +236,7 @@ def _instant(text: str, level: Level) -> Instant | Place:
         case "crossing", [of, *rest] if len(rest) < 3:
             return _crossing(of, rest, level)
     if name in _EVENTS:
-        raise MeasureError(
-            Message("'{text}' cannot be read: {how}", text=brief(text), how=_HOW[name])
-        )
+        raise MeasureError("'{text}' cannot be read: {how}", text=brief(text), how=_HOW[name])
     return _time(text, level)
 
 
@@ -264,13 +258,7 @@ def _meeting(
 ) -> ContactEvent | SeparationEvent:
     count = nth[0] if nth else "1"
     if not (count.isdecimal() and 1 <= int(count) <= MOST_MEETINGS):
-        raise MeasureError(
-            Message(
-                "'{text}' counts from 1 to {most}",
-                text=brief(text),
-                most=MOST_MEETINGS,
-            )
-        )
+        raise MeasureError("'{text}' counts from 1 to {most}", text=brief(text), most=MOST_MEETINGS)
     if name == "contact":
         return ContactEvent(event="contact", bodies=pair, nth=int(count))
     return SeparationEvent(event="separation", bodies=pair, nth=int(count))
@@ -282,7 +270,7 @@ def _crossing(of: str, rest: list[str], level: Level) -> CrossingEvent:
     if direction not in ("up", "down", "either"):
         hint = suggestion(direction, ("up", "down", "either"))
         raise MeasureError(
-            Message("'{direction}' is no direction{hint}", direction=brief(direction), hint=hint)
+            "'{direction}' is no direction{hint}", direction=brief(direction), hint=hint
         )
     value = _over_parameters(rest[0], level).source if rest else 0
     return CrossingEvent.model_validate(
@@ -293,9 +281,7 @@ def _crossing(of: str, rest: list[str], level: Level) -> CrossingEvent:
 def _time(text: str, level: Level) -> Expression:
     if re.fullmatch(r"[a-z]+", text) and text not in {*level.parameters, *level.constants}:
         hint = suggestion(text, {*_EVENTS, *level.parameters})
-        raise MeasureError(
-            Message("'{text}' is no time and no event{hint}", text=brief(text), hint=hint)
-        )
+        raise MeasureError("'{text}' is no time and no event{hint}", text=brief(text), hint=hint)
     return _over_parameters(text, level)
 
 
@@ -305,9 +291,7 @@ def _over_parameters(text: str, level: Level) -> Expression:
     if unknown := next(iter(sorted(found.names - set(level.parameters))), None):
         hint = suggestion(unknown, level.parameters)
         raise MeasureError(
-            Message(
-                "'{unknown}' is no parameter of the level{hint}", unknown=brief(unknown), hint=hint
-            )
+            "'{unknown}' is no parameter of the level{hint}", unknown=brief(unknown), hint=hint
         )
     return found
 
@@ -318,16 +302,14 @@ def _body(given: list[str], level: Level, text: str) -> str:
         if given[0] not in level.bodies:
             hint = suggestion(given[0], level.bodies)
             raise MeasureError(
-                Message("the level has no body '{given}'{hint}", given=brief(given[0]), hint=hint)
+                "the level has no body '{given}'{hint}", given=brief(given[0]), hint=hint
             )
         return given[0]
     moving = [name for name, body in level.bodies.items() if body.type == "dynamic"]
     if len(moving) != 1:
         raise MeasureError(
-            Message(
-                "'{text}' must say which body: {text}({body})",
-                text=text,
-                body=moving[0] if moving else "...",
-            )
+            "'{text}' must say which body: {text}({body})",
+            text=text,
+            body=moving[0] if moving else "...",
         )
     return moving[0]

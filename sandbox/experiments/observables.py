@@ -12,7 +12,6 @@ from sandbox.model.errors import brief
 from sandbox.model.expressions import Array, Values
 from sandbox.model.formulas import Formula
 from sandbox.model.level import Level
-from sandbox.model.message import Message
 from sandbox.model.quantities import quantity
 
 _QUANTITY = re.compile(r"\b[A-Za-z]\w*(?:\.[A-Za-z]\w*)+")
@@ -62,15 +61,11 @@ class Observable:
         if unknown := next(iter(sorted(formula.names - known)), None):
             hint = suggestion(unknown, {*level.parameters, "t"})
             raise ExpressionError(
-                Message(
-                    "'{unknown}' is no parameter of the level{hint}",
-                    unknown=brief(unknown),
-                    hint=hint,
-                )
+                "'{unknown}' is no parameter of the level{hint}", unknown=brief(unknown), hint=hint
             )
         if not names and "t" not in formula.names:
             raise ExpressionError(
-                Message("'{text}' names no quantity that a run could change", text=brief(text))
+                "'{text}' names no quantity that a run could change", text=brief(text)
             )
         return cls(text, "", names, formula)
 

@@ -15,7 +15,7 @@ from sandbox.experiments.table import Cell, columns
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level, Stepping
-from sandbox.model.message import NOTHING, Message
+from sandbox.model.message import NOTHING
 from sandbox.model.rules.conditions.numbers import MAX_STEPS
 from sandbox.physics.ensemble.batched_runs import Flight, accepts, suits
 from sandbox.physics.measuring.recording import Trace, count_steps
@@ -210,11 +210,7 @@ def _alone(plan: Plan, setting: "_Setting | _Run") -> _Run:
         duration = plan.experiment.duration or setting.level.duration(setting.values)
         if duration * setting.stepping.rate > MAX_STEPS:
             raise SandboxError(
-                Message(
-                    "{duration:g} s take more than {most:,} steps",
-                    duration=duration,
-                    most=MAX_STEPS,
-                )
+                "{duration:g} s take more than {most:,} steps", duration=duration, most=MAX_STEPS
             )
         trace = simulate(
             setting.level,

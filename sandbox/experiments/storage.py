@@ -18,7 +18,6 @@ from sandbox.experiments.plan import Plan
 from sandbox.experiments.table import Cell, schema
 from sandbox.model.errors import SandboxError, brief
 from sandbox.model.files import make_folder, write_atomically
-from sandbox.model.message import Message
 from sandbox.version import __version__
 
 if TYPE_CHECKING:
@@ -61,19 +60,17 @@ class Store:
             there = place.read_text("utf-8") if place.exists() else None
         except (OSError, ValueError) as error:
             raise SandboxError(
-                Message("cannot read {place}: {error}", place=place, error=str(error))
+                "cannot read {place}: {error}", place=place, error=str(error)
             ) from error
         if there is None:
             write_atomically(place, text)
         elif there != text:
             changed = _difference(there, text)
             raise SandboxError(
-                Message(
-                    "{folder} holds another experiment ({changed}): name another folder, or remove"
-                    " this one",
-                    folder=self._folder,
-                    changed=changed,
-                )
+                "{folder} holds another experiment ({changed}): name another folder, or remove"
+                " this one",
+                folder=self._folder,
+                changed=changed,
             )
 
     @property
@@ -88,11 +85,7 @@ class Store:
             return bool(pq.read_metadata(self.results).num_rows == self._plan.runs)
         except (OSError, pa.ArrowInvalid) as error:
             raise SandboxError(
-                Message(
-                    "cannot read {results}: {error}; remove it",
-                    results=self.results,
-                    error=str(error),
-                )
+                "cannot read {results}: {error}; remove it", results=self.results, error=str(error)
             ) from error
 
     def missing(self) -> Iterator[tuple[int, int]]:
@@ -142,11 +135,9 @@ class Store:
         except OSError as error:
             beside.unlink(missing_ok=True)
             raise SandboxError(
-                Message(
-                    "cannot write {results}: {reason}; what was done is kept",
-                    results=self.results,
-                    reason=error.strerror or error,
-                )
+                "cannot write {results}: {reason}; what was done is kept",
+                results=self.results,
+                reason=error.strerror or error,
             ) from error
 
     def _grouped(self) -> "Iterator[pa.Table]":

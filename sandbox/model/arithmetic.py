@@ -88,7 +88,7 @@ def evaluated(code: CodeType, scope: Mapping[str, Any]) -> Any:  # noqa: ANN401 
 def compiled(source: str) -> tuple[CodeType, frozenset[str]]:
     """Return the code of an expression that has been checked, and the names in it."""
     if len(source) > MAX_LENGTH:
-        raise ExpressionError(Message("is longer than {most} characters", most=MAX_LENGTH))
+        raise ExpressionError("is longer than {most} characters", most=MAX_LENGTH)
     return _made(source)
 
 
@@ -98,10 +98,9 @@ def differentiated(source: str, variable: str) -> tuple[CodeType, frozenset[str]
     try:
         return _made(derivative(source, variable))
     except (RecursionError, ExpressionError):
-        message = Message(
+        raise ExpressionError(
             "'{source}' is nested too deeply to be differentiated", source=brief(source)
-        )
-        raise ExpressionError(message) from None
+        ) from None
 
 
 def _made(source: str) -> tuple[CodeType, frozenset[str]]:
@@ -113,17 +112,15 @@ def _made(source: str) -> tuple[CodeType, frozenset[str]]:
             code = compile(tree, "<expression>", "eval")
     except ExpressionError as error:
         raise ExpressionError(
-            Message("'{source}': {error}", source=brief(source), error=error.message)
+            "'{source}': {error}", source=brief(source), error=error.message
         ) from None
     except (SyntaxError, ValueError):
         hint = NO_PRODUCT if _PRODUCT.search(source) else NOTHING
         raise ExpressionError(
-            Message("'{source}' is not arithmetic{hint}", source=brief(source), hint=hint)
+            "'{source}' is not arithmetic{hint}", source=brief(source), hint=hint
         ) from None
     except (RecursionError, MemoryError):
-        raise ExpressionError(
-            Message("'{source}' is nested too deeply", source=brief(source))
-        ) from None
+        raise ExpressionError("'{source}' is nested too deeply", source=brief(source)) from None
     return code, frozenset(rewrite.names)
 
 
@@ -141,16 +138,16 @@ class _Rewrite(ast.NodeTransformer):
 
     def visit_Constant(self, node: ast.Constant) -> ast.AST:
         if isinstance(node.value, bool) or not isinstance(node.value, int | float):
-            raise ExpressionError(Message("{value} is not a number", value=brief(repr(node.value))))
+            raise ExpressionError("{value} is not a number", value=brief(repr(node.value)))
         try:
             return ast.Constant(float(node.value), lineno=1, col_offset=0)
         except OverflowError:
-            raise ExpressionError(Message("a number is too large")) from None
+            raise ExpressionError("a number is too large") from None
 
     def visit_Name(self, node: ast.Name) -> ast.AST:
         if node.id in FUNCTIONS:
             raise ExpressionError(
-                Message("the function '{name}' needs its arguments in brackets", name=node.id)
+                "the function '{name}' needs its arguments in brackets", name=node.id
             )
         if node.id not in CONSTANTS:
             self.names.add(node.id)
@@ -158,9 +155,9 @@ class _Rewrite(ast.NodeTransformer):
 
     def visit_BinOp(self, node: ast.BinOp) -> ast.AST:
         if isinstance(node.op, ast.BitXor):
-            raise ExpressionError(Message("a power is written **, not ^"))
+            raise ExpressionError("a power is written **, not ^")
         if not isinstance(node.op, _OPERATORS):
-            raise ExpressionError(Message("only +, -, *, /, % and ** join numbers"))
+            raise ExpressionError("only +, -, *, /, % and ** join numbers")
         if isinstance(node.op, ast.Pow):
             return _call(" power", [self.visit(node.left), self.visit(node.right)])
         return super().generic_visit(node)
@@ -169,14 +166,14 @@ class _Rewrite(ast.NodeTransformer):
         if isinstance(node.op, ast.Not):
             return _truth(_call(" not", [self.visit(node.operand)]))
         if not isinstance(node.op, ast.UAdd | ast.USub):
-            raise ExpressionError(Message("only +, - and not may stand before a number"))
+            raise ExpressionError("only +, - and not may stand before a number")
         return super().generic_visit(node)
 
     def visit_Compare(self, node: ast.Compare) -> ast.AST:
         if len(node.ops) > 1:
-            raise ExpressionError(Message("write 'a < b and b < c' instead of 'a < b < c'"))
+            raise ExpressionError("write 'a < b and b < c' instead of 'a < b < c'")
         if not isinstance(node.ops[0], _COMPARISONS):
-            raise ExpressionError(Message("only <, <=, >, >=, == and != compare numbers"))
+            raise ExpressionError("only <, <=, >, >=, == and != compare numbers")
         left, right = self.visit(node.left), self.visit(node.comparators[0])
         return _truth(ast.Compare(left, node.ops, [right], lineno=1, col_offset=0))
 
@@ -195,11 +192,7 @@ class _Rewrite(ast.NodeTransformer):
         if not isinstance(node.func, ast.Name) or node.func.id not in FUNCTIONS:
             name = brief(ast.unparse(node.func))
             raise ExpressionError(
-                Message(
-                    "'{name}' is not a function here{hint}",
-                    name=name,
-                    hint=suggestion(name, FUNCTIONS),
-                )
+                "'{name}' is not a function here{hint}", name=name, hint=suggestion(name, FUNCTIONS)
             )
         name, count = node.func.id, _ARGUMENTS.get(node.func.id, 1)
         if node.keywords or len(node.args) != count:

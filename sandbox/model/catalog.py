@@ -52,10 +52,7 @@ def sources() -> Path:
     if not (folder / "pyproject.toml").is_file():
         package = Path(__file__).resolve().parents[1]
         raise SandboxError(
-            Message(
-                "this is written in a checkout of the project; {package} is installed",
-                package=package,
-            )
+            "this is written in a checkout of the project; {package} is installed", package=package
         )
     return folder
 

@@ -73,9 +73,7 @@ def without(level: Level, effect: str) -> tuple[Level, tuple[str, ...]]:
     if effect not in level.effects.declared:
         hint = suggestion(effect, level.effects.declared)
         raise EffectError(
-            Message(
-                "the level declares no effect '{effect}'{hint}", effect=brief(effect), hint=hint
-            )
+            "the level declares no effect '{effect}'{hint}", effect=brief(effect), hint=hint
         )
     changed, gone = _dropped(level, effect), [effect]
     while found := list(_scene_faults(changed)):
@@ -123,12 +121,10 @@ def _cleared(level: Level, found: list[Fault], effect: str) -> Level:
         if fault.path[0] != "bodies" or len(fault.path) < 3:
             place = ".".join(map(str, fault.path))
             raise EffectError(
-                Message(
-                    "without '{effect}' the level is impossible: {place}: {rule}",
-                    effect=effect,
-                    place=place,
-                    rule=fault.rule,
-                )
+                "without '{effect}' the level is impossible: {place}: {rule}",
+                effect=effect,
+                place=place,
+                rule=fault.rule,
             )
         name, field = str(fault.path[1]), str(fault.path[2])
         default = Body.model_fields[field].default
@@ -156,16 +152,14 @@ def including(level: Level, effect: str, settings: Settings) -> Level:
     """
     if effect not in Effects.model_fields:
         hint = suggestion(effect, Effects.model_fields, most=20)
-        raise EffectError(Message("unknown effect '{name}'{hint}", name=brief(effect), hint=hint))
+        raise EffectError("unknown effect '{name}'{hint}", name=brief(effect), hint=hint)
     declared = effect in level.effects.declared
     if declared and not settings:
         raise EffectError(
-            Message(
-                "the level declares '{effect}' already; a setting such as {effect}.{example}"
-                " changes it",
-                effect=effect,
-                example=_example(effect),
-            )
+            "the level declares '{effect}' already; a setting such as {effect}.{example}"
+            " changes it",
+            effect=effect,
+            example=_example(effect),
         )
     fields = dict(settings or DEFAULTS.get(effect, {}))
     coefficient = fields.pop("coefficient", None) if effect in _COEFFICIENTS else None
@@ -182,12 +176,10 @@ def _require_no_new_fault(level: Level, changed: Level, effect: str) -> None:
         if fault not in known and fault.path[0] not in TOLD:
             place = ".".join(map(str, fault.path))
             raise EffectError(
-                Message(
-                    "'{effect}' is not possible here: {place}: {rule}",
-                    effect=effect,
-                    place=place,
-                    rule=fault.rule,
-                )
+                "'{effect}' is not possible here: {place}: {rule}",
+                effect=effect,
+                place=place,
+                rule=fault.rule,
             )
 
 
@@ -261,14 +253,12 @@ def _with_coefficient(level: Level, effect: str, coefficient: object) -> Level:
     """Give every body the square root of a coefficient, so that each pair has the product."""
     kind = _COEFFICIENTS[effect]
     if not isinstance(coefficient, int | float | str):
-        raise EffectError(
-            Message("{effect}.coefficient: must be a number or an expression", effect=effect)
-        )
+        raise EffectError("{effect}.coefficient: must be a number or an expression", effect=effect)
     try:
         root = kind(f"sqrt({kind(coefficient).source})")
     except ExpressionError as error:
         raise EffectError(
-            Message("{effect}.coefficient: {error}", effect=effect, error=error.message)
+            "{effect}.coefficient: {error}", effect=effect, error=error.message
         ) from error
     bodies = {name: body.model_copy(update={effect: root}) for name, body in level.bodies.items()}
     for body in bodies.values():

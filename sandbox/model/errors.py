@@ -19,10 +19,17 @@ MAX_MISTAKES = 100
 
 
 class SandboxError(Exception):
-    """Anything that a user can mend; its text is fit to be shown."""
+    """Anything that a user can mend; its text is fit to be shown.
 
-    def __init__(self, message: Message) -> None:
-        super().__init__(message)
+    Parameters
+    ----------
+    message, values
+        The message, or the template of one and its values by name.
+    """
+
+    def __init__(self, message: str, /, **values: object) -> None:
+        made = message if isinstance(message, Message) else Message(message, **values)
+        super().__init__(made)
 
     @property
     def message(self) -> Message:

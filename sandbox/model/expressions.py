@@ -111,7 +111,7 @@ class Expression:
                     scope[name] = constant.within(scope)
                 return self.within(scope)
         except ZeroDivisionError:
-            raise ExpressionError(Message("{shown}divides by zero", shown=self._shown)) from None
+            raise ExpressionError("{shown}divides by zero", shown=self._shown) from None
 
     def within(self, scope: Mapping[str, Any]) -> Any:  # noqa: ANN401 (a float or an array)
         """Return the value, finite or not, in a scope that has every name in its text."""
@@ -134,7 +134,7 @@ class Expression:
             told = Message("is {given}, {beyond}", given=given, beyond=beyond)
         else:
             return value
-        raise ExpressionError(Message("{shown}{told}", shown=self._shown, told=told))
+        raise ExpressionError("{shown}{told}", shown=self._shown, told=told)
 
     @classmethod
     def beyond(cls, value: float) -> Message:
@@ -276,4 +276,4 @@ def _number(source: float) -> float:
     try:
         return float(source)
     except OverflowError:
-        raise ExpressionError(Message("is too large a number")) from None
+        raise ExpressionError("is too large a number") from None

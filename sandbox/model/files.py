@@ -202,17 +202,15 @@ def make_folder(folder: Path) -> None:
     except OSError as error:
         reason = Message("it is a file") if folder.is_file() else error.strerror
         raise SandboxError(
-            Message("cannot make the folder {folder}: {reason}", folder=folder, reason=reason)
+            "cannot make the folder {folder}: {reason}", folder=folder, reason=reason
         ) from error
     if not os.access(folder, os.W_OK | os.X_OK):
-        raise SandboxError(
-            Message("cannot write into the folder {folder}: it is read-only", folder=folder)
-        )
+        raise SandboxError("cannot write into the folder {folder}: it is read-only", folder=folder)
 
 
 def _taken(path: Path) -> TakenError:
-    return TakenError(Message("{path} is there already; nothing is overwritten", path=path))
+    return TakenError("{path} is there already; nothing is overwritten", path=path)
 
 
 def _refusal(path: Path, reason: str) -> SandboxError:
-    return SandboxError(Message("cannot write {path}: {reason}", path=path, reason=reason))
+    return SandboxError("cannot write {path}: {reason}", path=path, reason=reason)

@@ -208,12 +208,7 @@ def choose(
         chosen = ", ".join(f"{name} = {value:g}" for name, value in settings.items())
         place = ".".join(map(str, fault.path))
         raise ValueRangeError(
-            Message(
-                "{chosen} is not possible: {place}: {rule}",
-                chosen=chosen,
-                place=place,
-                rule=fault.rule,
-            )
+            "{chosen} is not possible: {place}: {rule}", chosen=chosen, place=place, rule=fault.rule
         )
     return values
 

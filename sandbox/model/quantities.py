@@ -189,7 +189,7 @@ def quantity(name: str, level: Level) -> Quantity:
         close = closest(subject, owners)
         hint = suggestion(name, [f"{close}{dot}{brief(rest)}"] if close else [TIME.name, *owners])
         raise QuantityError(
-            Message("'{name}' is not a quantity of this level{hint}", name=brief(name), hint=hint)
+            "'{name}' is not a quantity of this level{hint}", name=brief(name), hint=hint
         )
     found = [*_of(owners[subject], subject, level)]
     if owners[subject] == "system":
@@ -201,7 +201,7 @@ def quantity(name: str, level: Level) -> Quantity:
         followed = [f"{whole}.{form}" for form in OVER_TIME if whole in known]
         hint = suggestion(name, [*known, *followed], most=len(known))
         raise QuantityError(
-            Message("'{name}' is not a quantity of this level{hint}", name=brief(name), hint=hint)
+            "'{name}' is not a quantity of this level{hint}", name=brief(name), hint=hint
         )
     return known[name]
 

@@ -1,6 +1,8 @@
 """The catalogues of the window's languages: complete, true to the code, and compiled."""
 
+import ast
 import re
+import tomllib
 from collections import Counter
 from collections.abc import Iterator
 from functools import cache
@@ -55,6 +57,22 @@ def messages(found: Catalog) -> Iterator[Message]:
 def forms(text: str | list[str] | tuple[str, ...] | None) -> tuple[str, ...]:
     """Return the forms of a message, or of its translation: one, or one for each number."""
     return (text or "",) if text is None or isinstance(text, str) else tuple(text)
+
+
+def test_no_error_is_made_of_a_text_that_is_put_together() -> None:
+    """Only a literal can be looked up: ruff rejects the f-strings of all errors that it knows."""
+    lint = tomllib.loads((catalog.sources() / "pyproject.toml").read_text("utf-8"))["tool"]["ruff"]
+    known = lint["lint"]["flake8-gettext"]["function-names"]
+    for path in texts.said_in(catalog.sources() / "sandbox"):
+        for node in ast.walk(ast.parse(path.read_text("utf-8"))):
+            if isinstance(node, ast.ClassDef) and "SandboxError" in map(ast.unparse, node.bases):
+                own = any(
+                    isinstance(p, ast.FunctionDef) and p.name == "__init__" for p in node.body
+                )
+                assert own or node.name in (*known, "IndexFault", "SimulationError"), node.name
+            if isinstance(node, ast.Call) and node.args and ast.unparse(node.func) in known:
+                assert not isinstance(node.args[0], ast.BinOp), f"{path}:{node.lineno}"
+                assert not ast.unparse(node.args[0]).startswith(("str(", "repr(")), path
 
 
 def places(text: str) -> set[tuple[str | None, str | None]]:

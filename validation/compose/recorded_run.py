@@ -10,7 +10,6 @@ import numpy as np
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Array
 from sandbox.model.level import HIGHEST_RATE, Level
-from sandbox.model.message import Message
 from sandbox.physics.energy.ledger import Ledger
 from sandbox.physics.guarding.rate_limits import needs
 from sandbox.physics.measuring.recording import count_steps
@@ -235,5 +234,5 @@ def positions(level: Level, rate: float, steps: int, every: int) -> Snapshot:
         for _ in range(steps):
             seen.append(world.advance(every))
             if process_time() > deadline:
-                raise SandboxError(Message("took more than {limit:g} s", limit=LIMIT))
+                raise SandboxError("took more than {limit:g} s", limit=LIMIT)
     return Snapshot.stack(seen)

@@ -13,7 +13,6 @@ from tempfile import TemporaryDirectory
 from typing import Any
 
 from sandbox.model.errors import SandboxError
-from sandbox.model.message import Message
 from validation.fuzz.explorer import LONGEST
 from validation.fuzz.trial import HANGS, STARTS, Outcome, Trial, Tried
 
@@ -55,9 +54,7 @@ def guided(seed: int, trial: Trial) -> Generator[Tried]:
                 known = outcome if outcome and outcome.passed else trial.run(text)
                 yield Tried(before + last, json.loads(text), known)
             if last < 0:
-                raise SandboxError(
-                    Message("Atheris ended before it tried a level: uninstall it to go on")
-                )
+                raise SandboxError("Atheris ended before it tried a level: uninstall it to go on")
             before += last + 1
 
 

@@ -11,7 +11,6 @@ from pydantic import TypeAdapter, ValidationError
 
 from sandbox.model import catalog
 from sandbox.model.errors import SandboxError
-from sandbox.model.message import Message
 from validation import suite
 from validation.case import Case, Outcome
 from validation.case_tables import read
@@ -119,16 +118,12 @@ def collect(part: Part, source: Path | None, *, quick: bool) -> Content:
     try:
         content = json.loads(file.read_text(encoding="utf-8"))
     except (OSError, ValueError) as error:
-        raise SandboxError(
-            Message("cannot read {file}: {error}", file=file, error=str(error))
-        ) from error
+        raise SandboxError("cannot read {file}: {error}", file=file, error=str(error)) from error
     if not isinstance(content, dict):
         raise SandboxError(
-            Message(
-                "{file} is not what `validation {command} --json` writes",
-                file=file,
-                command=part.command,
-            )
+            "{file} is not what `validation {command} --json` writes",
+            file=file,
+            command=part.command,
         )
     return content
 
@@ -200,7 +195,7 @@ def _validated(adapter: TypeAdapter[T], rows: object) -> T:
         where = ".".join(map(str, error.errors()[0]["loc"]))
         reason = f"{where}: {error.errors()[0]['msg']}".removeprefix(": ")
         raise SandboxError(
-            Message("figures in another form than this version writes: {reason}", reason=reason)
+            "figures in another form than this version writes: {reason}", reason=reason
         ) from error
 
 

@@ -21,7 +21,6 @@ from sandbox.app.runs.live_run import LiveRun
 from sandbox.app.runs.pace import faster, slower
 from sandbox.app.runs.run_view import RunView
 from sandbox.model.errors import SandboxError
-from sandbox.model.message import Message
 from sandbox.model.shapes import XY
 from sandbox.physics.state.errors import SimulationError
 from sandbox.physics.stepping.world import World
@@ -291,9 +290,7 @@ class Playback(RunView, ABC):
         self._recall()
         self._seek(AT_ONCE)
         reason = failure.reason if isinstance(failure, SimulationError) else failure.message
-        raise SandboxError(
-            Message("it cannot be put there: {reason}; play, and pull it", reason=reason)
-        )
+        raise SandboxError("it cannot be put there: {reason}; play, and pull it", reason=reason)
 
     def release(self) -> None:
         """Release the body."""

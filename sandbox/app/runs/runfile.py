@@ -130,23 +130,21 @@ def read(path: Path) -> Run:
         content = read_ordinary(path, LARGEST)
     except OSError as error:
         raise SandboxError(
-            Message("cannot read {path}: {reason}", path=path, reason=error.strerror)
+            "cannot read {path}: {reason}", path=path, reason=error.strerror
         ) from error
     if content is None:
         raise SandboxError(
-            Message("cannot read {path}: it is no ordinary file, or larger than 100 MB", path=path)
+            "cannot read {path}: it is no ordinary file, or larger than 100 MB", path=path
         )
     try:
         return Run.model_validate_json(content)
     except ValidationError as error:
         place, reason = _told(error.errors(include_url=False)[0])
         raise SandboxError(
-            Message(
-                "{path} is not the file of a run: {place}: {reason}",
-                path=path,
-                place=place,
-                reason=reason,
-            )
+            "{path} is not the file of a run: {place}: {reason}",
+            path=path,
+            place=place,
+            reason=reason,
         ) from error
 
 

@@ -183,8 +183,7 @@ class Session(Playback):
         """
         self._require_one_that_goes_on(Message("with other parts"))
         if self.changes:
-            message = Message("effects are switched off or on here; switch them back first (X)")
-            raise SandboxError(message)
+            raise SandboxError("effects are switched off or on here; switch them back first (X)")
         self.release()
         self.run.alter(text)
 
@@ -195,7 +194,7 @@ class Session(Playback):
                 why = Message("other runs go beside it")
             if self.recalled:
                 why = Message("it is still on its way")
-            raise SandboxError(Message("this run cannot continue {how}: {why}", how=how, why=why))
+            raise SandboxError("this run cannot continue {how}: {why}", how=how, why=why)
 
     def resume(self, actions: Sequence[Action], steps: int, values: Values | None = None) -> None:
         """Repeat a run from its start up to some step, and pause there; this may take some frames.

@@ -11,7 +11,6 @@ from sandbox.app.words import formatting
 from sandbox.app.words.language import later, say
 from sandbox.model.errors import SandboxError
 from sandbox.model.level import Level
-from sandbox.model.message import Message
 
 TOGETHER = 0.7  # s, within which changes of the same thing count as one, as by dragging a slider
 MOST = 200
@@ -165,8 +164,7 @@ def _branch(session: Session, branch: Branch) -> None:
     if session.sought is None:
         session.go_to(branch.step)
     if session.sought is not None:
-        message = Message("the run is still returning to where it branched; try again then")
-        raise SandboxError(message)
+        raise SandboxError("the run is still returning to where it branched; try again then")
     session.branch(branch.parameters)
 
 

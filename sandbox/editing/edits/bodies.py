@@ -18,7 +18,6 @@ from sandbox.editing.outlines import centroid, simplified
 from sandbox.editing.text_patches import put, put_all, remove
 from sandbox.model.errors import SandboxError
 from sandbox.model.level import Level
-from sandbox.model.message import Message
 from sandbox.model.shapes import XY
 
 DENSITY = 10.0
@@ -61,7 +60,7 @@ def add_polygon(text: str, level: Level, points: Sequence[XY]) -> Made:
     """
     area, center = centroid(points)
     if area <= SMALLEST**2:
-        raise SandboxError(Message("a polygon needs three corners that are not in one line"))
+        raise SandboxError("a polygon needs three corners that are not in one line")
     # from the first corner, for short numbers; the origin of a dynamic body is its centre of mass
     shape: Json = {"type": "polygon", "vertices": _about(points, points[0])}
     return _add_dynamic(text, level, "polygon", shape, center, area)
@@ -76,7 +75,7 @@ def add_surface(text: str, level: Level, points: Sequence[XY]) -> Made:
         If it has no length.
     """
     if len(points) < 2 or max(abs(complex(*p) - complex(*points[0])) for p in points) <= SMALLEST:
-        raise SandboxError(Message("a surface needs two points that are apart"))
+        raise SandboxError("a surface needs two points that are apart")
     middle = (float(np.mean([x for x, _ in points])), float(np.mean([y for _, y in points])))
     local = _about(points, middle)
     shape: dict[str, Json] = {"type": "polyline", "points": local}
@@ -117,7 +116,7 @@ def take_out(text: str, level: Level, names: Sequence[str]) -> str:
         If no body would be left.
     """
     if not set(level.bodies).difference(names):
-        raise SandboxError(Message("a level needs a body; draw another one first"))
+        raise SandboxError("a level needs a body; draw another one first")
     for name in names:
         text = remove(text, ("bodies" if name in level.bodies else "joints", name))
     return without_meaning(text)
@@ -168,5 +167,5 @@ def _about(points: Sequence[XY], center: XY) -> list[list[float]]:
 
 def _size(value: float) -> float:
     if value <= SMALLEST:
-        raise SandboxError(Message("drag to give it a size"))
+        raise SandboxError("drag to give it a size")
     return float(f"{value:.{DRAWN}g}")

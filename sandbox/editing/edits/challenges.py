@@ -8,7 +8,6 @@ from sandbox.editing.placement import Placed, around, placed
 from sandbox.editing.text_patches import put, remove
 from sandbox.model.errors import SandboxError
 from sandbox.model.level import Level
-from sandbox.model.message import Message
 
 DIGITS = 6
 """Decimals of the bounds of the region [m]."""
@@ -37,12 +36,10 @@ def add_challenge(text: str, level: Level, body: str, task: str, labels: Sequenc
     """
     if not level.parameters:
         raise SandboxError(
-            Message(
-                "a challenge needs something to change: make a number a parameter by its slider"
-            )
+            "a challenge needs something to change: make a number a parameter by its slider"
         )
     if level.challenge is not None:
-        raise SandboxError(Message("the level has a challenge already"))
+        raise SandboxError("the level has a challenge already")
     at, (across, upwards) = level.duration.source, _bounds(level, body)
     goals: list[Json] = [
         {"label": label, "quantity": f"{body}.position.{axis}", "at": at, **bounds}

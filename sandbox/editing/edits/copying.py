@@ -15,7 +15,6 @@ from sandbox.model.errors import SandboxError
 from sandbox.model.joints import Joint, Wire, bodies_of, body_of, ends_of
 from sandbox.model.level import Level
 from sandbox.model.level_parts import names_in
-from sandbox.model.message import Message
 from sandbox.model.rules.consistency.mentions import mentions
 from sandbox.model.shapes import XY, Point
 
@@ -35,7 +34,7 @@ def copy(text: str, level: Level, names: Collection[str]) -> str:
         If there are no bodies.
     """
     if not names:
-        raise SandboxError(Message("choose the bodies first"))
+        raise SandboxError("choose the bodies first")
     data = json.loads(text)
     joints = [
         name
@@ -73,7 +72,7 @@ def paste(text: str, level: Level, copied: str, by: XY = (0.0, 0.0)) -> Made:
     try:
         source, data = Level.model_validate_json(copied), json.loads(copied)
     except ValidationError:
-        raise SandboxError(Message("what was copied is not of a level")) from None
+        raise SandboxError("what was copied is not of a level") from None
     names = _new_names(source, level)
     changes = Changes()
     for name, body in source.bodies.items():

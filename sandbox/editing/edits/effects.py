@@ -10,7 +10,6 @@ from sandbox.model.effect_variants import DEFAULTS, including, without
 from sandbox.model.effects import EFFECTS, Effects
 from sandbox.model.errors import SandboxError
 from sandbox.model.level import Level
-from sandbox.model.message import Message
 from sandbox.physics.run import costs
 
 COEFFICIENT = 0.5
@@ -40,17 +39,13 @@ def declare(text: str, level: Level, effect: str, settings: Mapping[str, Any] | 
     """
     if effect not in EFFECTS:
         raise SandboxError(
-            Message(
-                "unknown effect '{name}'{hint}",
-                name=effect,
-                hint=suggestion(effect, EFFECTS, most=20),
-            )
+            "unknown effect '{name}'{hint}", name=effect, hint=suggestion(effect, EFFECTS, most=20)
         )
     said = getattr(level.effects, effect)
     if said is not None and not isinstance(said, tuple):
-        raise SandboxError(Message("the level declares '{effect}' already", effect=effect))
+        raise SandboxError("the level declares '{effect}' already", effect=effect)
     if settings is None and effect not in DEFAULTS:
-        raise SandboxError(Message("'{effect}' has to be told what it is", effect=effect))
+        raise SandboxError("'{effect}' has to be told what it is", effect=effect)
     fields = settings if settings is not None else _trial(effect)
     index = (len(said or ()),) if _several(effect) else ()
     form = _with_coefficients(put(text, ("effects", effect, *index), fields), level, effect)
@@ -69,7 +64,7 @@ def drop(text: str, level: Level, effect: str) -> str:
     if effect not in level.effects.declared:
         hint = suggestion(effect, level.effects.declared)
         raise SandboxError(
-            Message("the level declares no effect '{effect}'{hint}", effect=effect, hint=hint)
+            "the level declares no effect '{effect}'{hint}", effect=effect, hint=hint
         )
     return without_meaning(remove(text, ("effects", effect)))
 

@@ -108,9 +108,7 @@ def make_parameter(text: str, path: Path, name: str) -> str:
             message = Message("{field} is a formula already", field=shown(path))
         raise SandboxError(message)
     if name in level.parameters:
-        raise SandboxError(
-            Message("there is a parameter '{name}' already; choose another name", name=name)
-        )
+        raise SandboxError("there is a parameter '{name}' already; choose another name", name=name)
     text = _stated(text, path, numbers)
     value, formula, unit = _parameter(value_at(text, path), expression, name)
     about = {"unit": unit} if unit else {}

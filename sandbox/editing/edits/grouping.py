@@ -9,7 +9,6 @@ from sandbox.editing.json_layout import Json
 from sandbox.editing.text_patches import put, remove
 from sandbox.model.errors import SandboxError
 from sandbox.model.level import Level
-from sandbox.model.message import Message
 
 PLACE = ("view", "together")
 
@@ -23,7 +22,7 @@ def group(text: str, level: Level, names: Collection[str]) -> str:
         If they are fewer than two.
     """
     if len(names) < 2:
-        raise SandboxError(Message("choose two bodies at least to make them a group"))
+        raise SandboxError("choose two bodies at least to make them a group")
     return _with(text, level, [*_left(level, names), [n for n in level.bodies if n in names]])
 
 
@@ -37,7 +36,7 @@ def ungroup(text: str, level: Level, names: Collection[str]) -> str:
     """
     kept = [list(one) for one in level.view.together if not set(one) & set(names)]
     if len(kept) == len(level.view.together):
-        raise SandboxError(Message("none of these bodies is in a group"))
+        raise SandboxError("none of these bodies is in a group")
     return _with(text, level, kept)
 
 

@@ -15,7 +15,6 @@ from sandbox.editing.text_patches import Changes, put_all
 from sandbox.model.errors import SandboxError
 from sandbox.model.json_positions import Path
 from sandbox.model.level import Level
-from sandbox.model.message import Message
 from sandbox.model.shapes import (
     XY,
     Arc,
@@ -72,7 +71,7 @@ def scale(text: str, level: Level, name: str, factor: float) -> str:
     """
     body = placed(level)[name]
     if factor <= SMALLEST:
-        raise SandboxError(Message("that would leave nothing of it"))
+        raise SandboxError("that would leave nothing of it")
     return _settled(put_all(text, _scaled(body, factor)), level, body, None)
 
 
@@ -109,7 +108,7 @@ def _dragged(body: Placed, index: int, to: complex) -> Changes:
             factor = _size(abs(to - body.center)) / max(abs(half - body.center), SMALLEST)
             return {_radius(body): scaled(radius, factor)}
         case Curve():
-            raise SandboxError(Message("a curve has the shape that its formulas say"))
+            raise SandboxError("a curve has the shape that its formulas say")
 
 
 def _box(body: Placed, box: Box, side: complex, to: complex) -> Changes:
@@ -156,7 +155,7 @@ def _radius(body: Placed) -> Path:
 
 def _size(value: float) -> float:
     if value <= SMALLEST:
-        raise SandboxError(Message("that would leave nothing of it"))
+        raise SandboxError("that would leave nothing of it")
     return value
 
 
@@ -175,7 +174,7 @@ def _scaled(body: Placed, factor: float) -> Changes:
             corners = zip(_paths(body), points_of(drawn), strict=True)
             return {place: [scaled(c, factor) for c in point] for place, point in corners}
         case Curve():
-            raise SandboxError(Message("a curve has the shape that its formulas say"))
+            raise SandboxError("a curve has the shape that its formulas say")
 
 
 def _settled(text: str, before: Level, body: Placed, fixed: int | None) -> str:

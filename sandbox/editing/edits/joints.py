@@ -17,7 +17,7 @@ from sandbox.model.did_you_mean import suggestion
 from sandbox.model.errors import SandboxError
 from sandbox.model.joints import KINDS
 from sandbox.model.level import Level
-from sandbox.model.message import Message, word
+from sandbox.model.message import word
 from sandbox.model.shapes import XY
 
 CENTRAL = 1e-9
@@ -72,20 +72,16 @@ def add_joint(text: str, level: Level, kind: str, chosen: Sequence[Pick]) -> Mad
     """
     if kind not in KINDS:
         raise SandboxError(
-            Message(
-                "there is no joint '{kind}'{hint}",
-                kind=kind,
-                hint=suggestion(kind, KINDS, most=len(KINDS)),
-            )
+            "there is no joint '{kind}'{hint}",
+            kind=kind,
+            hint=suggestion(kind, KINDS, most=len(KINDS)),
         )
     if len(chosen) < picks(kind):
         raise SandboxError(
-            Message(
-                "a {kind} needs {picks} points; {count} are picked",
-                kind=word(kind),
-                picks=picks(kind),
-                count=len(chosen),
-            )
+            "a {kind} needs {picks} points; {count} are picked",
+            kind=word(kind),
+            picks=picks(kind),
+            count=len(chosen),
         )
     where = placed(level)
     said = _MADE.get(kind, _line)(list(chosen), where)
@@ -169,7 +165,7 @@ def _gear(chosen: list[Pick], where: Bodies) -> dict[str, Json]:
     """Return a gear of two wheels that mesh externally."""
     wheels = [where[pick.body] for pick in chosen[:2] if pick.body is not None]
     if len(wheels) < 2:
-        raise SandboxError(Message("a gear ties two wheels to each other; pick two bodies"))
+        raise SandboxError("a gear ties two wheels to each other; pick two bodies")
     first, second = (wheel.radius or 1.0 for wheel in wheels)
     return {"ends": [pick.body for pick in chosen[:2]], "ratio": plain(-first / second)}
 
@@ -178,9 +174,7 @@ def _rack(chosen: list[Pick], where: Bodies) -> dict[str, Json]:
     """Return a rack on the side of the wheel where the bar is."""
     wheel = chosen[1].body
     if wheel is None:
-        raise SandboxError(
-            Message("a rack is moved by a wheel; pick the wheel as the second point")
-        )
+        raise SandboxError("a rack is moved by a wheel; pick the wheel as the second point")
     radius = where[wheel].radius or 1.0
     above = chosen[0].point[1] > where[wheel].center.imag
     ends = [end(chosen[0], where), wheel]
@@ -190,9 +184,7 @@ def _rack(chosen: list[Pick], where: Bodies) -> dict[str, Json]:
 def _winding(chosen: list[Pick], where: Bodies) -> dict[str, Json]:
     wheel = chosen[1].body
     if wheel is None:
-        raise SandboxError(
-            Message("a string is wound on a body; pick the wheel as the second point")
-        )
+        raise SandboxError("a string is wound on a body; pick the wheel as the second point")
     center = where[wheel].center
     tied, side = complex(*chosen[0].point) - center, complex(*chosen[1].point) - center
     right = (tied.conjugate() * side).imag < 0  # seen along the string, towards its end

@@ -16,7 +16,6 @@ from sandbox.model.errors import SandboxError
 from sandbox.model.joints import bodies_of
 from sandbox.model.level import Level
 from sandbox.model.loading import parse
-from sandbox.model.message import Message
 from sandbox.model.shapes import Disc
 
 THICK = 0.04
@@ -77,7 +76,7 @@ def wrap(text: str, level: Level, names: Sequence[str]) -> Made:
     drum = drum_of(level, names)
     if drum is None:
         raise SandboxError(
-            Message("a rope is laid over a disc, between two bodies that move; select the three")
+            "a rope is laid over a disc, between two bodies that move; select the three"
         )
     left, right = _ends(level, names)
     where = placed(level)
@@ -125,7 +124,7 @@ def _knots(drum: Placed, left: Placed, right: Placed) -> list[complex]:
     radius = (1 + THICK) * drum.radius
     ways = [end.center - drum.center for end in (left, right)]
     if any(abs(way) <= radius for way in ways):
-        raise SandboxError(Message("the ends of the rope lie within '{name}'", name=drum.name))
+        raise SandboxError("the ends of the rope lie within '{name}'", name=drum.name)
     begin = phase(ways[0]) - acos(radius / abs(ways[0]))
     end = phase(ways[1]) + acos(radius / abs(ways[1]))
     wrapped = (begin - end) % (2 * pi)

@@ -18,7 +18,6 @@ from sandbox.model.joint_ends import place
 from sandbox.model.joints import Rod, Rope, bodies_of, body_of
 from sandbox.model.level import Level
 from sandbox.model.level_parts import names_in
-from sandbox.model.message import Message
 
 ASIDE = 30.0
 """deg, the angle to which a body that hangs straight down is drawn aside."""
@@ -60,7 +59,7 @@ def swing(text: str, level: Level, name: str) -> str:
     """
     peg = peg_of(level, name)
     if peg is None:
-        raise SandboxError(Message("'{name}' does not hang from a point of the plane", name=name))
+        raise SandboxError("'{name}' does not hang from a point of the plane", name=name)
     where = placed(level)
     way = where[name].center - peg
     turned = degrees(phase(way * 1j))

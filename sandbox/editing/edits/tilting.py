@@ -18,7 +18,6 @@ from sandbox.model.errors import SandboxError
 from sandbox.model.joints import bodies_of, body_of, ends_of
 from sandbox.model.level import Level
 from sandbox.model.level_parts import names_in
-from sandbox.model.message import Message
 from sandbox.model.shapes import Segment, evaluate
 
 TOUCHING = 1e-6
@@ -95,7 +94,7 @@ def tilt(text: str, level: Level, name: str) -> str:
     """
     slope = slope_of(level, name)
     if slope is None:
-        raise SandboxError(Message("'{name}' is no slope, and lies on none", name=name))
+        raise SandboxError("'{name}' is no slope, and lies on none", name=name)
     where = placed(level)
     moved = _lying_on(where, slope)
     for one in (slope, *moved):
@@ -141,7 +140,7 @@ def _refuse_formulas(level: Level, name: str) -> None:
     body = level.bodies[name]
     placing = (body.position, body.angle, body.velocity)
     if names_in(placing) or (isinstance(body.shape, Segment) and names_in((body.shape,))):
-        raise SandboxError(Message("a formula says already where '{name}' is", name=name))
+        raise SandboxError("a formula says already where '{name}' is", name=name)
 
 
 def _tilt(slope: Placed, name: str) -> _Tilt:

@@ -23,7 +23,6 @@ from sandbox.model.expressions import Values
 from sandbox.model.files import make_folder, read_ordinary, write_atomically
 from sandbox.model.level import Level, Stepping
 from sandbox.model.loading import digest
-from sandbox.model.message import Message
 from sandbox.physics.accuracy.calibration import Setting, calibrate
 from sandbox.physics.accuracy.compared_runs import Stop, never
 from sandbox.physics.accuracy.refinement_search import Progress
@@ -108,7 +107,7 @@ def keep(
     try:
         make_folder(path.parent)
         if link := _link(path.parent):
-            raise SandboxError(Message("{link} is a link, which may lead anywhere", link=link))
+            raise SandboxError("{link} is a link, which may lead anywhere", link=link)
         entry = _ENTRY.dump_json((key, _hash(key, setting), setting))
         write_atomically(path, entry, follow=False)
     except (OSError, SandboxError) as error:

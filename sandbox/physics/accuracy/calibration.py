@@ -121,11 +121,9 @@ def calibrate(
 def _require_above_rounding(target: float) -> None:
     if not target >= FINEST:
         raise AccuracyError(
-            Message(
-                "an accuracy of {target:g} is below rounding; {finest:g} is the least",
-                target=target,
-                finest=FINEST,
-            )
+            "an accuracy of {target:g} is below rounding; {finest:g} is the least",
+            target=target,
+            finest=FINEST,
         )
 
 
@@ -161,14 +159,12 @@ def _refused(found: Found, target: float, judged_by: Message, until: Message) ->
             "{judged_by}, of which {name} decided", judged_by=judged_by, name=found.decided_by
         )
     return AccuracyError(
-        Message(
-            "an accuracy of {target:g} cannot be had; there is {timed}, judged by"
-            " {judged_by}; to {target:g} it is {until}",
-            target=target,
-            timed=found.timed().told,
-            judged_by=judged_by,
-            until=until,
-        )
+        "an accuracy of {target:g} cannot be had; there is {timed}, judged by"
+        " {judged_by}; to {target:g} it is {until}",
+        target=target,
+        timed=found.timed().told,
+        judged_by=judged_by,
+        until=until,
     )
 
 
@@ -178,7 +174,7 @@ def _judges(
     """Return the quantities by which the error is judged, and their description."""
     wanted = watched(level, values, also)
     if not wanted:
-        raise AccuracyError(Message("nothing moves freely, so there is nothing to be accurate"))
+        raise AccuracyError("nothing moves freely, so there is nothing to be accurate")
     checked = any(applies(check, values) for check in level.checks)
     parts = [Message("its checks")] * checked + [Message("what is recorded")] * bool(also)
     return wanted, both([*parts, Message("places and velocities")])

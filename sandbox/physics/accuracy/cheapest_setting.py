@@ -13,7 +13,6 @@ from typing import Literal
 
 from sandbox.model.expressions import Values
 from sandbox.model.level import HIGHEST_RATE, Level, Stepping, is_direct, may_be_direct
-from sandbox.model.message import Message
 from sandbox.model.schemes import unsmooth
 from sandbox.physics.accuracy.candidates import Candidate, Offer, Offers
 from sandbox.physics.accuracy.compared_runs import Stop, Watched, never, record, scaled, stride
@@ -110,9 +109,7 @@ class Seeker:
         if not refinements and (failure := refiners[-1].failure):
             raise failure
         if not refinements:
-            raise AccuracyError(
-                Message("the level takes too long to run to search for its accuracy")
-            )
+            raise AccuracyError("the level takes too long to run to search for its accuracy")
         offers = Offers(refinements, [cost(refiners, refinement) for refinement in refinements])
         chosen = offers.best(self.target)
         if chosen.trace is None:
