@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 
 from sandbox.model.errors import SandboxError
+from sandbox.model.message import Message
 
 
 @contextmanager
@@ -26,9 +27,11 @@ def needed_for(what: str, extra: str = "report") -> Iterator[None]:
         yield
     except ModuleNotFoundError as error:
         raise SandboxError(
-            "{what} needs the library {name!r}, which is not installed: python -m pip install"
-            " 'mechanics-sandbox[{extra}]' (in a checkout: -e '.[{extra}]')",
-            what=what,
-            name=error.name,
-            extra=extra,
+            Message(
+                "{what} needs the library {name!r}, which is not installed: python -m pip install"
+                " 'mechanics-sandbox[{extra}]' (in a checkout: -e '.[{extra}]')",
+                what=what,
+                name=error.name,
+                extra=extra,
+            )
         ) from error

@@ -33,6 +33,15 @@ def show(*tables: Table) -> None:
         console.print(table)
 
 
+def table(title: str, first: str, headings: Iterable[str]) -> Table:
+    """Return an empty table with a column of words, and columns of figures."""
+    made = Table(title=title, header_style="bold", row_styles=("", "dim"))
+    made.add_column(first)
+    for heading in headings:
+        made.add_column(heading, justify="right", no_wrap=True)
+    return made
+
+
 def complain(failed: Iterable[str]) -> None:
     """Print the names of what failed."""
     for name in failed:

@@ -8,10 +8,10 @@ from functools import cache
 from rich.table import Table
 
 from sandbox.processes import spread
+from validation import output
 from validation.case import Case, Outcome, run, together
 from validation.cases import all_cases
 from validation.environment import environment
-from validation.output import finite, progress
 
 HEADINGS = ("measured", "expected", "error", "bound", "order", "naive error", "step", "naive")
 
@@ -34,7 +34,9 @@ def outcomes(cases: Sequence[Case], jobs: int | None = None) -> list[Outcome]:
     SandboxError
         If a level cannot be run.
     """
-    found = dict(progress(_found(cases, jobs or os.cpu_count() or 1), "Running cases", len(cases)))
+    found = dict(
+        output.progress(_found(cases, jobs or os.cpu_count() or 1), "Running cases", len(cases))
+    )
     return [found[row] for row in range(len(cases))]
 
 
@@ -70,10 +72,7 @@ def named(case: Case) -> str:
 
 def table(cases: Sequence[Case], found: Sequence[Outcome]) -> Table:
     """Return a table with a row per case, for the terminal."""
-    rows = Table(title="Closed forms against runs", header_style="bold", row_styles=("", "dim"))
-    rows.add_column("case")
-    for heading in HEADINGS:
-        rows.add_column(heading, justify="right", no_wrap=True)
+    rows = output.table("Closed forms against runs", "case", HEADINGS)
     rows.add_column("")
     for case, outcome in zip(cases, found, strict=True):
         rows.add_row(
@@ -93,4 +92,4 @@ def table(cases: Sequence[Case], found: Sequence[Outcome]) -> Table:
 
 def content(found: Sequence[Outcome]) -> dict[str, object]:
     """Return the outcomes as JSON content; infinities and NaN are null."""
-    return {"environment": environment(), "cases": [finite(asdict(o)) for o in found]}
+    return {"environment": environment(), "cases": [output.finite(asdict(o)) for o in found]}

@@ -11,12 +11,19 @@ from sandbox.model.errors import SandboxError, ValueRangeError, brief
 from sandbox.model.files import TakenError, check_writable, make_folder
 from sandbox.model.level import Level, Stepping
 from sandbox.model.loading import load
+from sandbox.model.message import Message
 from sandbox.model.quantities import QuantityError
 from sandbox.model.rules.conditions.numbers import MAX_STEPS
 
 
 class UsageError(SandboxError):
     """An invalid argument of the command line; its message is English only."""
+
+    def __init__(self, message: str) -> None:
+        super().__init__(Message("{message}", message=message))
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return type(self), (str(self),)
 
 
 MISUSES = (UsageError, TakenError, QuantityError, ValueRangeError, EffectError, CrowdError)

@@ -33,13 +33,7 @@ def migrate(arguments: Sequence[str]) -> int:
 
 
 def _version(argument: str) -> int:
-    """Return the format version of a level's file, ignoring everything else in it.
-
-    Raises
-    ------
-    LevelError
-        If the file has none, or an unknown one.
-    """
+    """Return the format version of a level's file, ignoring all else; refuse an unknown one."""
     path = catalog.find(argument)
     document = Document(read(path), str(path))
     data = document.read()

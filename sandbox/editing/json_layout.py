@@ -44,7 +44,7 @@ def laid_out(value: Json, margin: str, before: int) -> str:
     if isinstance(value, Mapping):
         held, ends = _of_object(value, inner), "{}"
     else:
-        held, ends = _of_list(value, inner), "[]"
+        held, ends = (laid_out(each, inner, len(inner)) for each in value), "[]"
     return f"{ends[0]}\n{inner}{_filled(list(held), inner)}\n{margin}{ends[1]}"
 
 
@@ -52,10 +52,6 @@ def _of_object(value: Mapping[str, Json], inner: str) -> Iterator[str]:
     for key, held in value.items():
         start = f"{line(key)}: "
         yield start + laid_out(held, inner, len(inner) + len(start))
-
-
-def _of_list(value: Sequence[Json], inner: str) -> Iterator[str]:
-    yield from (laid_out(held, inner, len(inner)) for held in value)
 
 
 def _filled(members: Sequence[str], margin: str) -> str:

@@ -87,10 +87,7 @@ def _fix(data: Data, level: Level, values: Values, *, keep: bool) -> None:
 def _without_unused(text: str, level: Level) -> str:
     """Return a level without parameters and constants that are no longer used.
 
-    Raises
-    ------
-    LevelError
-        If that would also remove a body, a joint or an effect.
+    A `LevelError` says what else would go: a body, a joint or an effect.
     """
     found = without_meaning(text)
     data = json.loads(found)

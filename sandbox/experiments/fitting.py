@@ -114,13 +114,7 @@ def fit(level: Level, values: Values, names: Sequence[str], data: Data, stepping
 
 
 def _inverse_square(jacobian: Array, names: Sequence[str]) -> Array:
-    """Return (Jᵀ J)⁻¹ of the residuals' Jacobian.
-
-    Raises
-    ------
-    FitError
-        If the residuals do not depend on some parameters, or not independently.
-    """
+    """Return (Jᵀ J)⁻¹ of the residuals' Jacobian; refuse one of less than full rank."""
     square = jacobian.T @ jacobian
     if not np.linalg.cond(square) < 1e14:
         raise FitError("the data do not tell {names} apart from anything else", names=both(names))

@@ -1,11 +1,11 @@
 """The report of a sweep, as JSON and as a table."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import asdict
 
 from rich.table import Table
 
-from sandbox.model.level import Scheme
+from validation import output
 from validation.cost.summary import (
     ROUNDING,
     TARGETS,
@@ -16,7 +16,7 @@ from validation.cost.summary import (
     own,
     pareto,
 )
-from validation.cost.sweep import NAIVE, OURS, Point, Sweep
+from validation.cost.sweep import NAIVE, OURS, Sweep
 from validation.output import finite
 
 HEADINGS = (
@@ -36,7 +36,7 @@ def as_json(sweep: Sweep) -> dict[str, object]:
     """Return a sweep as JSON content, without infinities and NaN."""
     ours = [p for p in sweep.points if p.scheme != NAIVE]
     naive = [p for p in sweep.points if p.scheme == NAIVE]
-    found = headline(sweep)
+    found, schemes = headline(sweep), dict.fromkeys(point.scheme for point in sweep.points)
     return {
         "level": sweep.level,
         "judged_by": sweep.judged_by,
@@ -45,7 +45,7 @@ def as_json(sweep: Sweep) -> dict[str, object]:
         "own_rate": sweep.own_rate,
         "points": [finite(asdict(point)) for point in sweep.points],
         "order": order(sweep.points, OURS),
-        "orders": {scheme: order(sweep.points, scheme) for scheme in _schemes(sweep.points)},
+        "orders": {scheme: order(sweep.points, scheme) for scheme in schemes},
         "pareto": pareto(sweep.points),
         "to_reach": {f"{target:g}": cost_to_reach(ours, target) for target in TARGETS},
         "naive_to_reach": {f"{target:g}": cost_to_reach(naive, target) for target in TARGETS},
@@ -55,16 +55,9 @@ def as_json(sweep: Sweep) -> dict[str, object]:
     }
 
 
-def _schemes(points: Iterable[Point]) -> list[Scheme]:
-    return list(dict.fromkeys(point.scheme for point in points))
-
-
 def table(sweeps: Sequence[Sweep]) -> Table:
     """Return the costs of each level's accuracy as a table for the terminal."""
-    found = Table(title="What accuracy costs", header_style="bold", row_styles=("", "dim"))
-    found.add_column("level")
-    for heading in HEADINGS:
-        found.add_column(heading, justify="right", no_wrap=True)
+    found = output.table("What accuracy costs", "level", HEADINGS)
     for sweep in sweeps:
         found.add_row(sweep.level, *_cells(sweep))
     return found
@@ -118,10 +111,8 @@ def asked(sweeps: Sequence[Sweep]) -> list[dict[str, object]]:
 
 def asked_table(sweeps: Sequence[Sweep]) -> Table:
     """Return the requests for an accuracy, and their results, as a table."""
-    found = Table(title="Accuracy as a request", header_style="bold", row_styles=("", "dim"))
-    found.add_column("level")
-    for heading in ("asked for", "delivered", "estimated", "setting", "cost", "cheapest", ""):
-        found.add_column(heading, justify="right", no_wrap=True)
+    headings = ("asked for", "delivered", "estimated", "setting", "cost", "cheapest", "")
+    found = output.table("Accuracy as a request", "level", headings)
     for request in (request for sweep in sweeps for request in sweep.requests):
         s = request.stepping
         found.add_row(

@@ -42,10 +42,8 @@ def content(found: Sequence[Pace]) -> dict[str, object]:
 
 def table(found: Sequence[Pace]) -> Table:
     """Return the load of each level, the highest first, as a table for the terminal."""
-    shown = Table(title="What levels need", header_style="bold", row_styles=("", "dim"))
-    shown.add_column("level")
-    for heading in ("rate", "a step", "of this core", "of the reference", ""):
-        shown.add_column(heading, justify="right", no_wrap=True)
+    headings = ("rate", "a step", "of this core", "of the reference", "")
+    shown = output.table("What levels need", "level", headings)
     for each in sorted(found, key=lambda pace: -pace.reference_load):
         shown.add_row(
             each.level,

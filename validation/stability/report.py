@@ -5,6 +5,7 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from rich.table import Table
 
+from validation import output
 from validation.stability.run import Outcome
 
 ENOUGH = 0.9
@@ -18,7 +19,7 @@ def tables(outcomes: Sequence[Outcome]) -> Iterator[Table]:
 
 
 def _cases(outcomes: Iterable[Outcome]) -> Table:
-    table = _table("Hard cases", "case", ("group", "figure", "bound", "order", "cost"))
+    table = output.table("Hard cases", "case", ("group", "figure", "bound", "order", "cost", ""))
     for o in outcomes:
         table.add_row(
             o.name,
@@ -33,8 +34,8 @@ def _cases(outcomes: Iterable[Outcome]) -> Table:
 
 
 def _frontiers(outcomes: Iterable[Outcome]) -> Table:
-    headings = ("here", "was", "pymunk, same cost", "further", "cost", "rate", "its rate")
-    table = _table("Frontiers: how hard until the bound breaks", "frontier", headings)
+    headings = ("here", "was", "pymunk, same cost", "further", "cost", "rate", "its rate", "")
+    table = output.table("Frontiers: how hard until the bound breaks", "frontier", headings)
     for o in outcomes:
         assert o.frontier is not None
         table.add_row(
@@ -48,15 +49,6 @@ def _frontiers(outcomes: Iterable[Outcome]) -> Table:
             "" if o.naive_rate is None else f"{o.naive_rate:,.0f} Hz",
             _mark(o),
         )
-    return table
-
-
-def _table(title: str, first: str, headings: Iterable[str]) -> Table:
-    table = Table(title=title, header_style="bold", row_styles=("", "dim"))
-    table.add_column(first)
-    for heading in headings:
-        table.add_column(heading, justify="right", no_wrap=True)
-    table.add_column("")
     return table
 
 

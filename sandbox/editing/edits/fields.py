@@ -60,7 +60,7 @@ def set_field(text: str, path: Path, typed: str) -> str:
         If the result has a new mistake; the messages are the loader's.
     """
     before = _mistakes(text)
-    changed = [_typed_in(text, path, token) for token in _readings(typed.strip())]
+    changed = [type_in(put(text, path, None), path, token) for token in _readings(typed.strip())]
     if not typed.strip():
         changed = [_without(text, path)]
     if path[0] == "bodies" and path[2:] == ("type",) and not before:
@@ -172,10 +172,6 @@ def _readings(typed: str) -> list[str]:
             json.loads(typed)
             return [typed, word]
     return [word, words]
-
-
-def _typed_in(text: str, path: Path, token: str) -> str:
-    return type_in(put(text, path, None), path, token)
 
 
 def _without(text: str, path: Path) -> str:

@@ -137,13 +137,7 @@ class Seeker:
         return chosen
 
     def _confirmed(self, chosen: Candidate, wanted: Sequence[Watched]) -> Candidate:
-        """Return an extrapolated setting with its measured error, unless that is too much work.
-
-        Raises
-        ------
-        Cancelled
-            If `stop` returned true.
-        """
+        """Return an extrapolated setting with its measured error, unless that is too much work."""
         rate, work = chosen.stepping.rate, 3 * chosen.work * self.level.duration(self.values)
         if work > CONFIRMED * self.budget or 2 * rate > HIGHEST_RATE:
             return chosen

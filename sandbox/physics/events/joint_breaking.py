@@ -72,15 +72,7 @@ class JointBreaking:
         return {name: abs(self._joints.force(name)) for name in self._borne if name in holding}
 
     def _broken(self, before: Mapping[str, float], velocity: Array) -> str | None:
-        """Return the joint that a blow overloads most; None if there is none.
-
-        Parameters
-        ----------
-        before
-            The forces in the last kick [N].
-        velocity
-            (n, 3), the velocities before the joints are solved [m/s, rad/s].
-        """
+        """Return the joint that a blow overloads most, from the last forces [N]; else None."""
         found: dict[str, float] = {}
         for name, force in self._forces().items():
             whole = force if before[name] else force * self._jerk(name, velocity)

@@ -163,15 +163,9 @@ class Stops:
     def _look(self, begun: Array, came: Array, acceleration: Array, length: float) -> Array:
         """Check whether slipping ends, and return the accelerations until it does.
 
-        Parameters
-        ----------
-        begun, came
-            (n, 3), the velocities at the beginning of the kick, and those at the step, from the
-            accelerations until then [m/s, rad/s].
-        acceleration
-            (n, 3), the accelerations in the kick [m/s², rad/s²].
-        length
-            The length of the kick [s]: a step, or half a step if it began at the step.
+        `begun` and `came`, (n, 3), are the velocities at the beginning of the kick, and those at
+        the step, from the accelerations until then. The kick's `length` [s] is a step, or half a
+        step if it began at the step.
         """
         if not len(self._batch.contacts().bodies):
             return acceleration

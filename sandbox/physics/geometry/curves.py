@@ -118,12 +118,7 @@ def _touch(side: Side, other: Piece, at: Placed, there: Placed) -> Verdict:
 def _is_far(side: Side, radius: float, way: complex, inwards: complex) -> bool:
     """Return whether a point is surely too far from a stretch to touch it, without its foot point.
 
-    Parameters
-    ----------
-    radius
-        The radius around the point [m].
-    way, inwards
-        The vectors from the nearest knot to the point, and on to the middle of its shape [m].
+    `way` and `inwards` lead from the nearest knot to the point, and on to its shape's middle [m].
     """
     far, spacing = abs(way), side.course.spacing
     least = far - spacing

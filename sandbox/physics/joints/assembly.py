@@ -172,10 +172,7 @@ class _Assembly:
     def _tie(self, name: str, t: float) -> None:
         """Tie an open joint, which keeps its value at a time [s]; its impact is not solved here.
 
-        Raises
-        ------
-        JointFailure
-            If it has a given length or bounds, and exceeds them already.
+        A `JointFailure` says that it exceeds its given length or bounds already.
         """
         joints, spec = self._joints, self._solved(name)
         together = joints.together

@@ -163,18 +163,10 @@ class _Kick(NamedTuple):
 
     Attributes
     ----------
-    row
-        The row of the body.
-    step
-        The record of the step.
-    seen
-        The motion that force laws saw in it.
-    center
-        The centre of mass of the body [m].
-    mass, moment
-        The mass and moment of the body at that time [kg, kg m²].
-    rates
-        (3,), its accelerations [m/s², rad/s²].
+    row, center, mass, moment, rates
+        The body's row, centre of mass [m], mass [kg], moment [kg m²] and accelerations, (3,).
+    step, seen
+        The record of the step, and the motion that force laws saw in it.
     """
 
     row: int

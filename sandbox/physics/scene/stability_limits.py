@@ -94,10 +94,7 @@ def _strength(law: Law, motion: Motion) -> Array:
 def _braking(law: Law, start: Motion, inverse_mass: Array) -> Array:
     """Return the decay rates of angular velocities by a law, with reactions: (n,) [1/s].
 
-    Parameters
-    ----------
-    inverse_mass
-        (n,), the inverse moments of inertia [1/(kg m²)].
+    `inverse_mass`, (n,), has the inverse moments of inertia [1/(kg m²)].
     """
     found = np.zeros_like(inverse_mass)
     motion = Instant.of(start)

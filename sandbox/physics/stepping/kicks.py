@@ -70,7 +70,8 @@ class Kicks:
             Kick(self.clock, part.ahead, part.kick, part.following, scale=part.scale)
             for part in parts
         ]
-        self.take = self._calling(self._hook) if self._hook else self._quietly()
+        quietly = partial(self._drift_and_kick, self._last.drift)
+        self.take = self._calling(self._hook) if self._hook else quietly
         if self._joints.together:
             self._joints.together.parts = len(parts)
 
@@ -83,10 +84,6 @@ class Kicks:
 
             self._hook = Hook(self._space, dynamic, in_kick, after_kick)
             self.take = self._calling(self._hook)
-
-    def _quietly(self) -> Callable[[], None]:
-        """Return pymunk's own step, without Python calls."""
-        return partial(self._drift_and_kick, self._last.drift)
 
     def _calling(self, hook: "Hook") -> Callable[[], None]:
         """Return a function that takes the last drift of a step and its kick, with Python calls.

@@ -124,14 +124,8 @@ class Observer:
     def _rates(self, state: Array, before: Array, contacts: Contacts) -> tuple[Array, Array]:
         """Return the velocities and accelerations at a step: (n, 3) each.
 
-        Parameters
-        ----------
-        state
-            (n, 6), positions at the step, and velocities half a kick after it.
-        before
-            (n, 3), the velocities half a kick before it [m/s, rad/s].
-        contacts
-            The contacts of the kick.
+        `state`, (n, 6), has the positions at the step and the velocities half a kick after it;
+        `before`, (n, 3), has the velocities half a kick before it.
         """
         after, parts = state[:, 3:], self._kicks.parts
         acceleration = (after - before) / parts[-1].kick

@@ -213,18 +213,9 @@ class Acting:
     ) -> Array:
         """Return the accelerations in a trial kick: (n, 3) [m/s², rad/s²].
 
-        Bodies that an impact, or a rope that becomes taut, stops in it keep those of the part.
-
-        Parameters
-        ----------
-        part
-            The part of the drift.
-        ahead
-            The time of the kick since the last step, in steps.
-        state
-            (n, 3) each, positions and velocities at that time [m, rad, m/s, rad/s].
-        lasts
-            The lengths of the kick and of the drift after it [s].
+        Bodies that an impact, or a rope that becomes taut, stops in it keep those of the part. The
+        kick is `ahead` steps after the last step, at positions and velocities `state`, (n, 3) each;
+        `lasts` are the lengths of the kick and of the drift after it [s].
         """
         joints, count = self._scene.joints, len(self._fixed)
         before = pulls_of(joints, count)
@@ -284,12 +275,7 @@ class Acting:
 def _in_halves(part: Part, acceleration: Array, smooth: Array) -> tuple[Part, Part]:
     """Return the halves of a part with the same end and another force in the second half.
 
-    Parameters
-    ----------
-    part
-        The part, with the force at its start.
-    acceleration, smooth
-        (n, 3), the total accelerations at its end, and those by gravity and laws [m/s², rad/s²].
+    The accelerations at the end, (n, 3), are the total, and those by gravity and laws.
     """
     half, (place, _) = part.lasts / 2, part.state(part.lasts)
     _, middle = part.state(half)

@@ -22,15 +22,7 @@ def make(setup: Setup) -> Stage:
 
 
 def _solvers(joints: Joints, *, alone: bool) -> list[Work]:
-    """Return the calls after pymunk's solver.
-
-    Parameters
-    ----------
-    joints
-        The joints of the scene.
-    alone
-        Whether the exact joints are solved here, apart from contacts.
-    """
+    """Return the calls after pymunk's solver; exact joints are among them if solved `alone`."""
     work: list[Work] = [string.solve for string in joints.strings.values()]
     if joints.touches:
         work.append(partial(stick, joints))
