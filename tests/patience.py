@@ -1,4 +1,4 @@
-"""Work that takes for ever, to be ended."""
+"""Work that takes for ever, to be ended, and whether it has."""
 
 import os
 import sys
@@ -12,6 +12,19 @@ def linger(folder: str) -> None:
     """Say which process this is, and never come back."""
     (Path(folder) / str(os.getpid())).touch()
     time.sleep(600)
+
+
+def alive(pid: int) -> bool:
+    """Return whether a process goes on; one that has ended may still wait to be asked after."""
+    try:
+        os.kill(pid, 0)
+    except ProcessLookupError:
+        return False
+    try:
+        status = Path(f"/proc/{pid}/stat").read_text()
+    except OSError:  # it has just gone, or there are no such files here
+        return not Path("/proc/self/stat").exists()
+    return status.rpartition(")")[2].split()[0] != "Z"
 
 
 if __name__ == "__main__":

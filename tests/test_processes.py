@@ -14,6 +14,7 @@ from sandbox.interrupts import ENDED, INTERRUPTED
 from sandbox.model.errors import SandboxError
 from sandbox.processes import spread
 from tests.elsewhere import PATIENCE, ROOT
+from tests.patience import alive
 
 pytestmark = pytest.mark.skipif(os.name == "nt", reason="signals as on Unix")
 
@@ -24,15 +25,6 @@ def until(holds: Callable[[], bool]) -> bool:
     while not holds() and time.monotonic() < end:
         time.sleep(0.01)
     return holds()
-
-
-def alive(pid: int) -> bool:
-    try:
-        os.kill(pid, 0)
-    except ProcessLookupError:
-        return False
-    stat = Path(f"/proc/{pid}/stat")
-    return not (stat.exists() and ") Z " in stat.read_text())  # what nobody has asked after
 
 
 @pytest.fixture

@@ -23,13 +23,7 @@ Work = Callable[..., Iterator[Any]]
 
 
 class Background:
-    """Runs one task at a time, and receives its results one by one.
-
-    Attributes
-    ----------
-    running
-        Whether a task is running.
-    """
+    """Runs one task at a time, and receives its results one by one."""
 
     def __init__(self) -> None:
         self._process: SpawnProcess | None = None
@@ -78,6 +72,30 @@ class Background:
         if self._findings is not None:
             self._findings.close()
         self._process = self._findings = None
+
+
+class Errand:
+    """Something that has its work done in the background.
+
+    Attributes
+    ----------
+    news
+        An object that differs whenever the display must change.
+    """
+
+    def __init__(self) -> None:
+        self._work = Background()
+        self.news = object()
+
+    @property
+    def running(self) -> bool:
+        """Whether work is under way."""
+        return self._work.running
+
+    def cancel(self) -> None:
+        """Cancel the work."""
+        self._work.cancel()
+        self.news = object()
 
 
 def _hand_over(order: Connection, task: memoryview) -> None:

@@ -46,13 +46,7 @@ class HoldUp:
         return [*kept, *pygame.event.get()]
 
     def _look(self) -> None:
-        """Show a message with the time taken, once the frame is long.
-
-        Raises
-        ------
-        SandboxError
-            If the user cancels.
-        """
+        """Show a message with the time taken, once the frame is long; raise if the user cancels."""
         now = perf_counter()
         if now - self._since < LONG or now - self._looked < AGAIN:
             return

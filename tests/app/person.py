@@ -7,6 +7,7 @@ from typing import TypeVar
 
 import pygame
 
+from sandbox.app.panels.levels import LevelList
 from sandbox.app.panels.side_panel import SidePanel
 from sandbox.app.runs.session import Session
 from sandbox.app.window import Window
@@ -33,6 +34,12 @@ class Person:
     def side(self) -> SidePanel:
         assert self.window.panels.side is not None
         return self.window.panels.side
+
+    @property
+    def listed(self) -> LevelList:
+        """The list of levels, which is shown."""
+        assert self.window.panels.list is not None
+        return self.window.panels.list
 
     def page(self, kind: type[P]) -> P:
         """Return the page that is open, which is of some kind."""

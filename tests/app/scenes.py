@@ -4,8 +4,9 @@ import json
 from typing import Any
 
 from sandbox.app.runs.session import Session
+from sandbox.model import catalog
 from sandbox.model.level import Level
-from sandbox.model.loading import parse
+from sandbox.model.loading import load, parse
 
 BALL = "#ff0000"
 
@@ -46,6 +47,14 @@ def falling(**changes: object) -> str:
 def level(**changes: object) -> Level:
     """Return the falling ball, with some parts of the level changed."""
     return parse(falling(**changes))
+
+
+def opened(name: str, steps: int = 0) -> Session:
+    """Return a session of a level of the catalog, after some steps."""
+    session = Session(load(catalog.find(name)))
+    for _ in range(steps):
+        session.step()
+    return session
 
 
 def play(session: Session, frame: float = 1 / 60) -> Session:

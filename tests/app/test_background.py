@@ -6,13 +6,13 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable, Iterator
-from pathlib import Path
 
 import pytest
 
 from sandbox.app.background import Background
 from tests.app import work
 from tests.elsewhere import limited
+from tests.patience import alive
 
 PATIENCE = 60.0  # s
 
@@ -29,18 +29,6 @@ def until(true: Callable[[], bool]) -> None:
     while not true():
         assert time.monotonic() < deadline
         time.sleep(0.01)
-
-
-def alive(pid: int) -> bool:
-    try:
-        os.kill(pid, 0)
-    except ProcessLookupError:
-        return False
-    try:
-        status = Path(f"/proc/{pid}/stat").read_text()
-    except OSError:  # it has just gone, or there are no such files here
-        return not Path("/proc/self/stat").exists()
-    return status.rpartition(")")[2].split()[0] != "Z"
 
 
 def findings(background: Background) -> list[object]:

@@ -12,19 +12,12 @@ from sandbox.app.runs.session import Session
 from sandbox.model import catalog
 from sandbox.model.errors import SandboxError
 from sandbox.model.live_parameters import obstacle
-from sandbox.model.loading import load
 from tests.app.person import Person
+from tests.app.scenes import opened
 from tests.app.test_time_travel import go_to
 from tests.levels.playing import fingerprint
 
 LEVELS = catalog.names()[::11]
-
-
-def played(name: str, steps: int) -> Session:
-    session = Session(load(catalog.find(name)))
-    for _ in range(steps):
-        session.step()
-    return session
 
 
 def another(session: Session) -> dict[str, float]:
@@ -39,7 +32,7 @@ def another(session: Session) -> dict[str, float]:
 
 @pytest.mark.parametrize("name", LEVELS)
 def test_a_branched_run_from_a_file_is_the_same_to_the_last_bit(name: str, tmp_path: Path) -> None:
-    session = played(name, 12)
+    session = opened(name, 12)
     settings = another(session)
     if not settings:
         return
@@ -57,7 +50,7 @@ def test_a_branched_run_from_a_file_is_the_same_to_the_last_bit(name: str, tmp_p
 
 
 def test_the_way_back_over_a_branch_leads_into_the_old_run_and_forgets_the_branch() -> None:
-    session = played("kinematics/projectile", 10)
+    session = opened("kinematics/projectile", 10)
     early = fingerprint(session.world.snapshot)
     for _ in range(10):
         session.step()
@@ -78,7 +71,7 @@ def test_the_way_back_over_a_branch_leads_into_the_old_run_and_forgets_the_branc
 
 
 def test_the_old_run_stays_as_far_as_it_had_come_before_the_way_back() -> None:
-    session = played("kinematics/projectile", 60)
+    session = opened("kinematics/projectile", 60)
     go_to(session, 20)
 
     session.branch({"g": 3.0})
@@ -88,8 +81,8 @@ def test_the_old_run_stays_as_far_as_it_had_come_before_the_way_back() -> None:
 
 
 def test_a_slider_that_is_dragged_while_time_stands_leaves_one_branch() -> None:
-    session = played("kinematics/projectile", 20)
-    once = played("kinematics/projectile", 20)
+    session = opened("kinematics/projectile", 20)
+    once = opened("kinematics/projectile", 20)
     for g in (8.0, 5.0, 3.0):
         session.branch({"g": g})
     once.branch({"g": 3.0})
@@ -103,7 +96,7 @@ def test_a_slider_that_is_dragged_while_time_stands_leaves_one_branch() -> None:
 
 
 def test_what_cannot_be_changed_on_the_way_leaves_the_run_as_it_was() -> None:
-    session = played("kinematics/projectile", 20)
+    session = opened("kinematics/projectile", 20)
     world = session.world
 
     with pytest.raises(SandboxError, match="only how the run starts"):
@@ -114,13 +107,13 @@ def test_what_cannot_be_changed_on_the_way_leaves_the_run_as_it_was() -> None:
 
 
 def test_at_the_start_there_is_nothing_to_branch_from() -> None:
-    session = played("kinematics/projectile", 0)
+    session = opened("kinematics/projectile", 0)
     session.branch({"speed": 12.0})
     assert (session.values["speed"], session.actions) == (12.0, [])
 
 
 def test_a_branched_run_is_held_against_no_formula() -> None:
-    session = played("kinematics/projectile", 20)
+    session = opened("kinematics/projectile", 20)
     session.branch({"g": 3.0})
     assert session.world.disturbed
     assert session.milestones() == ()
@@ -180,7 +173,7 @@ def test_what_cannot_be_changed_on_the_way_is_told_in_the_window(person: Person)
 
 
 def test_a_body_put_elsewhere_between_two_branches_stays_there() -> None:
-    session = played("kinematics/projectile", 20)
+    session = opened("kinematics/projectile", 20)
     session.branch({"g": 5.0})
     session.grab("ball", (0.0, 0.0))
     session.drag((1.0, 1.0))

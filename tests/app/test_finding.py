@@ -4,7 +4,6 @@ import pygame
 import pytest
 from pygame_gui.core import UIElement
 
-from sandbox.app.panels.levels import LevelList
 from sandbox.app.widgets.list_button import Row
 from sandbox.model import catalog
 from tests.app.person import Person
@@ -19,13 +18,8 @@ def player(person: Person) -> Person:
     return person
 
 
-def listed(player: Person) -> LevelList:
-    assert player.window.panels.list is not None
-    return player.window.panels.list
-
-
 def titles(player: Person) -> set[str]:
-    return {level.title for level in listed(player).found}
+    return {level.title for level in player.listed.found}
 
 
 @pytest.mark.sweep
@@ -33,32 +27,32 @@ def test_words_find_levels_by_what_they_are_about(player: Person) -> None:
     player.press(pygame.K_SLASH, "/")
     player.type("helix")
 
-    assert listed(player).sought == "helix"
-    assert [level.path.stem for level in listed(player).found] == ["helix", "four-slides"]
+    assert player.listed.sought == "helix"
+    assert [level.path.stem for level in player.listed.found] == ["helix", "four-slides"]
 
 
 def test_a_title_comes_before_a_summary_and_a_phrase_before_its_words(player: Person) -> None:
     player.press(pygame.K_SLASH, "/")
     player.type("cradle")
-    found = [level.title for level in listed(player).found]
+    found = [level.title for level in player.listed.found]
     assert found[0] == "Newton's cradle"
     assert "cradle" not in found[-1]
 
-    listed(player).field.set_text("double pendulum")
-    assert listed(player).found[0].title == "Double pendulum"
-    listed(player).field.set_text("pendulum double")
-    assert listed(player).found[0].title == "Double pendulum"
+    player.listed.field.set_text("double pendulum")
+    assert player.listed.found[0].title == "Double pendulum"
+    player.listed.field.set_text("pendulum double")
+    assert player.listed.found[0].title == "Double pendulum"
 
 
 def test_what_is_not_sought_is_hidden(player: Person) -> None:
-    other = listed(player).button(catalog.find("kinematics/free-fall"))
+    other = player.listed.button(catalog.find("kinematics/free-fall"))
     assert shown(other)
 
     player.press(pygame.K_SLASH, "/")
     player.type("pendulum")
 
     assert not shown(other)
-    assert shown(listed(player).button(catalog.find("lagrange/simple-pendulum")))
+    assert shown(player.listed.button(catalog.find("lagrange/simple-pendulum")))
 
 
 def shown(button: UIElement) -> bool:
@@ -70,7 +64,7 @@ def test_enter_opens_the_first_that_is_found_and_leaves_the_field(player: Person
     player.type("resonance")
     player.press(pygame.K_RETURN)
 
-    assert player.session.level.title == listed(player).found[0].title
+    assert player.session.level.title == player.listed.found[0].title
     player.press(pygame.K_SPACE, " ")
     assert player.session.playing
 
@@ -82,7 +76,7 @@ def test_escape_shows_all_again_and_does_not_quit(player: Person) -> None:
 
     player.press(pygame.K_ESCAPE)
 
-    assert len(listed(player).found) == len(catalog.names())
+    assert len(player.listed.found) == len(catalog.names())
     assert player.window.open
 
 
@@ -94,7 +88,7 @@ def test_escape_ends_a_search_that_has_been_left_before_it_quits(player: Person)
 
     player.press(pygame.K_ESCAPE)
 
-    assert len(listed(player).found) == len(catalog.names())
+    assert len(player.listed.found) == len(catalog.names())
     player.press(pygame.K_ESCAPE)
     assert player.window.open
     player.press(pygame.K_ESCAPE)
@@ -106,7 +100,7 @@ def test_what_is_sought_stays_while_levels_and_sizes_change(player: Person) -> N
     player.type("orbit")
     found = titles(player)
 
-    player.click(listed(player).button(listed(player).found[1].path).rect)
+    player.click(player.listed.button(player.listed.found[1].path).rect)
     assert titles(player) == found
 
     player.press(pygame.K_l, "l")
@@ -124,16 +118,16 @@ def test_the_way_home_shows_all_levels_again_not_what_was_sought_before(player: 
     player.press(pygame.K_RETURN)
     assert not at_home(player)
 
-    player.click(listed(player).way("home").rect)
+    player.click(player.listed.way("home").rect)
     assert at_home(player)
-    assert len(listed(player).found) == len(catalog.names())
+    assert len(player.listed.found) == len(catalog.names())
 
     player.press(pygame.K_SLASH, "/")
     player.type("orbit")
-    player.click(listed(player).way("home").rect)
+    player.click(player.listed.way("home").rect)
     assert at_home(player)
-    assert len(listed(player).found) == len(catalog.names())
-    player.click(listed(player).way("home").rect)
+    assert len(player.listed.found) == len(catalog.names())
+    player.click(player.listed.way("home").rect)
     assert not at_home(player)
 
 
@@ -146,7 +140,7 @@ def test_what_is_typed_after_the_key_of_the_search_takes_the_place_of_what_was_s
     player.press(pygame.K_SLASH, "/")
     player.type("skater")
 
-    assert listed(player).sought == "skater"
+    assert player.listed.sought == "skater"
 
 
 def test_nonsense_finds_nothing_and_says_so(player: Person) -> None:
@@ -155,7 +149,7 @@ def test_nonsense_finds_nothing_and_says_so(player: Person) -> None:
     player.type("xyzzy")
     player.press(pygame.K_RETURN)
 
-    assert listed(player).found == []
+    assert player.listed.found == []
     assert player.session.level.title == "Atwood machine"
     area = pygame.Rect(10, 45, 200, 30)
     after = player.window.surface
@@ -173,12 +167,12 @@ def in_sight(row: Row) -> bool:
 def test_a_row_that_is_scrolled_into_sight_is_as_lively_as_those_before(player: Person) -> None:
     """It changes its look under the mouse, and leads to its level."""
     path = catalog.find(catalog.names()[-1]).resolve()
-    row = listed(player).button(path)
+    row = player.listed.button(path)
     assert isinstance(row, Row)
     assert not in_sight(row)
 
-    listed(player).choose(path)
-    listed(player).choose(None)
+    player.listed.choose(path)
+    player.listed.choose(None)
     player.wait(0.1)
     assert in_sight(row)
     apart = player.color_at((row.rect.x + 4, row.rect.centery))
@@ -197,7 +191,7 @@ def test_a_row_that_is_scrolled_into_sight_is_as_lively_as_those_before(player: 
 
 
 def test_a_row_that_is_scrolled_away_from_the_mouse_is_left(player: Person) -> None:
-    rows = listed(player)
+    rows = player.listed
     seen = [row for row in rows.rows.values() if row.in_sight]
     player.move(seen[3].rect.center)
     player.wait(0.1)
@@ -211,7 +205,7 @@ def test_a_row_that_is_scrolled_away_from_the_mouse_is_left(player: Person) -> N
 
 
 def test_a_row_is_made_when_it_comes_into_sight(player: Person) -> None:
-    rows, last = listed(player), catalog.find(catalog.names()[-1]).resolve()
+    rows, last = player.listed, catalog.find(catalog.names()[-1]).resolve()
     made = [level.path for level in rows.rows]
     assert 5 < len(made) < 60
     assert last not in made
@@ -227,7 +221,7 @@ def test_a_row_is_made_when_it_comes_into_sight(player: Person) -> None:
 def test_the_keyboard_gets_to_every_row_and_few_are_there_at_a_time(
     player: Person, direction: int
 ) -> None:
-    panels, rows = player.window.panels, listed(player)
+    panels, rows = player.window.panels, player.listed
     visited, most = dict[str, None](), 0
 
     for _ in range(len(catalog.names()) + 60):
@@ -242,7 +236,7 @@ def test_the_keyboard_gets_to_every_row_and_few_are_there_at_a_time(
 
 
 def test_rows_that_are_far_out_of_sight_are_dropped(player: Person) -> None:
-    rows = listed(player)
+    rows = player.listed
     begun = len(rows.rows)
 
     for name in catalog.names():
@@ -260,7 +254,7 @@ def test_where_a_search_ends_the_level_that_is_played_is_in_view(player: Person)
     player.press(pygame.K_ESCAPE)
     player.wait(0.1)
 
-    shown = listed(player)
+    shown = player.listed
     assert shown.sought == ""
     assert player.window.path is not None
     row = shown.button(player.window.path).rect

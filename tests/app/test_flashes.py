@@ -9,16 +9,11 @@ from sandbox.app.observing.impacts import FAINTEST, MOST, Blow
 from sandbox.app.pages.settings.panel import SettingsPage
 from sandbox.app.runs.playback import FADING
 from sandbox.app.runs.session import Session
-from sandbox.model import catalog
-from sandbox.model.loading import load
 from tests.app.person import Person
+from tests.app.scenes import opened
 from tests.app.test_time_travel import go_to
 
 CRADLE = "momentum/cradle"
-
-
-def opened(name: str) -> Session:
-    return Session(load(catalog.find(name)))
 
 
 def until_it_strikes(session: Session) -> Sequence[Blow]:

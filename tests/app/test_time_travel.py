@@ -7,22 +7,17 @@ import pytest
 
 from sandbox.app.drawing import theme
 from sandbox.app.observing.impacts import Blow
-from sandbox.app.pages.graph.choice import Choice
+from sandbox.app.pages.graph.chosen_quantities import Choice
 from sandbox.app.panels.controls import Controls, notes
 from sandbox.app.runs import playback
 from sandbox.app.runs.session import Session
 from sandbox.editing.run_as_level import as_it_stands
-from sandbox.model import catalog
 from sandbox.model.errors import SandboxError
-from sandbox.model.loading import load
 from tests.app.person import Person
+from tests.app.scenes import opened
 from tests.levels.playing import fingerprint
 
 LEVELS = ["newton/atwood", "momentum/cradle", "machines/seesaw", "lagrange/double-pendulum"]
-
-
-def opened(name: str) -> Session:
-    return Session(load(catalog.find(name)))
 
 
 def take(session: Session, steps: int) -> str:

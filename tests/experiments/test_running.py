@@ -19,7 +19,8 @@ from sandbox.model.errors import SandboxError
 from sandbox.model.message import Message
 from tests.elsewhere import PATIENCE, ROOT
 from tests.experiments.making import RANGE, plan, table
-from tests.test_processes import alive, until
+from tests.patience import alive
+from tests.test_processes import until
 
 THROW = "kinematics/projectile"
 DRAG, END = "newton/projectile-with-drag", "ball.position.x@end"

@@ -91,6 +91,35 @@ def table(friction: float | None = None, *, block: float = 1, weight: float = 0.
     )
 
 
+def strut(rate: float, solver: str = "iterative", **rest: object) -> Level:
+    """100 kg on a rod on a box of 1 kg on the floor; a rail keeps the load upright."""
+    rod = {"type": "rod", "ends": ["box", "load"]}
+    rail = {"type": "rail", "ends": [[0, 0], "load"], "direction": [0, 1]}
+    return level(
+        {"box": box((0, 0.25)), "load": disc((0, 1.5), radius=0.2, mass=100), "floor": floor()},
+        {**GRAVITY, "contact": {"solver": solver}},
+        joints={"rod": rod, "rail": rail},
+        stepping={"rate": rate},
+        **rest,
+    )
+
+
+def straddle(rate: float) -> Level:
+    """300 kg on rods on two boxes on the floor, by forces that are found in turn."""
+    rods = {f"{name}_rod": {"type": "rod", "ends": [name, "top"]} for name in ("left", "right")}
+    return level(
+        {
+            "left": box((-0.6, 0.1), size=(0.3, 0.2), friction=1),
+            "right": box((0.6, 0.1), size=(0.3, 0.2), friction=1),
+            "top": disc((0, 1.2), radius=0.1, mass=300, friction=1),
+            "floor": floor(friction=1),
+        },
+        {**GRAVITY, "contact": {"solver": "iterative"}, "friction": {}},
+        joints=rods,
+        stepping={"rate": rate},
+    )
+
+
 def orbit(speed: float = 1, rate: float = 60, scheme: str = "leapfrog", mu: float = 1) -> Level:
     """A planet 1 m from a centre of attraction; with the speed of √mu its orbit is a circle."""
     return level(

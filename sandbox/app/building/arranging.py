@@ -2,7 +2,6 @@
 
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
-from typing import Literal
 
 from sandbox.app.building.button_action import Act
 from sandbox.app.building.edited_level import Work
@@ -15,7 +14,6 @@ from sandbox.editing.snapping import flat_turn, snap_body
 from sandbox.model.errors import SandboxError
 from sandbox.model.level import Level
 from sandbox.model.loading import parse
-from sandbox.model.message import Message
 
 NEAR = 80.0
 """px, the largest distance of a surface on which a body is laid flat."""
@@ -36,34 +34,22 @@ def arrangements(work: Work) -> list[Act]:
     names = work.chosen
     if not names:
         return []
+    aligned = say("align these bodies so")
+    across, upwards = say("the same gaps, from left to right"), say("the same gaps, upwards")
     several = [
         *(
-            _arranging(
-                work, say(caption), say("align these bodies so"), partial(_align, names, side)
-            )
+            _arranging(work, say(caption), aligned, transforms.align, side=side)
             for caption, side in SIDES.items()
         ),
-        _arranging(
-            work,
-            say("Spread across"),
-            say("the same gaps, from left to right"),
-            partial(_spread, names, "x"),
-        ),
-        _arranging(
-            work, say("Spread upwards"), say("the same gaps, upwards"), partial(_spread, names, "y")
-        ),
+        _arranging(work, say("Spread across"), across, transforms.distribute, axis="x"),
+        _arranging(work, say("Spread upwards"), upwards, transforms.distribute, axis="y"),
     ]
-    flat = [] if len(names) > 1 else [_flat(work, names[0])]
     return [
         *_rope(work, names),
         *_grouping(work, names),
-        *(several if len(names) > 1 else flat),
-        _arranging(
-            work, say("Mirror across"), say("left becomes right"), partial(_mirror, names, "x")
-        ),
-        _arranging(
-            work, say("Mirror upright"), say("top becomes bottom"), partial(_mirror, names, "y")
-        ),
+        *(several if len(names) > 1 else [_flat(work)]),
+        _arranging(work, say("Mirror across"), say("left becomes right"), mirror, axis="x"),
+        _arranging(work, say("Mirror upright"), say("top becomes bottom"), mirror, axis="y"),
     ]
 
 
@@ -90,34 +76,21 @@ def _grouping(work: Work, names: Sequence[str]) -> list[Act]:
     return [group, *([ungroup] if grouped else [])]
 
 
-def _flat(work: Work, name: str) -> Act:
+def _flat(work: Work) -> Act:
     tip = say("turn and move it so that a side of it lies on what is nearest")
-    return _arranging(
-        work, say("Lay flat"), tip, partial(_lay_flat, name, NEAR / work.camera.scale)
-    )
+    return _arranging(work, say("Lay flat"), tip, _lay_flat, reach=NEAR / work.camera.scale)
 
 
-def _lay_flat(name: str, reach: float, text: str, level: Level) -> str:
-    turned = transforms.turn(text, level, [name], flat_turn(level, name, reach))
+def _lay_flat(text: str, level: Level, names: Sequence[str], reach: float) -> str:
+    (name,) = names
+    turned = transforms.turn(text, level, names, flat_turn(level, name, reach))
     lying = parse(turned)
-    found = snap_body(lying, [name], (0.0, 0.0), reach)
+    found = snap_body(lying, names, (0.0, 0.0), reach)
     if found.kind != "contact":
-        message = Message("nothing that '{name}' could lie on is near; move it closer", name=name)
-        raise SandboxError(message)
-    return transforms.move(turned, lying, [name], found.point)
+        raise SandboxError("nothing that '{name}' could lie on is near; move it closer", name=name)
+    return transforms.move(turned, lying, names, found.point)
 
 
-def _arranging(work: Work, caption: str, tip: str, edit: Callable[[str, Level], str]) -> Act:
-    return Act(caption, tip, lambda: work.change(caption, edit))
-
-
-def _align(names: Sequence[str], side: Side, text: str, level: Level) -> str:
-    return transforms.align(text, level, names, side)
-
-
-def _spread(names: Sequence[str], axis: Literal["x", "y"], text: str, level: Level) -> str:
-    return transforms.distribute(text, level, names, axis)
-
-
-def _mirror(names: Sequence[str], axis: Literal["x", "y"], text: str, level: Level) -> str:
-    return mirror(text, level, names, axis)
+def _arranging(work: Work, caption: str, tip: str, edit: Callable[..., str], **how: object) -> Act:
+    """Return the action that edits the selected bodies in some way."""
+    return Act(caption, tip, partial(work.change, caption, partial(edit, names=work.chosen, **how)))

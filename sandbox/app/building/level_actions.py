@@ -63,10 +63,7 @@ def _challenge(work: Work, level: Level, moving: list[str]) -> list[Act]:
 def _set_task(work: Work, body: str) -> None:
     task = say("Bring {body} to where it belongs.", body=body)
     labels = say("between left and right"), say("not above")
-
-    def edit(text: str, level: Level) -> str:
-        return add_challenge(text, level, body, task, labels)
-
+    edit = partial(add_challenge, body=body, task=task, labels=labels)
     if work.change(say("add a challenge"), edit):
         work.tell(say("Its task and its goals are fields below, under challenge"))
 

@@ -74,6 +74,14 @@ def heading(pen: Pen, width: int, text: str) -> pygame.Surface:
     return card.drawn()
 
 
+def noted(pen: Pen, width: int, title: str, text: str, size: int = 13) -> pygame.Surface:
+    """Draw a heading with a few words below it."""
+    card = Card(pen, width)
+    card.heading(title)
+    card.text(text, size, theme.DIM)
+    return card.drawn()
+
+
 def label(pen: Pen, width: int, text: str) -> pygame.Surface:
     """Draw a few words that introduce what follows."""
     card = Card(pen, width)

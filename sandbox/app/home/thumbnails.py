@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pygame
 
-from sandbox.app.background import Background
+from sandbox.app.background import Errand
 from sandbox.app.home import picture_cache
 from sandbox.app.home.picture_cache import SIZE
 
@@ -18,11 +18,11 @@ MOST = 80
 """The number of pictures that are kept in memory: more than are ever visible at once."""
 
 
-class Thumbnails:
+class Thumbnails(Errand):
     """Loads and draws the pictures of levels."""
 
     def __init__(self) -> None:
-        self._work = Background()
+        super().__init__()
         self._pictures: dict[Path, pygame.Surface] = {}  # least recently used first
         self._lacking: set[Path] = set()  # not on disk
         self._kept: set[Path] = set()  # on disk, unless they could not be saved
@@ -51,11 +51,6 @@ class Thumbnails:
         if size != self._size:
             self._size = size
             self._pictures.clear()
-
-    @property
-    def running(self) -> bool:
-        """Whether levels are being drawn."""
-        return self._work.running
 
     def follow(self, seen: Sequence[Path], others: Sequence[Path]) -> None:
         """Take in finished pictures, and request more: visible cards first, then the others."""
@@ -115,5 +110,5 @@ class Thumbnails:
 
     def cancel(self) -> None:
         """Stop drawing."""
-        self._work.cancel()
+        super().cancel()
         self._drawing = []

@@ -99,13 +99,10 @@ class Hand:
             case Doing.FORCING:
                 self._force(pixel, session)
             case Doing.MEASURING:
-                self.tape = self._laid(camera.to_world(self._pressed), camera.to_world(pixel))
+                start, end = camera.to_world(self._pressed), camera.to_world(pixel)
+                self.tape = Protractor.on(self._before, end) if self._before else Tape(start, end)
             case Doing.NOTHING:
                 pass
-
-    def _laid(self, start: XY, end: XY) -> Tape | Protractor:
-        """Return a new tape, or, if Ctrl was held, a protractor on the last one."""
-        return Protractor.on(self._before, end) if self._before else Tape(start, end)
 
     def _force(self, pixel: XY, session: Session) -> None:
         """Change a force by the movement of the mouse since it grabbed the tip."""

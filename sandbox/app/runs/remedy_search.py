@@ -1,6 +1,6 @@
 """Searches in the background for remedies for a run that failed."""
 
-from sandbox.app.background import Background
+from sandbox.app.background import Errand
 from sandbox.app.runs.session import Session
 from sandbox.model.message import NOTHING, Message
 from sandbox.physics.advising import remedies
@@ -8,17 +8,12 @@ from sandbox.physics.advising.remedies import Advice
 from sandbox.physics.state.errors import BreakdownError, SimulationError
 
 
-class Advising:
+class Advising(Errand):
     """Has remedies tried for the current run, once it has failed."""
 
     def __init__(self) -> None:
-        self._work = Background()
+        super().__init__()
         self._failure: object = None  # the last one that was examined
-
-    @property
-    def running(self) -> bool:
-        """Whether remedies are being tried."""
-        return self._work.running
 
     def follow(self, session: Session) -> None:
         """Start a search when the run has failed, and pass its results to the session."""
@@ -42,7 +37,3 @@ class Advising:
             session.take(Advice(Message("no remedy is known")))
         elif found.text:
             session.take(found)
-
-    def cancel(self) -> None:
-        """Stop the search."""
-        self._work.cancel()

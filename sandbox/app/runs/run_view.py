@@ -43,6 +43,11 @@ class RunView:
         return self.world.level
 
     @property
+    def resolved(self) -> Level:
+        """The level with the stepping of the run, which an accuracy leaves open."""
+        return self.level.model_copy(update={"stepping": self.world.stepping})
+
+    @property
     def companions(self) -> tuple[Companion, ...]:
         """The companion runs, in lockstep."""
         return self.run.companions

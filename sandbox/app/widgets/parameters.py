@@ -120,11 +120,6 @@ class Parameters:
                 return self._typed(name, row)
         return None
 
-    @property
-    def focused(self) -> bool:
-        """Whether a number is being typed."""
-        return any(row.field.is_focused for row in self._rows.values())
-
     def revert(self) -> None:
         """Reset the fields to the current values, selected for typing over."""
         for row in self._rows.values():

@@ -39,7 +39,7 @@ from sandbox.physics.joints.exact.angles import (
 )
 from sandbox.physics.joints.exact.constraints import Coordinates, Equation
 from sandbox.physics.joints.exact.distances import Row
-from sandbox.physics.joints.exact.equation_count import refuse_too_many
+from sandbox.physics.joints.exact.equation_limit import refuse_too_many
 from sandbox.physics.joints.exact.joint_system import JointSystem
 from sandbox.physics.joints.exact.shake import ExactJoints
 from sandbox.physics.joints.joint_equations import JointEquations, Solved, counted_from, not_made

@@ -9,7 +9,7 @@ from sandbox.app import legend
 from sandbox.app.drawing import curve_markers, theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.observing import energy_graph
-from sandbox.app.pages.graph.choice import Choice
+from sandbox.app.pages.graph.chosen_quantities import Choice
 from sandbox.app.pages.race import race
 from tests.app.person import Person
 from tests.app.scenes import falling

@@ -9,7 +9,6 @@ import pygame
 import pytest
 
 from sandbox.app.drawing.text import Pen, legible, typed
-from sandbox.app.panels.levels import LevelList
 from sandbox.app.widgets.text_field import LONGEST
 from tests.app.person import Person
 from tests.model.levels import bare
@@ -24,11 +23,6 @@ def player(person: Person) -> Person:
     person.window.open_level("newton/atwood")
     person.wait()
     return person
-
-
-def listed(player: Person) -> LevelList:
-    assert player.window.panels.list is not None
-    return player.window.panels.list
 
 
 def enter(player: Person, text: str) -> None:
@@ -65,7 +59,7 @@ def test_a_letter_without_width_is_not_taken_into_the_field_that_finds_levels(
     enter(player, "a")
     enter(player, f"{letter}b")
 
-    assert listed(player).sought.replace(" ", "") == "ab"
+    assert player.listed.sought.replace(" ", "") == "ab"
 
 
 @pytest.mark.parametrize("letter", thinned(UNSEEN, 4), ids=ascii)
@@ -75,14 +69,14 @@ def test_what_is_pasted_is_taken_but_for_what_cannot_be_drawn(
     player.press(pygame.K_SLASH, "/")
     paste(player, f"{letter}hard{letter}", monkeypatch)
 
-    assert listed(player).sought.replace(" ", "") == "hard"
+    assert player.listed.sought.replace(" ", "") == "hard"
 
 
 def test_a_book_that_is_pasted_is_cut(player: Person, monkeypatch: pytest.MonkeyPatch) -> None:
     player.press(pygame.K_SLASH, "/")
     paste(player, "a word and another " * 100_000, monkeypatch)
 
-    assert len(listed(player).sought) == LONGEST
+    assert len(player.listed.sought) == LONGEST
 
 
 def test_an_empty_clipboard_changes_nothing(
@@ -91,7 +85,7 @@ def test_an_empty_clipboard_changes_nothing(
     player.press(pygame.K_SLASH, "/")
     paste(player, "", monkeypatch)
 
-    assert listed(player).sought == ""
+    assert player.listed.sought == ""
 
 
 @pytest.mark.parametrize("letter", thinned(UNSEEN, 4), ids=ascii)

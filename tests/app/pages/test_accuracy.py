@@ -20,7 +20,7 @@ from sandbox.physics.accuracy.trusted_digits import surviving
 from sandbox.physics.run import build
 from tests.app import scenes, work
 from tests.app.person import Person, until
-from tests.app.test_background import alive
+from tests.patience import alive
 
 DRAG = {"gravity": {"acceleration": [0, "-g"]}, "drag": {"linear": 0.1}}
 
@@ -89,11 +89,11 @@ def test_the_work_is_cancelled_by_its_button_and_begun_again(player: Person) -> 
 
 def test_looking_for_a_setting_is_not_cut_short_by_measuring(player: Person) -> None:
     player.window.workers.of(Studying).seek(player.session, 1e-12)
-    pid = player.window.workers.of(Studying).pid
+    pid = player.window.workers.of(Studying)._work.pid
     player.wait(1)
 
     assert pid is not None
-    assert player.window.workers.of(Studying).pid == pid
+    assert player.window.workers.of(Studying)._work.pid == pid
 
 
 def test_what_was_looked_for_is_not_done_to_another_level(player: Person) -> None:
@@ -275,7 +275,7 @@ def test_digits_survive_in_the_unit_that_is_read() -> None:
 
 def test_closing_the_window_ends_the_work(player: Person) -> None:
     player.wait(1)
-    pid = player.window.workers.of(Studying).pid
+    pid = player.window.workers.of(Studying)._work.pid
     assert pid is not None
 
     player.window.close()

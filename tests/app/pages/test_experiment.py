@@ -13,7 +13,7 @@ from sandbox.app.pages.experiment.card import nearest, span_of
 from sandbox.app.pages.experiment.chosen_curve import Exploring
 from sandbox.app.pages.experiment.panel import ExperimentPage
 from sandbox.app.pages.experiment.sampling import COUNT, Point, Refused, coarse_first, sample
-from sandbox.app.pages.graph.choice import offered
+from sandbox.app.pages.graph.chosen_quantities import offered
 from sandbox.experiments import suggested_measures
 from sandbox.experiments.measures import parse
 from sandbox.model import catalog

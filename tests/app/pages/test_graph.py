@@ -13,10 +13,9 @@ from sandbox.app.files import save_folder
 from sandbox.app.observing.state_history import History
 from sandbox.app.observing.thinned_series import CAPACITY
 from sandbox.app.pages.graph.card import graphs, measured, span_of
-from sandbox.app.pages.graph.choice import Choice, offered
+from sandbox.app.pages.graph.chosen_quantities import Choice, offered
 from sandbox.app.pages.graph.panel import GraphPage
 from sandbox.app.pages.graph.zoom import NOTCH, Zoom
-from sandbox.app.runs.session import Session
 from sandbox.app.widgets import plot
 from sandbox.app.widgets.plot import Scale, Series
 from sandbox.app.words import formatting
@@ -24,13 +23,7 @@ from sandbox.model import catalog
 from sandbox.model.loading import load
 from sandbox.physics.accuracy.trusted_digits import Trust
 from tests.app.person import Person, until
-
-
-def opened(name: str, steps: int) -> Session:
-    session = Session(load(catalog.find(name)))
-    for _ in range(steps):
-        session.step()
-    return session
+from tests.app.scenes import opened
 
 
 def test_a_history_gives_back_every_state_it_has_noted() -> None:

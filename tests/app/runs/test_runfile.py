@@ -11,16 +11,9 @@ from sandbox.model.effect_variants import without
 from sandbox.model.errors import SandboxError
 from sandbox.model.level import Stepping
 from sandbox.model.loading import load
+from tests.app.scenes import opened
 
 LEVELS = catalog.names()[::15]
-
-
-def played(name: str, steps: int = 40) -> Session:
-    """Play a level for some steps, with a hand that puts its first body elsewhere and pulls it."""
-    session = Session(load(catalog.find(name)))
-    for _ in range(steps):
-        session.step()
-    return session
 
 
 def pulled(session: Session) -> None:
@@ -39,7 +32,7 @@ def pulled(session: Session) -> None:
 
 @pytest.mark.parametrize("name", LEVELS)
 def test_a_run_from_a_file_is_the_same_to_the_last_bit(name: str, tmp_path: Path) -> None:
-    session = played(name)
+    session = opened(name, 40)
     runfile.save(runfile.run_of(session), tmp_path / "run.json")
 
     run = runfile.read(tmp_path / "run.json")
@@ -49,7 +42,7 @@ def test_a_run_from_a_file_is_the_same_to_the_last_bit(name: str, tmp_path: Path
 
 
 def test_what_a_hand_did_is_done_again(tmp_path: Path) -> None:
-    session = played("newton/atwood")
+    session = opened("newton/atwood", 40)
     pulled(session)
     for _ in range(20):
         session.step()
@@ -119,7 +112,7 @@ def test_a_level_that_asks_for_an_accuracy_is_saved_with_the_rate_it_was_played_
 
 
 def test_a_level_that_is_not_well_formed_is_refused() -> None:
-    run = runfile.run_of(played("newton/atwood", 1))
+    run = runfile.run_of(opened("newton/atwood", 1))
     wrong = run.model_copy(update={"level": {**run.level, "gravity": 1}})
 
     with pytest.raises(SandboxError, match="gravity"):

@@ -8,7 +8,6 @@ import pygame
 import pytest
 
 from sandbox.app.drawing.text import Pen
-from sandbox.app.panels.levels import LevelList
 from sandbox.app.words import language, level_words
 from sandbox.model import catalog
 from sandbox.model.loading import load
@@ -43,11 +42,6 @@ def drawn(monkeypatch: pytest.MonkeyPatch) -> set[str]:
 def speak(person: Person, name: language.Name) -> None:
     person.window.comfort.choose(language=name)
     person.wait(0.1)
-
-
-def listed(person: Person) -> LevelList:
-    assert person.window.panels.list is not None
-    return person.window.panels.list
 
 
 @pytest.mark.usefixtures("german")
@@ -154,14 +148,14 @@ def test_a_level_is_found_by_german_words_and_by_those_of_its_author(
     person.press(pygame.K_SLASH, "/")
     person.type(typed)
 
-    assert listed(person).found[0].title == "Freier Fall"
+    assert person.listed.found[0].title == "Freier Fall"
 
 
 def test_in_english_no_german_word_finds_a_level(person: Person) -> None:
     person.press(pygame.K_SLASH, "/")
     person.type("freier")
 
-    assert listed(person).found == []
+    assert person.listed.found == []
 
 
 def test_stars_stay_with_a_challenge_in_whichever_language(
@@ -173,7 +167,7 @@ def test_stars_stay_with_a_challenge_in_whichever_language(
     person.window.files.read_again(asked)
     monkeypatch.setattr("sandbox.app.files.progress.Progress.stars", lambda _, told: told == title)
     speak(person, "de")
-    button = listed(person).button(asked)
+    button = person.listed.button(asked)
 
     assert "•" in button.text
     assert "Auf der Stelle" in button.text

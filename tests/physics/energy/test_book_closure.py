@@ -5,7 +5,18 @@ import pytest
 from sandbox.model.level import Level
 from sandbox.physics.energy.book_closure import Closing
 from sandbox.physics.run import simulate
-from tests.physics.scenes import GRAVITY, Spec, atwood, box, disc, fixed, floor, level, orbit
+from tests.physics.scenes import (
+    GRAVITY,
+    Spec,
+    atwood,
+    box,
+    disc,
+    fixed,
+    floor,
+    level,
+    orbit,
+    straddle,
+)
 
 
 def closing(scene: Level, duration: float = 1.0) -> Closing:
@@ -106,17 +117,4 @@ def test_what_rests_on_springs_turns_nothing_over_but_rounding(far: float) -> No
 
 def test_a_load_that_hops_without_gaining_is_told_by_its_books() -> None:
     """Each landing takes what the hop gave: forces are wrong by far, and nothing diverges."""
-    rods = {f"{name}_rod": {"type": "rod", "ends": [name, "top"]} for name in ("left", "right")}
-    scene = level(
-        {
-            "left": box((-0.6, 0.1), size=(0.3, 0.2), friction=1),
-            "right": box((0.6, 0.1), size=(0.3, 0.2), friction=1),
-            "top": disc((0, 1.2), radius=0.1, mass=300, friction=1),
-            "floor": floor(friction=1),
-        },
-        {**GRAVITY, "contact": {"solver": "iterative"}, "friction": {}},
-        joints=rods,
-        stepping={"rate": 4000},
-    )
-
-    assert closing(scene, 0.2).share > 0.1
+    assert closing(straddle(4000), 0.2).share > 0.1

@@ -10,7 +10,19 @@ from sandbox.model.message import Message
 from sandbox.physics.run import build
 from sandbox.physics.state.errors import SimulationError
 from sandbox.physics.stepping.world import World
-from tests.physics.scenes import GRAVITY, G, Spec, box, disc, fixed, floor, level, orbit
+from tests.physics.scenes import (
+    GRAVITY,
+    G,
+    Spec,
+    box,
+    disc,
+    fixed,
+    floor,
+    level,
+    orbit,
+    straddle,
+    strut,
+)
 
 
 def advance(world: World, steps: int) -> None:
@@ -307,18 +319,6 @@ def test_why_a_run_stopped_can_be_told_in_another_process() -> None:
     assert (told.subject, told.time, told.rate) == ("ball", 1.5, 240)
 
 
-def strut(rate: float, solver: str = "iterative") -> Level:
-    """100 kg on a rod on a box of 1 kg on the floor; a rail keeps the load upright."""
-    rod = {"type": "rod", "ends": ["box", "load"]}
-    rail = {"type": "rail", "ends": [[0, 0], "load"], "direction": [0, 1]}
-    return level(
-        {"box": box((0, 0.25)), "load": disc((0, 1.5), radius=0.2, mass=100), "floor": floor()},
-        {**GRAVITY, "contact": {"solver": solver}},
-        joints={"rod": rod, "rail": rail},
-        stepping={"rate": rate},
-    )
-
-
 @pytest.mark.sweep
 @pytest.mark.parametrize("rate", [240, 960, 2000])
 def test_a_load_that_hops_on_its_strut_is_stopped_before_it_hops_far(rate: float) -> None:
@@ -338,19 +338,7 @@ def test_a_load_stands_on_its_strut_where_both_are_solved_together() -> None:
 
 def test_what_is_pressed_through_a_floor_is_stopped_as_it_comes_out_below() -> None:
     """Beyond the middle of a line it is pushed out on the far side, and no longer deep in it."""
-    rods = {f"{name}_rod": {"type": "rod", "ends": [name, "top"]} for name in ("left", "right")}
-    scene = level(
-        {
-            "left": box((-0.6, 0.1), size=(0.3, 0.2), friction=1),
-            "right": box((0.6, 0.1), size=(0.3, 0.2), friction=1),
-            "top": disc((0, 1.2), radius=0.1, mass=300, friction=1),
-            "floor": floor(friction=1),
-        },
-        {**GRAVITY, "contact": {"solver": "iterative"}, "friction": {}},
-        joints=rods,
-    )
-
-    told = stopped(build(scene))
+    told = stopped(build(straddle(60)))
 
     assert "'left' is pressed through 'floor'" in str(told)
 

@@ -1,6 +1,7 @@
 """The tools for discs and boxes, drawn from one point to another."""
 
 from abc import ABC, abstractmethod
+from functools import partial
 from math import cos, dist, sin, tau
 
 import pygame
@@ -11,9 +12,7 @@ from sandbox.app.building.tools.tool import STILL, Bench
 from sandbox.app.drawing.text import Pen
 from sandbox.app.words.language import later, say
 from sandbox.editing.edits import bodies
-from sandbox.editing.edits.edit_result import Made
 from sandbox.editing.snapping import grid_step
-from sandbox.model.level import Level
 from sandbox.model.shapes import XY
 
 FINER = 10
@@ -116,11 +115,7 @@ class DiscTool(Stretching):
 
     def make(self, one: XY, other: XY) -> None:
         """Add a disc to the level."""
-
-        def edit(text: str, level: Level) -> Made:
-            return bodies.add_disc(text, level, one, other)
-
-        self._bench.make(say("draw a disc"), edit)
+        self._bench.make(say("draw a disc"), partial(bodies.add_disc, center=one, rim=other))
 
     def corners(self, one: XY, other: XY) -> list[XY]:
         """Return points of the circle [m]."""
@@ -144,11 +139,7 @@ class BoxTool(Stretching):
 
     def make(self, one: XY, other: XY) -> None:
         """Add a box to the level."""
-
-        def edit(text: str, level: Level) -> Made:
-            return bodies.add_box(text, level, one, other)
-
-        self._bench.make(say("draw a box"), edit)
+        self._bench.make(say("draw a box"), partial(bodies.add_box, corner=one, opposite=other))
 
     def corners(self, one: XY, other: XY) -> list[XY]:
         """Return the corners of the rectangle [m]."""

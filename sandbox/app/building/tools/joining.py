@@ -1,6 +1,7 @@
 """The tool that makes joints of any kind."""
 
 from collections.abc import Mapping
+from functools import partial
 from math import dist
 from typing import NamedTuple, get_args
 
@@ -12,10 +13,8 @@ from sandbox.app.building.tools.tool import Bench
 from sandbox.app.drawing.text import Pen
 from sandbox.app.words.language import later, say
 from sandbox.editing.edits import joints
-from sandbox.editing.edits.edit_result import Made
 from sandbox.editing.edits.joints import Pick
 from sandbox.model.joints import KINDS, Joint
-from sandbox.model.level import Level
 
 ON = 6.0  # px, the largest distance at which a click is on a body
 TOGETHER = 8.0  # px, the largest distance of two clicks that finish a joint of several points
@@ -139,10 +138,7 @@ class JoinTool:
     def _make(self) -> None:
         kind, picks = self.kind, tuple(self._places)
         self._places.clear()
-
-        def edit(text: str, level: Level) -> Made:
-            return joints.add_joint(text, level, kind, picks)
-
+        edit = partial(joints.add_joint, kind=kind, chosen=picks)
         first, second = (pick.body or say("the plane") for pick in (picks[0], picks[-1]))
         self._bench.tell(say("Tied: {first} to {second}", first=first, second=second))
         self._bench.make(say("tie a {joint}", joint=say(kind)), edit, "joints")

@@ -3,6 +3,7 @@
 from cmath import phase
 from collections.abc import Sequence
 from enum import Enum, auto
+from functools import partial
 from math import degrees, dist, pi, radians
 
 import pygame
@@ -18,7 +19,6 @@ from sandbox.app.words.formatting import number
 from sandbox.app.words.language import later, say
 from sandbox.editing.edits import transforms
 from sandbox.editing.edits.handles import drag_handle
-from sandbox.model.level import Level
 from sandbox.model.shapes import XY
 
 STEP = radians(5)
@@ -151,25 +151,15 @@ class SelectTool:
             self._drag_handle(body.outline.name, handle.index, spot.point)
 
     def _move_by(self, by: XY) -> None:
-        moved = self._moved
-
-        def edit(text: str, level: Level) -> str:
-            return transforms.move(text, level, moved, by)
-
-        if moved:
-            self._bench.change(say("move"), edit)
+        if moved := self._moved:
+            self._bench.change(say("move"), partial(transforms.move, names=moved, by=by))
 
     def _turn_by(self, body: Drawn, by: float) -> None:
-        def edit(text: str, level: Level) -> str:
-            return transforms.turn(text, level, [body.outline.name], by, body.position)
-
+        edit = partial(transforms.turn, names=[body.outline.name], angle=by, about=body.position)
         self._bench.change(say("turn"), edit)
 
     def _drag_handle(self, name: str, index: int, to: XY) -> None:
-        def edit(text: str, level: Level) -> str:
-            return drag_handle(text, level, name, index, to)
-
-        self._bench.change(say("resize"), edit)
+        self._bench.change(say("resize"), partial(drag_handle, name=name, index=index, to=to))
 
     def finish(self) -> None:
         """Do nothing, as releasing the mouse ends the drag."""

@@ -1,5 +1,6 @@
 """The tools for polygons, surfaces and freehand strokes, drawn through several points."""
 
+from functools import partial
 from math import atan2, degrees, dist
 
 import pygame
@@ -11,8 +12,6 @@ from sandbox.app.drawing.text import Pen
 from sandbox.app.words.formatting import number
 from sandbox.app.words.language import later, say
 from sandbox.editing.edits import bodies
-from sandbox.editing.edits.edit_result import Made
-from sandbox.model.level import Level
 from sandbox.model.shapes import XY
 
 CLOSE = 9.0  # px, the largest distance from the first corner at which a click closes a polygon
@@ -94,11 +93,7 @@ class Tracing:
 
     def make(self, points: tuple[XY, ...]) -> None:
         """Add the surface to the level."""
-
-        def edit(text: str, level: Level) -> Made:
-            return bodies.add_surface(text, level, points)
-
-        self._bench.make(say("draw a surface"), edit)
+        self._bench.make(say("draw a surface"), partial(bodies.add_surface, points=points))
 
 
 class SurfaceTool(Tracing):
@@ -117,11 +112,7 @@ class PolygonTool(Tracing):
 
     def make(self, points: tuple[XY, ...]) -> None:
         """Add a polygon to the level."""
-
-        def edit(text: str, level: Level) -> Made:
-            return bodies.add_polygon(text, level, points)
-
-        self._bench.make(say("draw a polygon"), edit)
+        self._bench.make(say("draw a polygon"), partial(bodies.add_polygon, points=points))
 
 
 class CurveTool:
@@ -157,12 +148,9 @@ class CurveTool:
         self.move(spot)
         points = tuple(self._points)
         self.cancel()
-        tolerance = OFF / self._bench.camera.scale
-
-        def edit(text: str, level: Level) -> Made:
-            return bodies.add_curve(text, level, points, tolerance)
-
         if len(points) > 2:
+            tolerance = OFF / self._bench.camera.scale
+            edit = partial(bodies.add_curve, points=points, tolerance=tolerance)
             self._bench.make(say("draw freely"), edit)
 
     def finish(self) -> None:

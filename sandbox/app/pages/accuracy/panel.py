@@ -4,7 +4,7 @@ from math import log10
 
 import pygame
 from pygame_gui import UI_BUTTON_PRESSED, UI_HORIZONTAL_SLIDER_MOVED
-from pygame_gui.elements import UIButton, UIHorizontalSlider
+from pygame_gui.elements import UIHorizontalSlider
 
 from sandbox.app.cards.card import Card
 from sandbox.app.pages.accuracy import diagram
@@ -24,7 +24,13 @@ UNASKED = 6
 
 
 class AccuracyPage:
-    """The dial, the diagram, the parts of a frame's time, and the errors of the checks."""
+    """The dial, the diagram, the parts of a frame's time, and the errors of the checks.
+
+    Attributes
+    ----------
+    dial, button
+        The dial, and the button that starts or cancels the work.
+    """
 
     def __init__(self, sheet: Sheet, desk: Desk) -> None:
         self._sheet, self._session, self._load = sheet, desk.session, desk.load
@@ -32,7 +38,7 @@ class AccuracyPage:
         pen, width = sheet.pen, sheet.width
         self._asked = sheet.image(self._drawn_dial(), sheet.margin // 2)
         y = below(self._asked)
-        self._dial = UIHorizontalSlider(
+        self.dial = UIHorizontalSlider(
             pygame.Rect(sheet.margin, y, width, sheet.px(14)),
             UNASKED,
             DIAL,
@@ -45,7 +51,7 @@ class AccuracyPage:
         y = below(self._diagram) + 4
         self._wide = sheet.room(say(MEASURE), say(CANCEL))
         place = pygame.Rect(width - self._wide, y, self._wide, sheet.px(HEIGHT))
-        self._button = sheet.button(
+        self.button = sheet.button(
             place, say(MEASURE), say("start or stop measuring error and cost")
         )
         self._status = sheet.image(self._drawn_status(), y)
@@ -60,24 +66,14 @@ class AccuracyPage:
         target = self._studying.target
         return 0 if target is None else round(-log10(target))
 
-    @property
-    def button(self) -> UIButton:
-        """The button that starts or cancels the work."""
-        return self._button
-
-    @property
-    def dial(self) -> UIHorizontalSlider:
-        """The dial."""
-        return self._dial
-
     def process(self, event: pygame.event.Event) -> str | None:
         """Start or cancel the work, or search for a setting with the accuracy of the dial."""
-        if event.type == UI_HORIZONTAL_SLIDER_MOVED and event.ui_element is self._dial:
+        if event.type == UI_HORIZONTAL_SLIDER_MOVED and event.ui_element is self.dial:
             digits = round(event.value)
             if digits != self._digits:
                 self._studying.seek(self._session, 10.0**-digits)
             return ""
-        if event.type != UI_BUTTON_PRESSED or event.ui_element is not self._button:
+        if event.type != UI_BUTTON_PRESSED or event.ui_element is not self.button:
             return None
         self._studying.measure_or_cancel(self._session)
         return ""
@@ -88,8 +84,8 @@ class AccuracyPage:
             self._world = self._session.world
             self._session.world.kicks.time_calls()
         text = say(CANCEL if self._studying.running else MEASURE)
-        if self._button.text != text:
-            self._button.set_text(text)
+        if self.button.text != text:
+            self.button.set_text(text)
         self._turn_dial()
         replace = self._sheet.replace
         replace(self._asked, self._drawn_dial())
@@ -100,9 +96,9 @@ class AccuracyPage:
 
     def _turn_dial(self) -> None:
         """Set the dial to the requested accuracy, unless it is being dragged."""
-        knob = self._dial.sliding_button
+        knob = self.dial.sliding_button
         if knob is None or not knob.held:
-            self._dial.set_current_value(self._digits or UNASKED, warn=False)
+            self.dial.set_current_value(self._digits or UNASKED, warn=False)
 
     def _drawn_dial(self) -> pygame.Surface:
         studying, session = self._studying, self._session

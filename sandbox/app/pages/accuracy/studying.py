@@ -3,13 +3,12 @@
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
-from sandbox.app.background import Background, Work
+from sandbox.app.background import Errand, Work
 from sandbox.app.pages.effects import whatif
 from sandbox.app.runs.session import Session
 from sandbox.app.words import formatting
 from sandbox.app.words.language import say
 from sandbox.model.errors import SandboxError
-from sandbox.model.level import Level
 from sandbox.model.message import NOTHING, Message
 from sandbox.physics.accuracy import study
 from sandbox.physics.accuracy.calibration import BUDGET, Setting
@@ -25,7 +24,7 @@ PATIENCE = 0.5  # s without a change before the work starts
 CANCELLED = Message("the search for a setting has been cancelled")
 
 
-class Studying:
+class Studying(Errand):
     """Studies a session in the background.
 
     Attributes
@@ -40,12 +39,10 @@ class Studying:
         The progress of the work; None if there is none.
     failure
         The reason why the work failed; empty if it did not.
-    news
-        An object that differs whenever the display must change.
     """
 
     def __init__(self) -> None:
-        self._work = Background()
+        super().__init__()
         self._scene: tuple[object, ...] = ()
         self._level: object = None
         self.target: float | None = None
@@ -65,16 +62,6 @@ class Studying:
         self._trust: dict[str, Trust] = {}
         self.progress: Progress | None = None
         self.news = object()
-
-    @property
-    def running(self) -> bool:
-        """Whether work is under way."""
-        return self._work.running
-
-    @property
-    def pid(self) -> int | None:
-        """The id of the working process; None if there is none."""
-        return self._work.pid
 
     def follow(self, session: Session, seconds: float, *, watched: bool) -> str | None:
         """Study a session's run, and apply a setting that was found.
@@ -124,7 +111,7 @@ class Studying:
         """Start computing the missing results."""
         self._measured = True
         work = study.split if self.points else study.study
-        self._start(work, _resolved(session), session.values)
+        self._start(work, session.resolved, session.values)
 
     def measure_or_cancel(self, session: Session) -> None:
         """Cancel the work if there is some, else start it."""
@@ -136,7 +123,7 @@ class Studying:
     def seek(self, session: Session, target: float, seconds: float = study.SEARCH) -> None:
         """Start searching the cheapest setting that reaches an accuracy, for a limited time [s]."""
         self.target = target
-        self._start(study.seek, _resolved(session), session.values, target, seconds)
+        self._start(study.seek, session.resolved, session.values, target, seconds)
 
     def _start(self, work: Work, *arguments: object) -> None:
         self.failure, self.progress = NOTHING, Progress(0.0, "starting")
@@ -145,9 +132,8 @@ class Studying:
 
     def cancel(self) -> None:
         """Cancel the work; it starts again on request, or when the session changes."""
-        self._work.cancel()
-        self._measured = True
-        self.progress, self.news = None, object()
+        super().cancel()
+        self._measured, self.progress = True, None
 
     def _look(self) -> Setting | None:
         """Store new results, and return a setting that was found; None if there is none."""
@@ -207,8 +193,3 @@ def _play_with(session: Session, setting: Setting) -> str:
     except SandboxError as error:
         return say(error.message)
     return formatting.offer(setting)
-
-
-def _resolved(session: Session) -> Level:
-    """Return the level with the stepping of its run, which an accuracy leaves open."""
-    return session.level.model_copy(update={"stepping": session.world.stepping})

@@ -2,7 +2,6 @@
 
 import pygame
 from pygame_gui import UI_BUTTON_PRESSED
-from pygame_gui.elements import UIButton
 
 from sandbox.app.pages.challenge.card import hints, standing, task
 from sandbox.app.pages.challenge.judge import Judge
@@ -21,8 +20,8 @@ class ChallengePage:
 
     Attributes
     ----------
-    others
-        The button that shows all challenges.
+    button, others
+        The button that asks for a hint, and the one that shows all challenges.
     """
 
     def __init__(self, sheet: Sheet, desk: Desk) -> None:
@@ -43,7 +42,7 @@ class ChallengePage:
         )
         self._standing = sheet.image(self._draw_standing(), y + sheet.parameters.height + 4)
         self._hints = sheet.image(self._draw_hints(), below(self._standing) + 8)
-        self._button = sheet.button(
+        self.button = sheet.button(
             pygame.Rect((0, 0), (sheet.room(say(FIRST), say(ANOTHER)), sheet.px(HEIGHT))),
             "",
             say("one hint more"),
@@ -59,14 +58,9 @@ class ChallengePage:
         """Return the command of a button; None if it is not one of these."""
         return "challenges" if button is self.others else None
 
-    @property
-    def button(self) -> UIButton:
-        """The button that asks for a hint."""
-        return self._button
-
     def process(self, event: pygame.event.Event) -> str | None:
         """Show another hint if its button was pressed."""
-        if event.type != UI_BUTTON_PRESSED or event.ui_element is not self._button:
+        if event.type != UI_BUTTON_PRESSED or event.ui_element is not self.button:
             return None
         self._judge.hint(self._session)
         return ""
@@ -80,14 +74,14 @@ class ChallengePage:
         self._hints.set_relative_position((self._sheet.margin, below(self._standing) + 8))
         left = len(self._all_hints) - len(self._shown_hints)
         y = below(self._hints) + 8
-        self._button.set_relative_position((self._sheet.margin, y))
+        self.button.set_relative_position((self._sheet.margin, y))
         y += sheet.px(HEIGHT) + 8 if left else 0
         self.others.set_relative_position((self._sheet.margin, y))
         if left:
-            self._button.set_text(say(ANOTHER if self._shown_hints else FIRST))
-            self._button.show()  # type: ignore[no-untyped-call]
+            self.button.set_text(say(ANOTHER if self._shown_hints else FIRST))
+            self.button.show()  # type: ignore[no-untyped-call]
         else:
-            self._button.hide()  # type: ignore[no-untyped-call]
+            self.button.hide()  # type: ignore[no-untyped-call]
         sheet.end(y + sheet.px(HEIGHT) + 8)
 
     @property

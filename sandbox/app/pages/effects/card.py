@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 import pygame
 
-from sandbox.app.cards.card import GAP, Card
+from sandbox.app.cards.card import GAP, Card, noted
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.pages.effects import whatif
@@ -60,16 +60,11 @@ def changed(pen: Pen, width: int, session: Session) -> pygame.Surface:
 
 def effects_intro(pen: Pen, width: int) -> pygame.Surface:
     """Draw the purpose of the switches."""
-    card = Card(pen, width)
-    card.heading(say("What if …"))
     message = say("Switch an effect off or on, then play: both runs are drawn.")
-    card.text(message, 13, theme.DIM)
-    return card.drawn()
+    return noted(pen, width, say("What if …"), message)
 
 
 def unchanged(pen: Pen, width: int) -> pygame.Surface:
     """Draw the note that the level runs as declared."""
-    card = Card(pen, width)
-    card.heading(say("What it changes"))
-    card.text(say("All effects are as the level declares them."), 14, theme.DIM)
-    return card.drawn()
+    message = say("All effects are as the level declares them.")
+    return noted(pen, width, say("What it changes"), message, 14)

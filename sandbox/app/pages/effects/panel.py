@@ -49,7 +49,7 @@ class EffectsPage:
             y = self._row_of(added, y, adjustable=True)
         caption = say("Reset the effects")
         reset = pygame.Rect(0, y + 4, sheet.room(caption), sheet.px(SWITCH))
-        self._reset = sheet.button(reset, caption, say("play the level as it is declared"))
+        self.reset = sheet.button(reset, caption, say("play the level as it is declared"))
         self._ration: Ration[tuple[Difference, ...]] = Ration(lambda: whatif.compared(session), ())
         self._world = session.world
         self._told = sheet.image(self._drawn(), y + sheet.px(SWITCH) + 14)
@@ -93,18 +93,13 @@ class EffectsPage:
         """Return the button that scales the strength of an effect."""
         return next(b for b, said in self._scales.items() if said == (effect, times))
 
-    @property
-    def reset(self) -> UIButton:
-        """The button that undoes all changes."""
-        return self._reset
-
     def process(self, event: pygame.event.Event) -> str | None:
         """Switch or scale an effect, or reset all, and return the message."""
         if event.type != UI_BUTTON_PRESSED:
             return None
         name = next((n for n, b in self._switches.items() if b is event.ui_element), None)
         scale = self._scales.get(event.ui_element)
-        if name is None and scale is None and event.ui_element is not self._reset:
+        if name is None and scale is None and event.ui_element is not self.reset:
             return None
         try:
             if name is not None:
@@ -124,7 +119,7 @@ class EffectsPage:
             press(button, name in acting)
         for button, (name, _) in self._scales.items():
             allow(button, name in self._session.changes.on)
-        allow(self._reset, bool(self._session.changes))
+        allow(self.reset, bool(self._session.changes))
         self._sheet.replace(self._told, self._drawn())
         self._sheet.end(below(self._told) + 2)
 

@@ -2,12 +2,11 @@
 
 from typing import NamedTuple
 
-from sandbox.app.background import Background
+from sandbox.app.background import Errand
 from sandbox.app.pages.experiment.sampling import COUNT, Point, Refused, sample
-from sandbox.app.pages.graph.choice import offered
+from sandbox.app.pages.graph.chosen_quantities import offered
 from sandbox.app.runs.session import Session
 from sandbox.experiments import suggested_measures
-from sandbox.model.level import Level
 from sandbox.model.message import NOTHING, Message
 
 PATIENCE = 0.5  # s without a change before the runs start
@@ -20,7 +19,7 @@ class Chosen(NamedTuple):
     measure: str
 
 
-class Exploring:
+class Exploring(Errand):
     """Runs a level for values of a parameter, in the background.
 
     Attributes
@@ -29,15 +28,13 @@ class Exploring:
         The points so far, in the order of the parameter.
     failure
         The reason why there are no more runs; empty if there is none.
-    news
-        An object that differs whenever the display must change.
     """
 
     def __init__(self) -> None:
-        self._work = Background()
+        super().__init__()
         self._chosen: dict[str, Chosen] = {}
         self._scene: object = None
-        self._measures: tuple[Level, list[str]] | None = None  # of the last level
+        self._measures: tuple[object, list[str]] | None = None  # of the last level
         self._forget()
 
     def _forget(self) -> None:
@@ -45,11 +42,6 @@ class Exploring:
         self.failure: Message = NOTHING
         self._waited, self._begun = 0.0, False
         self.news = object()
-
-    @property
-    def running(self) -> bool:
-        """Whether runs are under way."""
-        return self._work.running
 
     @property
     def share(self) -> float:
@@ -90,7 +82,7 @@ class Exploring:
         self._waited += seconds
         if watched and chosen and not (self._begun or session.waiting) and self._waited > PATIENCE:
             self._begun = True
-            self._work.start(sample, _resolved(session), session.values, *chosen)
+            self._work.start(sample, session.resolved, session.values, *chosen)
             self.news = object()
         self._look()
         return None
@@ -110,11 +102,6 @@ class Exploring:
             if self.points and self.share < 1:
                 self.failure = Message("more would take too long: try it with 'sandbox experiment'")
 
-    def cancel(self) -> None:
-        """Cancel the work; it starts again with another scene or choice."""
-        self._work.cancel()
-        self.news = object()
-
 
 def measures(session: Session) -> list[str]:
     """Return the measures offered for a run."""
@@ -126,8 +113,3 @@ def _scene(session: Session, chosen: Chosen | None) -> object:
     varied = chosen.parameter if chosen else ""
     rest = tuple((name, value) for name, value in session.values.items() if name != varied)
     return session.original, session.changes, session.world.stepping, rest, chosen
-
-
-def _resolved(session: Session) -> Level:
-    """Return the level with the stepping of its run, which an accuracy leaves open."""
-    return session.level.model_copy(update={"stepping": session.world.stepping})

@@ -1,6 +1,6 @@
 """The page of graphs."""
 
-from sandbox.app.pages.graph.choice import Choice
+from sandbox.app.pages.graph.chosen_quantities import Choice
 from sandbox.app.pages.graph.panel import GraphPage
 from sandbox.app.pages.page import Page
 

@@ -16,7 +16,7 @@ from sandbox.app.cards.card import heading
 from sandbox.app.drawing import theme
 from sandbox.app.pages.accuracy.studying import Studying
 from sandbox.app.pages.graph.card import graphs, span_of
-from sandbox.app.pages.graph.choice import Choice, offered
+from sandbox.app.pages.graph.chosen_quantities import Choice, offered
 from sandbox.app.pages.graph.figure import figure
 from sandbox.app.pages.graph.zoom import NOTCH, SHIFT, WHOLE, Zooming
 from sandbox.app.pages.page import Desk

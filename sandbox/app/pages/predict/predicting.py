@@ -2,7 +2,7 @@
 
 from typing import TYPE_CHECKING
 
-from sandbox.app.background import Background
+from sandbox.app.background import Errand
 from sandbox.app.observing.grading import Ration
 from sandbox.app.pages.predict.judging import Outcome, judged
 from sandbox.app.pages.predict.neglected import Trial, Trying, trials
@@ -21,7 +21,7 @@ PUT_OFF = later("The prediction is postponed: the run can go on.")
 CHANGED = later("The level has changed, and so has the question.")
 
 
-class Predicting:
+class Predicting(Errand):
     """Locks a run until the user has predicted its result, and then judges the prediction.
 
     Attributes
@@ -38,12 +38,10 @@ class Predicting:
         The results of trying effects that the level neglects.
     trying
         The effect being tried; None if there is none.
-    news
-        An object that differs whenever the display must change.
     """
 
     def __init__(self) -> None:
-        self._work = Background()
+        super().__init__()
         self._session: Session | None = None
         self._forget()
 
@@ -61,11 +59,6 @@ class Predicting:
         self._values: Values = {}
         self._world: object = None  # the run that is judged
         self.news = object()
-
-    @property
-    def running(self) -> bool:
-        """Whether effects are being tried."""
-        return self._work.running
 
     def ask(self, session: Session, question: Check) -> None:
         """Rewind the run to its start, and lock it until the question is answered.
@@ -150,8 +143,7 @@ class Predicting:
 
     def _try(self, session: Session) -> None:
         self._tried = True
-        level = session.level.model_copy(update={"stepping": session.world.stepping})
-        self._work.start(trials, level, session.values, self.question)
+        self._work.start(trials, session.resolved, session.values, self.question)
         self.trying, self.news = Trying("", 0.0), object()
 
     def _look(self) -> None:
@@ -168,5 +160,5 @@ class Predicting:
 
     def cancel(self) -> None:
         """Cancel the work."""
-        self._work.cancel()
+        super().cancel()
         self.trying = None

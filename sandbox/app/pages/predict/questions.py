@@ -93,7 +93,7 @@ def read(typed: str, unit: str, values: Values) -> float:
         If the text is anything else.
     """
     if not typed.strip():
-        raise ExpressionError(Message("type a number first"))
+        raise ExpressionError("type a number first")
     try:
         return _value(typed, values)
     except ExpressionError as error:
@@ -113,9 +113,7 @@ def _value(typed: str, values: Values) -> float:
         known = Message("there are no parameters")
         if values:
             known = Message("the parameters are {names}", names=", ".join(values))
-        raise ExpressionError(
-            Message("'{name}' is not known here; {known}", name=name, known=known)
-        )
+        raise ExpressionError("'{name}' is not known here; {known}", name=name, known=known)
     return expression(values)
 
 

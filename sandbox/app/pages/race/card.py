@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence
 
 import pygame
 
-from sandbox.app.cards.card import GAP, Card
+from sandbox.app.cards.card import GAP, Card, noted
 from sandbox.app.drawing import curve_markers, lines, theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
@@ -23,11 +23,8 @@ _REMARKS: Mapping[Scheme, str] = {
 
 def race_intro(pen: Pen, width: int) -> pygame.Surface:
     """Draw a description of the race."""
-    card = Card(pen, width)
-    card.heading(say("Race of the schemes"))
     text = say("The same scene with up to four schemes at once, at the same rate.")
-    card.text(text, 13, theme.DIM)
-    return card.drawn()
+    return noted(pen, width, say("Race of the schemes"), text)
 
 
 def standing(pen: Pen, width: int, session: Session) -> pygame.Surface:

@@ -2,7 +2,6 @@
 
 import pygame
 from pygame_gui import UI_BUTTON_PRESSED
-from pygame_gui.elements import UIButton
 
 from sandbox.app.pages.page import Desk
 from sandbox.app.pages.race import race
@@ -21,7 +20,7 @@ class RacePage:
     def __init__(self, sheet: Sheet, desk: Desk) -> None:
         self._sheet, self._session = sheet, desk.session
         y = below(sheet.image(race_intro(sheet.pen, sheet.width), sheet.margin // 2)) + 8
-        self._button = sheet.button(
+        self.button = sheet.button(
             pygame.Rect((0, y), (sheet.room(say(RACE), say(END)), sheet.px(HEIGHT))),
             "",
             say("every scheme at once (S)"),
@@ -29,14 +28,9 @@ class RacePage:
         self._table = sheet.image(self._drawn(), y + sheet.px(42))
         self.update()
 
-    @property
-    def button(self) -> UIButton:
-        """The button that starts the race and ends it."""
-        return self._button
-
     def process(self, event: pygame.event.Event) -> str | None:
         """Start or end the race; return the reason if that is impossible, else an empty text."""
-        if event.type != UI_BUTTON_PRESSED or event.ui_element is not self._button:
+        if event.type != UI_BUTTON_PRESSED or event.ui_element is not self.button:
             return None
         try:
             race.toggle(self._session)
@@ -47,8 +41,8 @@ class RacePage:
     def update(self) -> None:
         """Show the standings."""
         text = say(END if race.racing(self._session) else RACE)
-        if self._button.text != text:
-            self._button.set_text(text)
+        if self.button.text != text:
+            self.button.set_text(text)
         self._sheet.replace(self._table, self._drawn())
         self._sheet.end(below(self._table) + 2)
 

@@ -1,6 +1,6 @@
 """Films, made in another process while the window continues."""
 
-from sandbox.app.background import Background
+from sandbox.app.background import Errand
 from sandbox.app.film import Kind, film
 from sandbox.app.pages.share.saving import path_for
 from sandbox.app.runs.runfile import run_of
@@ -8,26 +8,18 @@ from sandbox.app.runs.session import Session
 from sandbox.app.words.language import say
 
 
-class Filming:
+class Filming(Errand):
     """Makes one film at a time.
 
     Attributes
     ----------
-    news
-        An object that differs whenever the display must change.
     done
         The progress of the film, from 0 to 1.
     """
 
     def __init__(self) -> None:
-        self.news = object()
+        super().__init__()
         self.done = 0.0
-        self._work = Background()
-
-    @property
-    def running(self) -> bool:
-        """Whether a film is being made."""
-        return self._work.running
 
     def begin(self, session: Session, kind: Kind) -> str:
         """Start a film of the run so far, and return the message.
@@ -56,8 +48,3 @@ class Filming:
             else:
                 self.done = found
         return told
-
-    def cancel(self) -> None:
-        """Cancel the work, without a film."""
-        self._work.cancel()
-        self.news = object()

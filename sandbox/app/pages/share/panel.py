@@ -8,7 +8,7 @@ import pygame
 from pygame_gui import UI_BUTTON_PRESSED
 from pygame_gui.elements import UIButton
 
-from sandbox.app.cards.card import Card
+from sandbox.app.cards.card import Card, noted
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.files import save_folder
@@ -43,9 +43,9 @@ class SharePage:
         for caption, text, save in KINDS:
             y = self._row(y, say(caption), say(text), partial(self._save, save))
         small = say("the run so far, in small, for a page or a message")
-        y = self._row(y, "GIF", small, self._film_gif)
+        y = self._row(y, "GIF", small, partial(self._filming.begin, self._session, "gif"))
         large = say("the run so far, 1280 x 720")
-        y = self._row(y, "MP4", large, self._film_mp4)
+        y = self._row(y, "MP4", large, partial(self._filming.begin, self._session, "mp4"))
         self._state = sheet.image(self._drawn(), y)
         sheet.end(below(self._state) + 8)
 
@@ -83,12 +83,6 @@ class SharePage:
     def _save(self, save: Callable[[Session], Path]) -> str:
         return say("saved {path}", path=save(self._session))
 
-    def _film_gif(self) -> str:
-        return self._filming.begin(self._session, "gif")
-
-    def _film_mp4(self) -> str:
-        return self._filming.begin(self._session, "mp4")
-
     def _drawn(self) -> pygame.Surface:
         card = Card(self._sheet.pen, self._sheet.width)
         if self._filming.running:
@@ -99,7 +93,5 @@ class SharePage:
 
 
 def _intro(pen: Pen, width: int) -> pygame.Surface:
-    card = Card(pen, width)
-    card.heading(say("Take away"))
-    card.text(say("Files go to {folder}", folder=save_folder.folder()), 13, theme.DIM)
-    return card.drawn()
+    text = say("Files go to {folder}", folder=save_folder.folder())
+    return noted(pen, width, say("Take away"), text)

@@ -13,7 +13,6 @@ from sandbox.app.runs import runfile
 from sandbox.app.runs.session import Session
 from sandbox.model.errors import SandboxError
 from sandbox.model.files import make_folder, write_atomically
-from sandbox.model.message import Message
 from sandbox.model.quantities import TIME
 from sandbox.model.writing import text
 from sandbox.physics.measuring.csv_export import write_csv
@@ -45,7 +44,7 @@ def screenshot(session: Session) -> Path:
     path, png = path_for(session, ".png"), BytesIO()
     shown = pygame.display.get_surface()
     if shown is None:
-        raise SandboxError(Message("there is no window to take a picture of"))
+        raise SandboxError("there is no window to take a picture of")
     pygame.image.save(shown, png, "x.png")
     write_atomically(path, png.getvalue())
     return path

@@ -4,7 +4,7 @@ import pygame
 from pygame_gui import UI_BUTTON_PRESSED
 
 from sandbox.app.pages.accuracy.studying import Studying
-from sandbox.app.pages.graph.choice import Choice
+from sandbox.app.pages.graph.chosen_quantities import Choice
 from sandbox.app.pages.page import Desk
 from sandbox.app.pages.share import saving
 from sandbox.app.pages.table.card import values

@@ -3,11 +3,12 @@
 from itertools import chain, islice
 from pathlib import Path
 
-from sandbox.app.background import Background
+from sandbox.app.background import Errand
 from sandbox.app.pages.graph.figure import Figure, saved
 from sandbox.app.pages.graph.zoom import WHOLE, Zoom
 from sandbox.app.runs.session import Session
 from sandbox.app.words.language import say
+from sandbox.model.last_result_cache import of_the_last
 from sandbox.model.level import Level
 from sandbox.model.quantities import TIME, momentary
 
@@ -15,6 +16,7 @@ MOST = 400
 """The largest number of quantities offered; with many bodies, those of the first."""
 
 
+@of_the_last
 def offered(level: Level) -> list[str]:
     """Return the quantities that can be drawn: all that depend on a single state.
 
@@ -26,26 +28,18 @@ def offered(level: Level) -> list[str]:
     return list(islice(chain(moving, still), MOST))
 
 
-class Choice:
-    """Keeps the chosen quantities, and draws them into a file.
-
-    Attributes
-    ----------
-    news
-        An object that differs after every choice.
-    """
+class Choice(Errand):
+    """Keeps the chosen quantities, and draws them into a file."""
 
     def __init__(self) -> None:
-        self.news = object()
-        self._work = Background()
+        super().__init__()
         self._up: dict[str, tuple[str, ...]] = {}
         self._across: dict[str, str] = {}
         self._zooms: dict[str, Zoom] = {}
-        self._offered: tuple[Level, list[str]] | None = None
 
     def up(self, session: Session) -> tuple[str, ...]:
         """Return the chosen quantities: at first that of the first check, or the first speed."""
-        names = self._names(session.level)
+        names = offered(session.level)
         checked = (c.quantity for c in session.original.checks if c.quantity in names)
         speeds = (name for name in names if name.endswith(".speed"))
         first = next(checked, next(speeds, names[0]))
@@ -55,13 +49,7 @@ class Choice:
     def across(self, session: Session) -> str:
         """Return the horizontal quantity: at first, the time."""
         chosen = self._across.get(session.original.title, TIME.name)
-        return chosen if chosen in self._names(session.level) else TIME.name
-
-    def _names(self, level: Level) -> list[str]:
-        """Return the quantities offered for a level, cached while it is shown."""
-        if self._offered is None or self._offered[0] is not level:
-            self._offered = level, offered(level)
-        return self._offered[1]
+        return chosen if chosen in offered(session.level) else TIME.name
 
     def choose(self, session: Session, up: tuple[str, ...]) -> None:
         """Choose quantities, and keep the zoom."""
@@ -82,11 +70,6 @@ class Choice:
         self._zooms[session.original.title] = zoom
         self.news = object()
 
-    @property
-    def running(self) -> bool:
-        """Whether a picture is being drawn."""
-        return self._work.running
-
     def draw(self, found: Figure, path: Path) -> str:
         """Start drawing a picture of the graphs into a file, and return the message."""
         self._work.start(saved, found, path)
@@ -95,7 +78,3 @@ class Choice:
     def follow(self, session: Session, seconds: float, *, watched: bool) -> str | None:  # noqa: ARG002
         """Return the message with the picture's path once it is saved."""
         return next(iter([*self._work.found()][-1:]), None)
-
-    def cancel(self) -> None:
-        """Cancel the work, without a picture."""
-        self._work.cancel()
