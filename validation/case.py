@@ -61,47 +61,32 @@ def ends(level: str, *turned: str) -> Choices:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Case:
-    """A quantity of a level with certain parameters, and the closed form that it must match.
-
-    Attributes
-    ----------
-    name
-        The claim, in a few words.
-    level
-        The name of the level, such as `newton/atwood`.
-    quantity
-        The measured quantity.
-    expected
-        The closed form, of the parameters and the sampled times [s].
-    tolerance
-        The largest allowed error: relative, or absolute if only zero is expected.
-    because
-        The reason for that tolerance.
-    parameters
-        The parameters that differ from the level's defaults.
-    at
-        A time or an event; None for every step.
-    duration
-        The length of the run [s]; None for the level's own.
-    naive_misses
-        The least error of naive pymunk, which proves that the case can fail. None if pymunk does
-        as well by itself.
-    order
-        The least power of the step with which the error must fall, as the step is halved three
-        times down to the level's own; None if only rounding remains.
-    """
+    """A quantity of a level with certain parameters, and the closed form that it must match."""
 
     name: str
+    """The claim, in a few words."""
     level: str
+    """The name of the level, such as `newton/atwood`."""
     quantity: str
+    """The measured quantity."""
     expected: Expected
+    """The closed form, of the parameters and the sampled times [s]."""
     tolerance: float
+    """The largest allowed error: relative, or absolute if only zero is expected."""
     because: str
+    """The reason for that tolerance."""
     parameters: Parameters = field(default_factory=dict)
+    """The parameters that differ from the level's defaults."""
     at: Instant | None = None
+    """A time or an event; None for every step."""
     duration: float | None = None
+    """The length of the run [s]; None for the level's own."""
     naive_misses: float | None = None
+    """The least error of naive pymunk, which proves that the case can fail. None if pymunk does as
+    well by itself."""
     order: float | None = None
+    """The least power of the step with which the error must fall, as the step is halved three times
+    down to the level's own; None if only rounding remains."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -22,21 +22,14 @@ ALMOST = 0.85
 
 @dataclass(slots=True)
 class Load:
-    """The time that frames take, as a moving average [s].
-
-    Attributes
-    ----------
-    physics
-        The time of steps without their Python callbacks, and of reading the results.
-    hooks
-        The time of the Python callbacks of steps: force laws and joints.
-    drawing
-        The time of drawing panels and stage.
-    """
+    """The time that frames take, as a moving average [s]."""
 
     physics: float = 0.0
+    """The time of steps without their Python callbacks, and of reading the results."""
     hooks: float = 0.0
+    """The time of the Python callbacks of steps: force laws and joints."""
     drawing: float = 0.0
+    """The time of drawing panels and stage."""
 
     def stepped(self, seconds: float, hooks: float) -> None:
         """Record the time of a frame's steps, and of the hooks in them [s]."""

@@ -31,31 +31,21 @@ BOUNDS = {"first_picture": 1.5, "switch": 0.3, "frame_p99": 1 / RATE}
 
 @dataclass(frozen=True, slots=True)
 class Timing:
-    """The times of a level in the window.
-
-    Attributes
-    ----------
-    level
-        The name of the level.
-    first_picture
-        The time from the start of the program to the first picture of the level [s].
-    switch
-        The time from opening the level, while another one is open, to its first picture [s].
-    cost
-        The processor time for a second of the level in the window, without drawing [s].
-    frame_p50, frame_p99
-        The median and the 99th percentile of the processor times of frames [s].
-    speed
-        The simulated time over real time.
-    """
+    """The times of a level in the window."""
 
     level: str
+    """The name of the level."""
     first_picture: float
+    """The time from the start of the program to the first picture of the level [s]."""
     switch: float
+    """The time from opening the level, while another one is open, to its first picture [s]."""
     cost: float
+    """The processor time for a second of the level in the window, without drawing [s]."""
     frame_p50: float
     frame_p99: float
+    """The median and the 99th percentile of the processor times of frames [s]."""
     speed: float
+    """The simulated time over real time."""
 
     @property
     def beyond(self) -> tuple[str, ...]:

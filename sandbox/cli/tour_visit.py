@@ -20,33 +20,22 @@ from sandbox.physics.state.errors import SimulationError
 
 @dataclass(slots=True)
 class Visit:
-    """The results of one level.
-
-    Attributes
-    ----------
-    name
-        The level that was visited.
-    level
-        None if it could not be read.
-    results
-        The results of its checks.
-    seconds
-        The time of the run, without drawing [s].
-    picture
-        The file name of its picture; None if it could not be drawn.
-    closing
-        The balance of its energy; None if it did not run to its end.
-    error
-        Why the level could not be read, run or drawn; empty if it could.
-    """
+    """The results of one level."""
 
     name: str
+    """The level that was visited."""
     level: Level | None = None
+    """None if it could not be read."""
     results: tuple[Result, ...] = ()
+    """The results of its checks."""
     seconds: float = 0.0
+    """The time of the run, without drawing [s]."""
     picture: str | None = None
+    """The file name of its picture; None if it could not be drawn."""
     closing: Closing | None = None
+    """The balance of its energy; None if it did not run to its end."""
     error: str = ""
+    """Why the level could not be read, run or drawn; empty if it could."""
 
     @property
     def failures(self) -> tuple[Result, ...]:

@@ -35,19 +35,13 @@ Core = tuple[complex, ...]
 
 @dataclass(frozen=True)
 class Placed:
-    """A body at the start of a run.
-
-    Attributes
-    ----------
-    name, body
-        The name of the body, and the body.
-    values
-        The values of the parameters.
-    """
+    """A body at the start of a run."""
 
     name: str
     body: Body
+    """The name of the body, and the body."""
     values: Values
+    """The values of the parameters."""
 
     @cached_property
     def center(self) -> complex:

@@ -5,22 +5,15 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True, slots=True)
 class Step:
-    """One change of a text: a piece of it was replaced.
-
-    Attributes
-    ----------
-    said
-        The description of the edit.
-    start
-        The index of the piece in the text.
-    old, new
-        The piece before and after the change.
-    """
+    """One change of a text: a piece of it was replaced."""
 
     said: str
+    """The description of the edit."""
     start: int
+    """The index of the piece in the text."""
     old: str
     new: str
+    """The piece before and after the change."""
 
     def undone(self, text: str) -> str:
         """Return the text before the change, given that after it."""

@@ -18,56 +18,39 @@ QUANTILES = (0.025, 0.5, 0.975)
 
 @dataclass(frozen=True, slots=True)
 class Summary:
-    """The distribution of an outcome over the rows that were read.
-
-    Attributes
-    ----------
-    measure, unit
-        The outcome and its unit.
-    count, missing
-        The number of rows with a value, and of those without one.
-    mean, deviation, least, most
-        Statistics of the values; NaN if there are none.
-    quantiles
-        The 2.5 %, 50 % and 97.5 % quantiles.
-    error
-        The largest error relative to the closed form; None if there is no closed form.
-    """
+    """The distribution of an outcome over the rows that were read."""
 
     measure: str
     unit: str
+    """The outcome and its unit."""
     count: int
     missing: int
+    """The number of rows with a value, and of those without one."""
     mean: float
     deviation: float
     least: float
     most: float
+    """Statistics of the values; NaN if there are none."""
     quantiles: tuple[float, ...]
+    """The 2.5 %, 50 % and 97.5 % quantiles."""
     error: float | None
+    """The largest error relative to the closed form; None if there is no closed form."""
 
 
 @dataclass(frozen=True, slots=True)
 class Sensitivity:
-    """Sobol's indices of an outcome: the shares of its variance due to each random input.
-
-    Attributes
-    ----------
-    measure
-        The outcome.
-    names
-        (d,), the random inputs.
-    first, total
-        (d,), the effect of each input alone, and including its interactions with the others.
-    first_error, total_error
-        (d,), their standard errors, by bootstrapping the rows.
-    """
+    """Sobol's indices of an outcome: the shares of its variance due to each random input."""
 
     measure: str
+    """The outcome."""
     names: tuple[str, ...]
+    """(d,), the random inputs."""
     first: Array
     total: Array
+    """(d,), the effect of each input alone, and including its interactions with the others."""
     first_error: Array
     total_error: Array
+    """(d,), their standard errors, by bootstrapping the rows."""
 
 
 def summaries(plan: Plan, found: Results) -> list[Summary]:

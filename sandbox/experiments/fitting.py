@@ -24,47 +24,32 @@ class FitError(SandboxError):
 
 @dataclass(frozen=True, slots=True)
 class Fitted:
-    """A fitted parameter.
-
-    Attributes
-    ----------
-    value, uncertainty
-        The parameter, and its standard uncertainty, in its unit.
-    bound
-        Whether it lies at an end of the level's range: then the best value is beyond it.
-    """
+    """A fitted parameter."""
 
     name: str
     unit: str
     value: float
     uncertainty: float
+    """The parameter, and its standard uncertainty, in its unit."""
     bound: bool
+    """Whether it lies at an end of the level's range: then the best value is beyond it."""
 
 
 @dataclass(frozen=True, slots=True)
 class Fit:
-    """The result of a fit.
-
-    Attributes
-    ----------
-    parameters
-        The p fitted parameters.
-    correlation
-        (p, p), the correlation of their errors.
-    count
-        The number of measured values.
-    scatter
-        The root of the reduced χ²: about 1 if the level and the uncertainties are right. 1 if the
-        uncertainties were unknown, since they are then estimated from the residuals.
-    model
-        (N,) each, the values of the run at the times of the data.
-    """
+    """The result of a fit."""
 
     parameters: tuple[Fitted, ...]
+    """The p fitted parameters."""
     correlation: Array
+    """(p, p), the correlation of their errors."""
     count: int
+    """The number of measured values."""
     scatter: float
+    """The root of the reduced χ²: about 1 if the level and the uncertainties are right. 1 if the
+    uncertainties were unknown, since they are then estimated from the residuals."""
     model: Mapping[str, Array]
+    """(N,) each, the values of the run at the times of the data."""
 
 
 def fit(level: Level, values: Values, names: Sequence[str], data: Data, stepping: Stepping) -> Fit:

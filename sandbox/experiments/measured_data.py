@@ -24,21 +24,14 @@ class DataError(SandboxError):
 
 @dataclass(frozen=True, slots=True)
 class Data:
-    """Measured quantities; N times.
-
-    Attributes
-    ----------
-    t
-        (N,), the times [s].
-    columns
-        (N,) each, the measured values in SI units; NaN where there is none.
-    uncertainties
-        (N,) each, their standard uncertainties, where they are known.
-    """
+    """Measured quantities; N times."""
 
     t: Array
+    """(N,), the times [s]."""
     columns: Mapping[str, Array]
+    """(N,) each, the measured values in SI units; NaN where there is none."""
     uncertainties: Mapping[str, Array]
+    """(N,) each, their standard uncertainties, where they are known."""
 
     @property
     def count(self) -> int:

@@ -61,27 +61,18 @@ class MeasureError(SandboxError):
 
 @dataclass(frozen=True, slots=True)
 class Measure:
-    """A number that is measured of each run.
-
-    Attributes
-    ----------
-    text
-        The text of the measure, which is also the name of its column.
-    of
-        The measured quantity; None for the error of a check.
-    at
-        The instant, an event or a time; None with a reduction.
-    reduction
-        The reduction over the whole run; empty at an instant, `error` for a check.
-    check
-        The check whose closed form predicts the number; None if there is none.
-    """
+    """A number that is measured of each run."""
 
     text: str
+    """The text of the measure, which is also the name of its column."""
     of: Observable | None
+    """The measured quantity; None for the error of a check."""
     at: Instant | Place | None
+    """The instant, an event or a time; None with a reduction."""
     reduction: str
+    """The reduction over the whole run; empty at an instant, `error` for a check."""
     check: Check | None
+    """The check whose closed form predicts the number; None if there is none."""
 
     @property
     def unit(self) -> str:

@@ -20,21 +20,14 @@ _QUANTITY = re.compile(r"\b[A-Za-z]\w*(?:\.[A-Za-z]\w*)+")
 
 @dataclass(frozen=True, slots=True)
 class Observable:
-    """Arithmetic over quantities, parameters and the time; a condition is 1 or 0.
-
-    Attributes
-    ----------
-    text
-        The text of the observable.
-    unit
-        Its SI unit; empty for arithmetic over several quantities.
-    quantities
-        The names of the quantities it is computed from.
-    """
+    """Arithmetic over quantities, parameters and the time; a condition is 1 or 0."""
 
     text: str
+    """The text of the observable."""
     unit: str
+    """Its SI unit; empty for arithmetic over several quantities."""
     quantities: tuple[str, ...]
+    """The names of the quantities it is computed from."""
     _formula: Formula | None
 
     @classmethod

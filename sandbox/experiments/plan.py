@@ -46,21 +46,14 @@ class Variant(NamedTuple):
 
 @dataclass(frozen=True)
 class Plan:
-    """An experiment together with its level; made by `make`.
-
-    Attributes
-    ----------
-    experiment
-        The experiment as it was written.
-    source
-        The name of the level.
-    level
-        The level as in its file.
-    """
+    """An experiment together with its level; made by `make`."""
 
     experiment: Experiment
+    """The experiment as it was written."""
     source: str
+    """The name of the level."""
     level: Level
+    """The level as in its file."""
 
     @cached_property
     def axes(self) -> dict[str, Axis]:

@@ -16,24 +16,16 @@ MOST = 250_000
 
 @dataclass(frozen=True, slots=True)
 class Results:
-    """Some rows of a table.
-
-    Attributes
-    ----------
-    runs
-        The number of rows in the file.
-    numbers
-        (R,), the numbers of these rows.
-    columns
-        (R,) each, the values by column name, numbers or names; NaN where a run has no number.
-    failures
-        The reasons of failed runs with their counts, in the whole file, the most frequent first.
-    """
+    """Some rows of a table."""
 
     runs: int
+    """The number of rows in the file."""
     numbers: Array
+    """(R,), the numbers of these rows."""
     columns: Mapping[str, Any]
+    """(R,) each, the values by column name, numbers or names; NaN where a run has no number."""
     failures: Sequence[tuple[str, int]]
+    """The reasons of failed runs with their counts, in the whole file, the most frequent first."""
 
     def number(self, name: str) -> Array:
         """Return a column of numbers."""

@@ -11,18 +11,13 @@ class Message(str):
     To code that prints, compares or searches it, it is a `str`. A translator looks up its template,
     which must therefore be a literal in the code, and fills in the values. An f-string or a `+`
     turns it into a `str` that stays English; inserting it into another template does not.
-
-    Attributes
-    ----------
-    template
-        The text, with `{name}` for each value.
-    values
-        The values by name; messages among them are translated as well.
     """
 
     __slots__ = ("template", "values")
     template: str
+    """The text, with `{name}` for each value."""
     values: Mapping[str, object]
+    """The values by name; messages among them are translated as well."""
 
     def __new__(cls, template: str, /, **values: object) -> Self:
         """Make a message; without values, braces in the template are literal."""

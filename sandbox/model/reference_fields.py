@@ -17,19 +17,13 @@ NAMES = "names"
 
 @dataclass(frozen=True, slots=True)
 class Mention:
-    """What a text, or a list of texts, names.
-
-    Attributes
-    ----------
-    of
-        The kind: a body, a couple of two different bodies, a list of different bodies, a quantity,
-        a parameter, a list of joints, or a list of forces that events switch.
-    acted_on
-        Whether something acts on the body, so that it must be a dynamic one.
-    """
+    """What a text, or a list of texts, names."""
 
     of: Literal["body", "couple", "bodies", "quantity", "parameter", "joints", "forces"]
+    """The kind: a body, a couple of two different bodies, a list of different bodies, a quantity, a
+    parameter, a list of joints, or a list of forces that events switch."""
     acted_on: bool = False
+    """Whether something acts on the body, so that it must be a dynamic one."""
 
     def __get_pydantic_json_schema__(
         self, core: CoreSchema, handler: GetJsonSchemaHandler

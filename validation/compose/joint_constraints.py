@@ -35,21 +35,14 @@ class Places(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Kept:
-    """A constraint of a joint.
-
-    Attributes
-    ----------
-    joint
-        The name of the joint.
-    off
-        (T,), its violation [m; rad for an angle].
-    pulls_only
-        Whether the violation may be negative, as for a rope.
-    """
+    """A constraint of a joint."""
 
     joint: str
+    """The name of the joint."""
     off: Numbers
+    """(T,), its violation [m; rad for an angle]."""
     pulls_only: bool = False
+    """Whether the violation may be negative, as for a rope."""
 
     @property
     def error(self) -> Numbers:

@@ -13,38 +13,26 @@ from validation.stability.scene import Document
 
 @dataclass(frozen=True, slots=True)
 class Outcome:
-    """The outcome of a scene.
-
-    Attributes
-    ----------
-    seed, family
-        The seed and the family of the scene.
-    bodies, joints
-        The numbers of bodies and joints.
-    judgements
-        The judgements; none for a scene that was refused.
-    passed
-        Whether all of them hold.
-    refused
-        Whether it was refused before its first step.
-    reason
-        Why it was refused, or why it stopped; empty if it did neither.
-    rate
-        The rate of its steps [Hz].
-    seconds
-        The total time [s].
-    """
+    """The outcome of a scene."""
 
     seed: int
     family: str
+    """The seed and the family of the scene."""
     bodies: int
     joints: int
+    """The numbers of bodies and joints."""
     judgements: tuple[Judgement, ...]
+    """The judgements; none for a scene that was refused."""
     passed: bool
+    """Whether all of them hold."""
     refused: bool
+    """Whether it was refused before its first step."""
     reason: str
+    """Why it was refused, or why it stopped; empty if it did neither."""
     rate: float
+    """The rate of its steps [Hz]."""
     seconds: float
+    """The total time [s]."""
 
     @property
     def name(self) -> str:

@@ -38,49 +38,33 @@ class Refused(Exception):  # noqa: N818 (an outcome, and no error)
 
 @dataclass(slots=True)
 class Course:
-    """The record of a run; T instants, the first at the start.
-
-    Attributes
-    ----------
-    scene, level
-        The scene, and the level that was run.
-    rate
-        The rate of its steps [Hz].
-    seen
-        The states, with time as the first axis.
-    pairs
-        (T,), the pairs of bodies that touch at each instant, by their indices.
-    taut
-        (T, j), which joints exert a force.
-    booked
-        (T,), the energy in the ledger, in the middle of the drifts [J].
-    unexplained
-        (T,), the energy that the ledger cannot explain [J].
-    lost_momentum
-        (T, 3), the momentum that it cannot explain [N s, N s, N m s].
-    worked
-        The energy that the scene's drives have put in, or taken out, at the end [J].
-    asked
-        The intended length of the run [s].
-    failure
-        Why it stopped earlier; empty if it did not.
-    advised
-        The rate at which it should not stop, if one is advised [Hz].
-    """
+    """The record of a run; T instants, the first at the start."""
 
     scene: Scene
     level: Level
+    """The scene, and the level that was run."""
     rate: float
+    """The rate of its steps [Hz]."""
     seen: Snapshot
+    """The states, with time as the first axis."""
     pairs: list[Pairs]
+    """(T,), the pairs of bodies that touch at each instant, by their indices."""
     taut: Array
+    """(T, j), which joints exert a force."""
     booked: Array
+    """(T,), the energy in the ledger, in the middle of the drifts [J]."""
     unexplained: Array
+    """(T,), the energy that the ledger cannot explain [J]."""
     lost_momentum: Array
+    """(T, 3), the momentum that it cannot explain [N s, N s, N m s]."""
     worked: float
+    """The energy that the scene's drives have put in, or taken out, at the end [J]."""
     asked: float
+    """The intended length of the run [s]."""
     failure: str = ""
+    """Why it stopped earlier; empty if it did not."""
     advised: float | None = None
+    """The rate at which it should not stop, if one is advised [Hz]."""
 
     @property
     def dt(self) -> float:

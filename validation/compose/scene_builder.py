@@ -25,40 +25,28 @@ FLOOR = 40.0  # m, the width of floors
 
 @dataclass(slots=True)
 class Draft:
-    """A scene under construction.
-
-    Attributes
-    ----------
-    rng
-        The source of all randomness.
-    rests
-        Whether the scene is at rest, and stays so.
-    free
-        The momenta that no outside force but gravity changes: of x, y, angle.
-    rotation
-        Whether bodies turn.
-    contact
-        Whether bodies touch.
-    gravity
-        m/s², (x, y).
-    friction, restitution
-        The range of the bodies' coefficients; None without the effect.
-    sticky
-        The ratio of static to kinetic coefficients; None if they are equal.
-    """
+    """A scene under construction."""
 
     rng: np.random.Generator
+    """The source of all randomness."""
     bodies: dict[str, Document] = field(default_factory=dict)
     joints: dict[str, Document] = field(default_factory=dict)
     effects: Document = field(default_factory=dict)
     rests: bool = False
+    """Whether the scene is at rest, and stays so."""
     free: tuple[str, ...] = ()
+    """The momenta that no outside force but gravity changes: of x, y, angle."""
     rotation: bool = True
+    """Whether bodies turn."""
     contact: bool = True
+    """Whether bodies touch."""
     gravity: tuple[float, float] = (0.0, -G)
+    """m/s², (x, y)."""
     friction: tuple[float, float] | None = None
     restitution: tuple[float, float] | None = None
+    """The range of the bodies' coefficients; None without the effect."""
     sticky: float | None = None
+    """The ratio of static to kinetic coefficients; None if they are equal."""
     duration: float = 1.5  # s
 
     def number(self, low: float, high: float) -> float:

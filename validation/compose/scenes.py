@@ -19,27 +19,18 @@ TREE = "tree"
 
 @dataclass(frozen=True, slots=True)
 class Scene:
-    """A random composition.
-
-    Attributes
-    ----------
-    seed
-        The seed.
-    family
-        The family that built it.
-    document
-        The level, as in its file.
-    rests
-        Whether it must stay at rest.
-    free
-        The momenta that no outside force but gravity changes: of x, y, angle.
-    """
+    """A random composition."""
 
     seed: int
+    """The seed."""
     family: str
+    """The family that built it."""
     document: Document
+    """The level, as in its file."""
     rests: bool = False
+    """Whether it must stay at rest."""
     free: tuple[str, ...] = ()
+    """The momenta that no outside force but gravity changes: of x, y, angle."""
 
     @property
     def name(self) -> str:

@@ -25,18 +25,12 @@ TINY = 1e-12
 
 @dataclass(frozen=True, slots=True)
 class Gap:
-    """The distance between two convex parts over a run; T instants.
-
-    Attributes
-    ----------
-    separation
-        (T,), the distance, negative for overlaps; infinite if it is large [m].
-    normal
-        (T, 2), its direction, from the first part to the second.
-    """
+    """The distance between two convex parts over a run; T instants."""
 
     separation: Array
+    """(T,), the distance, negative for overlaps; infinite if it is large [m]."""
     normal: Array
+    """(T, 2), its direction, from the first part to the second."""
 
 
 def placed(part: Part, position: Array, angle: Array) -> Array:
@@ -99,21 +93,14 @@ Placed = tuple[Array, float]
 
 @dataclass(frozen=True, slots=True)
 class Couple:
-    """Two bodies that may touch.
-
-    Attributes
-    ----------
-    names
-        Their names.
-    separation
-        (T,), the smallest distance between their parts [m].
-    parts
-        The parts of each.
-    """
+    """Two bodies that may touch."""
 
     names: tuple[str, str]
+    """Their names."""
     separation: Array
+    """(T,), the smallest distance between their parts [m]."""
     parts: tuple[Sequence[Placed], Sequence[Placed]]
+    """The parts of each."""
 
     def entered(self, depth: float) -> Booleans:
         """Return when a corner of either first reaches a depth in the other: (T,)."""

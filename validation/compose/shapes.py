@@ -15,18 +15,13 @@ from validation.stability.scene import Document
 
 @dataclass(frozen=True, slots=True)
 class Part:
-    """A convex part of an outline: the hull of some corners, with a radius around it.
-
-    Attributes
-    ----------
-    corners
-        (k, 2), relative to the body's centre along its axes, counter-clockwise; one for a disc [m].
-    radius
-        The radius around them [m].
-    """
+    """A convex part of an outline: the hull of some corners, with a radius around it."""
 
     corners: Array
+    """(k, 2), relative to the body's centre along its axes, counter-clockwise; one for a disc [m].
+    """
     radius: float
+    """The radius around them [m]."""
 
 
 def corners(shape: Document) -> Array:

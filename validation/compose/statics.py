@@ -32,24 +32,16 @@ Wrench = tuple[int, Array]
 
 @dataclass(frozen=True, slots=True)
 class Contact:
-    """A contact point; the force on the second body is positive, that on the first is opposite.
-
-    Attributes
-    ----------
-    bodies
-        The indices of the two bodies.
-    place
-        (2,), its position [m].
-    normal
-        (2,), from the first body to the second.
-    coefficient
-        The coefficient of static friction.
-    """
+    """A contact point; the force on the second body is positive, that on the first is opposite."""
 
     bodies: tuple[int, int]
+    """The indices of the two bodies."""
     place: Array
+    """(2,), its position [m]."""
     normal: Array
+    """(2,), from the first body to the second."""
     coefficient: float
+    """The coefficient of static friction."""
 
 
 @dataclass(frozen=True, slots=True)

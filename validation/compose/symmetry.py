@@ -13,25 +13,17 @@ Move = Callable[[Place], list[float]]
 
 @dataclass(frozen=True, slots=True)
 class Motion:
-    """A motion of the plane that fixes the origin.
-
-    Attributes
-    ----------
-    move
-        The transformation of a point of the plane.
-    local
-        The transformation of a point of a body, along its axes.
-    sign, turn
-        An angle becomes sign · angle + turn [rad].
-    curve
-        The transformation of a curve's formulas.
-    """
+    """A motion of the plane that fixes the origin."""
 
     move: Move
+    """The transformation of a point of the plane."""
     local: Move
+    """The transformation of a point of a body, along its axes."""
     sign: int
     turn: float
+    """An angle becomes sign · angle + turn [rad]."""
     curve: Callable[[str, str], list[str]]
+    """The transformation of a curve's formulas."""
 
 
 def mirrored(document: Document) -> Document:

@@ -22,31 +22,22 @@ LONGEST = 5.0
 
 @dataclass(frozen=True, slots=True)
 class Request:
-    """A request for an accuracy.
-
-    Attributes
-    ----------
-    level, target
-        The level, and the requested accuracy.
-    stepping
-        The setting that was found; None if there is none.
-    estimated, delivered
-        The estimated error, and the error relative to the closed form.
-    cost, cheapest
-        The computing time per second of the scene [s], and that of the cheapest setting in the
-        sweep that is as accurate; infinite if there is none.
-    said
-        The reason why there is no setting.
-    """
+    """A request for an accuracy."""
 
     level: str
     target: float
+    """The level, and the requested accuracy."""
     stepping: Stepping | None
+    """The setting that was found; None if there is none."""
     estimated: float
     delivered: float
+    """The estimated error, and the error relative to the closed form."""
     cost: float = nan
     cheapest: float = inf
+    """The computing time per second of the scene [s], and that of the cheapest setting in the sweep
+    that is as accurate; infinite if there is none."""
     said: str = ""
+    """The reason why there is no setting."""
 
     @property
     def honoured(self) -> bool:

@@ -27,21 +27,16 @@ FALLS = 0.5
 
 @dataclass(frozen=True, slots=True)
 class Yardstick:
-    """The references for the runs of a level.
-
-    Attributes
-    ----------
-    own, reference
-        A run at the level's own rate, and one with a small step; both are the same if only rounding
-        remains at the former.
-    by_formula, by_reference
-        The level's checks that are compared with their formulas, and those compared with that run.
-    """
+    """The references for the runs of a level."""
 
     own: Trace
     reference: Trace
+    """A run at the level's own rate, and one with a small step; both are the same if only rounding
+    remains at the former."""
     by_formula: tuple[int, ...]
     by_reference: tuple[int, ...]
+    """The level's checks that are compared with their formulas, and those compared with that run.
+    """
 
     @property
     def kind(self) -> str:

@@ -26,25 +26,17 @@ LEAST = 1e-16
 
 @dataclass(frozen=True, slots=True)
 class Headline:
-    """The sandbox at the level's own rate, compared with stock pymunk.
-
-    Attributes
-    ----------
-    error, seconds_per_second
-        Those of the sandbox.
-    naive_error
-        The least error that pymunk reaches in the same time.
-    closer
-        The ratio of pymunk's error to ours in the same time.
-    cheaper
-        The ratio of pymunk's time to ours for the same error; extrapolated if no run reaches it.
-    """
+    """The sandbox at the level's own rate, compared with stock pymunk."""
 
     error: float
     seconds_per_second: float
+    """Those of the sandbox."""
     naive_error: float
+    """The least error that pymunk reaches in the same time."""
     closer: float
+    """The ratio of pymunk's error to ours in the same time."""
     cheaper: float
+    """The ratio of pymunk's time to ours for the same error; extrapolated if no run reaches it."""
 
 
 def order(points: Iterable[Point], scheme: Scheme) -> float | None:

@@ -31,24 +31,16 @@ OURS: Scheme = "leapfrog"
 
 @dataclass(frozen=True, slots=True)
 class Budget:
-    """The limits of a sweep.
-
-    Attributes
-    ----------
-    run
-        The time that one run may take, about [s].
-    rates
-        The rates that are tried in addition to the level's own [Hz].
-    targets
-        The accuracies to request.
-    calibration
-        The time that the calibration of one may take [s].
-    """
+    """The limits of a sweep."""
 
     run: float = 1.0
+    """The time that one run may take, about [s]."""
     rates: Sequence[float] = RATES
+    """The rates that are tried in addition to the level's own [Hz]."""
     targets: Sequence[float] = (1e-3, 1e-5, 1e-7)
+    """The accuracies to request."""
     calibration: float = BUDGET
+    """The time that the calibration of one may take [s]."""
 
 
 QUICK = Budget(run=0.08, rates=RATES[1::3], targets=(1e-4,), calibration=0.1)
@@ -56,32 +48,22 @@ QUICK = Budget(run=0.08, rates=RATES[1::3], targets=(1e-4,), calibration=0.1)
 
 @dataclass(frozen=True, slots=True)
 class Point:
-    """A setting, with its error and cost.
-
-    Attributes
-    ----------
-    scheme, rate, iterations
-        The setting; `symplectic-euler` is stock pymunk.
-    error
-        The largest error of the run; infinite if an event never occurred, NaN if the run failed.
-    seconds_per_second
-        The computing time per second of the scene [s].
-    steps
-        The number of steps.
-    callbacks
-        The number of Python calls in these steps.
-    failure
-        Why the run stopped, if it did.
-    """
+    """A setting, with its error and cost."""
 
     scheme: Scheme
     rate: float
     iterations: int
+    """The setting; `symplectic-euler` is stock pymunk."""
     error: float
+    """The largest error of the run; infinite if an event never occurred, NaN if the run failed."""
     seconds_per_second: float
+    """The computing time per second of the scene [s]."""
     steps: int
+    """The number of steps."""
     callbacks: int
+    """The number of Python calls in these steps."""
     failure: str | None = None
+    """Why the run stopped, if it did."""
 
     @property
     def stepping(self) -> Stepping:

@@ -70,59 +70,40 @@ step."""
 
 @dataclass(frozen=True, slots=True)
 class LevelCost:
-    """The cost of a step of a level, compared with the bare engine.
-
-    Attributes
-    ----------
-    level, effects, joints
-        The name of the level, and what it declares.
-    ways
-        The reasons why pymunk's own effects call Python, in a few words each.
-    hooks
-        The number of Python callbacks per step.
-    step_seconds
-        The time of `World.step` [s].
-    bare_step_seconds
-        The time of `Space.step` in the same scene without the hook [s]: the work of pymunk itself,
-        including its own springs and joints. The hook stays for pairs with a coefficient of their
-        own.
-    ratio
-        The ratio of the first time to the second.
-    """
+    """The cost of a step of a level, compared with the bare engine."""
 
     level: str
     effects: tuple[str, ...]
     joints: tuple[str, ...]
+    """The name of the level, and what it declares."""
     ways: tuple[str, ...]
+    """The reasons why pymunk's own effects call Python, in a few words each."""
     hooks: int
+    """The number of Python callbacks per step."""
     step_seconds: float
+    """The time of `World.step` [s]."""
     bare_step_seconds: float
+    """The time of `Space.step` in the same scene without the hook [s]: the work of pymunk itself,
+    including its own springs and joints. The hook stays for pairs with a coefficient of their own.
+    """
     ratio: float
+    """The ratio of the first time to the second."""
 
 
 @dataclass(frozen=True, slots=True)
 class EffectCost:
-    """The time that an effect adds to a step, for several numbers of bodies.
-
-    Attributes
-    ----------
-    effect
-        The name of the effect, or of several that act together.
-    bodies
-        (k,), the numbers of moving bodies.
-    step_seconds
-        (k,), the time of a step with it [s].
-    seconds_per_step
-        (k,), the time that it adds to a step [s]; negative within the noise if it adds none.
-    exponent
-        p of the fit time ~ n^p to the whole step from 100 bodies on; None if there are too few.
-    """
+    """The time that an effect adds to a step, for several numbers of bodies."""
 
     effect: str
+    """The name of the effect, or of several that act together."""
     bodies: tuple[int, ...]
+    """(k,), the numbers of moving bodies."""
     step_seconds: tuple[float, ...]
+    """(k,), the time of a step with it [s]."""
     seconds_per_step: tuple[float, ...]
+    """(k,), the time that it adds to a step [s]; negative within the noise if it adds none."""
     exponent: float | None
+    """p of the fit time ~ n^p to the whole step from 100 bodies on; None if there are too few."""
 
 
 def level_costs(names: Sequence[str] | None = None, repeats: int = 5) -> Iterator[LevelCost]:

@@ -21,26 +21,18 @@ FALLS = 90
 
 @dataclass(frozen=True, slots=True)
 class Growth:
-    """The cost of a step per body, for several numbers of bodies.
-
-    Attributes
-    ----------
-    scene
-        The kind of crowd.
-    bodies
-        (k,), the numbers of moving bodies.
-    seconds_per_body, bare_seconds_per_body
-        (k,), the time of a step per body [s]; bare is stock pymunk.
-    contacts_per_body, bare_contacts_per_body
-        (k,), the number of contacts per body: a small heap has relatively more surface.
-    """
+    """The cost of a step per body, for several numbers of bodies."""
 
     scene: str
+    """The kind of crowd."""
     bodies: tuple[int, ...]
+    """(k,), the numbers of moving bodies."""
     seconds_per_body: tuple[float, ...]
     bare_seconds_per_body: tuple[float, ...]
+    """(k,), the time of a step per body [s]; bare is stock pymunk."""
     contacts_per_body: tuple[float, ...]
     bare_contacts_per_body: tuple[float, ...]
+    """(k,), the number of contacts per body: a small heap has relatively more surface."""
 
 
 def growths(counts: Mapping[str, Sequence[int]] = COUNTS) -> Iterator[Growth]:

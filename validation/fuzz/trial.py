@@ -41,21 +41,14 @@ SLOW, ENDED, UNTOLD = "slow", "ended", "not told"
 
 @dataclass(frozen=True, slots=True)
 class Outcome:
-    """The outcome of a level.
-
-    Attributes
-    ----------
-    kind
-        One of `ANSWERS`, or the kind of failure.
-    what
-        Details, in words.
-    mistakes
-        The paths in a refused level, and what is wrong there.
-    """
+    """The outcome of a level."""
 
     kind: str
+    """One of `ANSWERS`, or the kind of failure."""
     what: str = ""
+    """Details, in words."""
     mistakes: tuple[tuple[str, str], ...] = ()
+    """The paths in a refused level, and what is wrong there."""
 
     @property
     def passed(self) -> bool:

@@ -27,27 +27,18 @@ REAL_TIME = 0.5
 
 @dataclass(frozen=True, slots=True)
 class Pace:
-    """The load of a level at its own rate.
-
-    Attributes
-    ----------
-    level
-        The name of the level.
-    rate
-        The rate of its steps [Hz].
-    step_seconds
-        The processor time of a step, averaged over its run [s].
-    load
-        The present processor time per second of the scene [s], including sixty observations.
-    reference_load
-        The same on the reference core; see `yardstick` [s].
-    """
+    """The load of a level at its own rate."""
 
     level: str
+    """The name of the level."""
     rate: float
+    """The rate of its steps [Hz]."""
     step_seconds: float
+    """The processor time of a step, averaged over its run [s]."""
     load: float
+    """The present processor time per second of the scene [s], including sixty observations."""
     reference_load: float
+    """The same on the reference core; see `yardstick` [s]."""
 
     @property
     def in_time(self) -> bool:

@@ -38,17 +38,7 @@ LARGE = 1e4
 
 @dataclass(slots=True)
 class Report:
-    """The content of a page; a part that is None was not measured.
-
-    Attributes
-    ----------
-    failures
-        The reasons why parts are missing, by command.
-    environments
-        The environments in which parts were measured, by command.
-    figures
-        All figures, by file name.
-    """
+    """The content of a page; a part that is None was not measured."""
 
     quick: bool
     cases: Cases | None = None
@@ -59,8 +49,11 @@ class Report:
     effects: list[EffectCost] = field(default_factory=list)
     growths: list[Growth] = field(default_factory=list)
     failures: dict[str, str] = field(default_factory=dict)
+    """The reasons why parts are missing, by command."""
     environments: dict[str, Mapping[str, str]] = field(default_factory=dict)
+    """The environments in which parts were measured, by command."""
     figures: dict[str, Figure] = field(default_factory=dict)
+    """All figures, by file name."""
 
     @property
     def passed(self) -> bool:

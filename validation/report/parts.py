@@ -60,18 +60,12 @@ Content = Mapping[str, Any]
 
 @dataclass(frozen=True, slots=True)
 class Part:
-    """The measurement of a command.
-
-    Attributes
-    ----------
-    command
-        The name of the part, and of its file.
-    measure
-        A function that measures, quickly or not, and returns the command's content.
-    """
+    """The measurement of a command."""
 
     command: str
+    """The name of the part, and of its file."""
     measure: Callable[[bool], Content]
+    """A function that measures, quickly or not, and returns the command's content."""
 
 
 def _cases(quick: bool) -> Content:

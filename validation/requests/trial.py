@@ -45,31 +45,22 @@ SWEPT = tuple(15.0 * 2**i for i in range(13))
 
 @dataclass(frozen=True, slots=True)
 class Trial:
-    """A request, and its outcome.
-
-    Attributes
-    ----------
-    seed, level, values, target
-        The request and its seed.
-    answer
-        The setting in words, or the reason why there is none.
-    refused
-        Whether the accuracy was refused as out of reach.
-    estimated, delivered
-        The reported error and the measured one; NaN if there is none.
-    cheaper
-        A setting of the sweep as accurate, at less than a third of the work; empty if none.
-    """
+    """A request, and its outcome."""
 
     seed: int
     level: str
     values: Values
     target: float
+    """The request and its seed."""
     answer: str
+    """The setting in words, or the reason why there is none."""
     refused: bool = False
+    """Whether the accuracy was refused as out of reach."""
     estimated: float = nan
     delivered: float = nan
+    """The reported error and the measured one; NaN if there is none."""
     cheaper: str = ""
+    """A setting of the sweep as accurate, at less than a third of the work; empty if none."""
 
     @property
     def looked_at(self) -> bool:

@@ -36,24 +36,16 @@ QUICK_TIME = 20.0
 
 @dataclass(frozen=True, slots=True)
 class Reach:
-    """The position of a frontier.
-
-    Attributes
-    ----------
-    difficulty
-        The greatest difficulty that holds; 0 if not even the least does.
-    figure
-        The figure of the run there.
-    cost
-        The computing time per second of the scene there [s].
-    rate
-        The rate of the steps there [Hz].
-    """
+    """The position of a frontier."""
 
     difficulty: float
+    """The greatest difficulty that holds; 0 if not even the least does."""
     figure: float
+    """The figure of the run there."""
     cost: float
+    """The computing time per second of the scene there [s]."""
     rate: float
+    """The rate of the steps there [Hz]."""
 
 
 def reach(frontier: Frontier, *, alone: bool = False) -> Reach:

@@ -30,33 +30,7 @@ LONG = 500_000
 
 @dataclass(frozen=True, slots=True)
 class Outcome:
-    """The outcome of a case or a frontier.
-
-    Attributes
-    ----------
-    name, family, group, criterion, bound, beyond
-        As in the case; a frontier has no group.
-    passed
-        Whether the figure is within its bound; for a frontier, whether it has not receded.
-    figure
-        The figure of the run; for a frontier, of the hardest run that held.
-    cost
-        The processor time per second of the scene [s].
-    order
-        The power of the step with which the figure falls, if the case claims one.
-    axis, unit
-        The quantity that makes a frontier harder.
-    frontier, naive_frontier
-        The greatest difficulty that holds, here and for pymunk alone at the same cost.
-    previous
-        The frontier in its last entry.
-    rate, naive_rate
-        The rates of the steps at the two frontiers [Hz].
-    seconds
-        The total time [s].
-    failure
-        Why a run stopped, if it did.
-    """
+    """The outcome of a case or a frontier."""
 
     name: str
     family: str
@@ -64,19 +38,30 @@ class Outcome:
     criterion: str
     bound: float
     beyond: str | None
+    """As in the case; a frontier has no group."""
     passed: bool
+    """Whether the figure is within its bound; for a frontier, whether it has not receded."""
     figure: float
+    """The figure of the run; for a frontier, of the hardest run that held."""
     cost: float = nan
+    """The processor time per second of the scene [s]."""
     order: float | None = None
+    """The power of the step with which the figure falls, if the case claims one."""
     axis: str | None = None
     unit: str | None = None
+    """The quantity that makes a frontier harder."""
     frontier: float | None = None
     naive_frontier: float | None = None
+    """The greatest difficulty that holds, here and for pymunk alone at the same cost."""
     previous: float | None = None
+    """The frontier in its last entry."""
     rate: float | None = None
     naive_rate: float | None = None
+    """The rates of the steps at the two frontiers [Hz]."""
     seconds: float = 0.0
+    """The total time [s]."""
     failure: str = ""
+    """Why a run stopped, if it did."""
 
 
 def outcomes(*, quick: bool) -> Iterator[Outcome]:

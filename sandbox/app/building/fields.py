@@ -29,38 +29,27 @@ Sort = Literal["number", "text", "choice", "switch", "json"]
 
 @dataclass(frozen=True, slots=True)
 class Entry:
-    """A field that can be set.
-
-    Attributes
-    ----------
-    path
-        Its path in the level.
-    label, help, unit
-        Its name and its description, in the current language, and its unit.
-    sort
-        The kind of widget; `json` is for values without a widget of their own, typed as in a file.
-    shown
-        The text of its value; empty if the level leaves it out.
-    default
-        The text of its default value.
-    choices
-        The options of a choice.
-    required
-        Whether the level must have it.
-    names
-        The kind of name to be completed, such as `quantity` or `body`; empty if none.
-    """
+    """A field that can be set."""
 
     path: Path
+    """Its path in the level."""
     label: str
     help: str
     unit: str
+    """Its name and its description, in the current language, and its unit."""
     sort: Sort
+    """The kind of widget; `json` is for values without a widget of their own, typed as in a file.
+    """
     shown: str
+    """The text of its value; empty if the level leaves it out."""
     default: str = ""
+    """The text of its default value."""
     choices: tuple[str, ...] = ()
+    """The options of a choice."""
     required: bool = False
+    """Whether the level must have it."""
     names: str = ""
+    """The kind of name to be completed, such as `quantity` or `body`; empty if none."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -22,27 +22,18 @@ class Snapped(NamedTuple):
 
 @dataclass(frozen=True)
 class Spot:
-    """The position of the mouse.
-
-    Attributes
-    ----------
-    pixel
-        Its position on the stage [px].
-    free
-        Its position in the plane, before snapping [m].
-    shift
-        Whether Shift is held.
-    loose
-        Whether Alt is held, which turns off snapping.
-    catch
-        The function that snaps a point.
-    """
+    """The position of the mouse."""
 
     pixel: XY
+    """Its position on the stage [px]."""
     free: XY
+    """Its position in the plane, before snapping [m]."""
     shift: bool
+    """Whether Shift is held."""
     loose: bool
+    """Whether Alt is held, which turns off snapping."""
     catch: Callable[[XY], Snapped]
+    """The function that snaps a point."""
 
     @cached_property
     def snapped(self) -> Snapped:

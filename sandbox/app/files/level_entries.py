@@ -18,26 +18,18 @@ class Texts(NamedTuple):
 
 
 class Entry(NamedTuple):
-    """A level in the list.
-
-    Attributes
-    ----------
-    path, chapter
-        The file, and the chapter under which it is listed.
-    original
-        The texts of the file, in the language of its author.
-    title, summary
-        The texts in the current language.
-    words
-        The text that a search looks through, in lower case: as shown, and as in the file.
-    """
+    """A level in the list."""
 
     path: Path
     chapter: str
+    """The file, and the chapter under which it is listed."""
     original: Texts
+    """The texts of the file, in the language of its author."""
     title: str
     summary: str
+    """The texts in the current language."""
     words: str
+    """The text that a search looks through, in lower case: as shown, and as in the file."""
 
     def said_anew(self) -> "Entry":
         """Return the entry in the current language."""

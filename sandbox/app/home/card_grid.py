@@ -30,24 +30,16 @@ class Heading:
 
 @dataclass(frozen=True, slots=True)
 class Grid:
-    """Cards on a sheet that may be higher than its visible part.
-
-    Attributes
-    ----------
-    cards
-        The levels in order, with the rectangles of their cards on the sheet [px].
-    headings
-        The headings above groups of cards.
-    picture
-        The size of a card's picture [px].
-    height
-        The height of the sheet [px].
-    """
+    """Cards on a sheet that may be higher than its visible part."""
 
     cards: tuple[tuple[Entry, Rect], ...]
+    """The levels in order, with the rectangles of their cards on the sheet [px]."""
     headings: tuple[Heading, ...]
+    """The headings above groups of cards."""
     picture: tuple[int, int]
+    """The size of a card's picture [px]."""
     height: int
+    """The height of the sheet [px]."""
 
     def at(self, point: tuple[float, float]) -> int | None:
         """Return the index of the card at a point of the sheet [px]; None if there is none."""

@@ -22,26 +22,19 @@ AWAY, PADDING = 16, 8  # px, from the instant to the text, and around the text
 
 
 class Found(NamedTuple):
-    """An instant of a run.
-
-    Attributes
-    ----------
-    body
-        The body of the trail.
-    t, place, speed
-        The time, position and speed of the body [s, m, m/s].
-    distance
-        The distance to the mouse [px].
-    scales
-        The width of the view [m] and the highest speed [m/s], relative to which values are rounded.
-    """
+    """An instant of a run."""
 
     body: str
+    """The body of the trail."""
     t: float
     place: XY
     speed: float
+    """The time, position and speed of the body [s, m, m/s]."""
     distance: float
+    """The distance to the mouse [px]."""
     scales: tuple[float, float]
+    """The width of the view [m] and the highest speed [m/s], relative to which values are rounded.
+    """
 
     @property
     def text(self) -> str:

@@ -15,19 +15,13 @@ dragged, a run branches at every step."""
 
 
 class Observed(NamedTuple):
-    """The observations of a run.
-
-    Attributes
-    ----------
-    trail, history
-        The paths of the bodies, and all states that are kept.
-    world
-        The world of the run.
-    """
+    """The observations of a run."""
 
     trail: Trail
     history: History
+    """The paths of the bodies, and all states that are kept."""
     world: World
+    """The world of the run."""
 
     def steps(self) -> int:
         """Return the number of steps of the run."""
@@ -35,23 +29,16 @@ class Observed(NamedTuple):
 
 
 class Earlier(NamedTuple):
-    """An earlier run with other parameters or actions.
-
-    Attributes
-    ----------
-    changed
-        The parameters that were changed after it; empty if the user acted on the run instead.
-    left
-        The time at which a branch left it [s]; None if the next run started anew.
-    trail, history, world
-        The observations; see `Observed`.
-    """
+    """An earlier run with other parameters or actions."""
 
     changed: frozenset[str]
+    """The parameters that were changed after it; empty if the user acted on the run instead."""
     left: float | None
+    """The time at which a branch left it [s]; None if the next run started anew."""
     trail: Trail
     history: History
     world: World
+    """The observations; see `Observed`."""
 
     def label(self, now: Values) -> str:
         """Return a label with the parameters that differ from another run's."""

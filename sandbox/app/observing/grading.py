@@ -24,21 +24,15 @@ LEAST = 0.1  # s, the least time between two evaluations
 
 @dataclass(frozen=True, slots=True)
 class Reading:
-    """A check's result so far, with its values.
-
-    Attributes
-    ----------
-    result
-        The result so far.
-    measured, expected
-        The values at the check's event, or, before it and for a check at every step, at the last
-        recorded step. The value expected at an event to come may be unknown. None if there is no
-        value yet.
-    """
+    """A check's result so far, with its values."""
 
     result: Result
+    """The result so far."""
     measured: float | None
     expected: float | None
+    """The values at the check's event, or, before it and for a check at every step, at the last
+    recorded step. The value expected at an event to come may be unknown. None if there is no value
+    yet."""
 
 
 class Ration(Generic[T]):

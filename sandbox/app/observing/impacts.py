@@ -24,33 +24,22 @@ MOST = 256
 
 
 class Blow(NamedTuple):
-    """An impact.
-
-    Attributes
-    ----------
-    steps
-        The number of steps of the run, including that of the impact.
-    t
-        The time of the impact [s].
-    at
-        The contact point [m].
-    share
-        The strength, from `FAINTEST` to 1.
-    body
-        The index of the lighter of the dynamic bodies.
-    names
-        The names of the two bodies.
-    impulse
-        The normal impulse [N s].
-    """
+    """An impact."""
 
     steps: int
+    """The number of steps of the run, including that of the impact."""
     t: float
+    """The time of the impact [s]."""
     at: XY
+    """The contact point [m]."""
     share: float
+    """The strength, from `FAINTEST` to 1."""
     body: int
+    """The index of the lighter of the dynamic bodies."""
     names: tuple[str, str]
+    """The names of the two bodies."""
     impulse: float
+    """The normal impulse [N s]."""
 
 
 class Flash(NamedTuple):

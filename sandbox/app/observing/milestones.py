@@ -26,24 +26,16 @@ MOST = 3
 
 @dataclass(slots=True)
 class Milestone:
-    """An event that has happened to a body.
-
-    Attributes
-    ----------
-    body
-        The body.
-    place
-        The position of its centre [m].
-    measured
-        The checks at the event, each with its measured value as text.
-    passed
-        Whether all checks at the event passed.
-    """
+    """An event that has happened to a body."""
 
     body: str
+    """The body."""
     place: XY
+    """The position of its centre [m]."""
     measured: list[tuple[Check, str]]
+    """The checks at the event, each with its measured value as text."""
     passed: bool
+    """Whether all checks at the event passed."""
 
     def texts(self, words: Say) -> list[str]:
         """Return a line for each measured value; `words` translates the level's texts."""

@@ -14,22 +14,15 @@ from sandbox.physics.stepping.world import World
 
 
 class Beginning(NamedTuple):
-    """The start of a run.
-
-    Attributes
-    ----------
-    world
-        The world at the start.
-    companions
-        The companion runs.
-    setting
-        The setting that reaches the accuracy that the level asks for; None if it asks for none, or
-        if the setting is not known yet.
-    """
+    """The start of a run."""
 
     world: World
+    """The world at the start."""
     companions: tuple[Companion, ...]
+    """The companion runs."""
     setting: Setting | None
+    """The setting that reaches the accuracy that the level asks for; None if it asks for none, or
+    if the setting is not known yet."""
 
 
 def begin(level: Level, values: Values, beside: Sequence[Variant], *, patient: bool) -> Beginning:

@@ -11,18 +11,12 @@ MOST = 3
 
 
 class Record(NamedTuple):
-    """A run that was left.
-
-    Attributes
-    ----------
-    run
-        The observations of the run.
-    actions
-        The user's actions on it.
-    """
+    """A run that was left."""
 
     run: Observed
+    """The observations of the run."""
     actions: Sequence[Action]
+    """The user's actions on it."""
 
     def covers(self, step: int, actions: Sequence[Action]) -> bool:
         """Whether the record has the state after some step of a run with these actions."""

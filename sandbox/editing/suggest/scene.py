@@ -44,44 +44,30 @@ Setup = Literal[
 
 @dataclass(frozen=True)
 class Suggestion:
-    """A known set-up, and the checks that compare it with its closed form.
-
-    Attributes
-    ----------
-    setup
-        The name of the set-up.
-    about
-        Its bodies.
-    checks
-        The checks, as in a level's file.
-    rate
-        The least rate that the checks need [Hz].
-    located
-        The bodies whose impacts must be located within a step.
-    """
+    """A known set-up, and the checks that compare it with its closed form."""
 
     setup: Setup
+    """The name of the set-up."""
     about: tuple[str, ...]
+    """Its bodies."""
     checks: tuple[Check, ...]
+    """The checks, as in a level's file."""
     rate: float = 60.0
+    """The least rate that the checks need [Hz]."""
     located: tuple[str, ...] = ()
+    """The bodies whose impacts must be located within a step."""
 
 
 @dataclass(frozen=True)
 class Scene:
-    """A level, with the values of its parameters.
-
-    Attributes
-    ----------
-    level, values
-        The level, and the values of its parameters.
-    thorough
-        Whether closed forms must hold for all values of the parameters, which takes longer to test.
-    """
+    """A level, with the values of its parameters."""
 
     level: Level
     values: Values
+    """The level, and the values of its parameters."""
     thorough: bool = False
+    """Whether closed forms must hold for all values of the parameters, which takes longer to test.
+    """
 
     @cached_property
     def everywhere(self) -> Sequence["Scene"]:

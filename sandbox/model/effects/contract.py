@@ -41,59 +41,40 @@ class IncompleteError(TypeError):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Effect:
-    """The declaration of an effect.
-
-    Attributes
-    ----------
-    name
-        Its name in the manifest, and that of its modules.
-    acts
-        How it acts: as a `law`, a force in a module of `sandbox/physics/forces/`; by a force that
-        `pymunk` applies itself; or on the `scene`, through its surfaces and moments of inertia.
-    sees
-        The variables that the force depends on.
-    smooth
-        Whether the force is a smooth function of these. A jump reduces any scheme to first order.
-    book
-        The destination of the energy that it takes; `none` if it does no work. A law that depends
-        on the velocity but does no work turns velocities (see `sandbox.physics.forces.law`).
-    drives
-        A function of its settings that returns whether it is booked as `work` instead; optional.
-    account
-        The account of its energy; its name if left out.
-    inside
-        Whether it acts only between bodies, so that it does not change their total momentum.
-    strength
-        The fields that give it strength: if all of them are zero, a remark says so.
-    needs
-        Fields of which at least one must be positive, or the level is refused.
-    coefficient
-        The type of its coefficients of bodies and pairs, which are fields of its name.
-    trial
-        The settings with which to try it in any level; None if it needs settings of its own.
-    changes_mass
-        Whether it changes the masses of the bodies that it names.
-    twists
-        Whether it can turn bodies, so that `rotation` has an effect with it.
-    pull
-        The name of its force in a free-body diagram; its own name if left out.
-    """
+    """The declaration of an effect."""
 
     name: str
+    """Its name in the manifest, and that of its modules."""
     acts: Literal["law", "pymunk", "scene"] = "law"
+    """How it acts: as a `law`, a force in a module of `sandbox/physics/forces/`; by a force that
+    `pymunk` applies itself; or on the `scene`, through its surfaces and moments of inertia."""
     sees: tuple[Sight, ...] = ()
+    """The variables that the force depends on."""
     smooth: bool = True
+    """Whether the force is a smooth function of these. A jump reduces any scheme to first order."""
     book: Book = "none"
+    """The destination of the energy that it takes; `none` if it does no work. A law that depends on
+    the velocity but does no work turns velocities (see `sandbox.physics.forces.law`)."""
     drives: Callable[[Any], bool] | None = None
+    """A function of its settings that returns whether it is booked as `work` instead; optional."""
     account: str = ""
+    """The account of its energy; its name if left out."""
     inside: bool = False
+    """Whether it acts only between bodies, so that it does not change their total momentum."""
     strength: tuple[str, ...] = ()
+    """The fields that give it strength: if all of them are zero, a remark says so."""
     needs: tuple[str, ...] = ()
+    """Fields of which at least one must be positive, or the level is refused."""
     coefficient: type[Expression] | None = None
+    """The type of its coefficients of bodies and pairs, which are fields of its name."""
     trial: Settings | None = None
+    """The settings with which to try it in any level; None if it needs settings of its own."""
     changes_mass: bool = False
+    """Whether it changes the masses of the bodies that it names."""
     twists: bool = False
+    """Whether it can turn bodies, so that `rotation` has an effect with it."""
     pull: str = ""
+    """The name of its force in a free-body diagram; its own name if left out."""
 
     @property
     def is_force(self) -> bool:

@@ -27,36 +27,24 @@ def _of_a_line() -> Mapping[str, str]:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Kind:
-    """The declaration of a kind of joint.
-
-    Attributes
-    ----------
-    force
-        Its declaration as a force; None if it is exact.
-    goes_slack
-        Whether it only pulls, so that it can go slack, and become taut with a jerk.
-    drives
-        Whether it imposes a motion on its ends under any load, and does work.
-    turns
-        Whether it exerts a torque on a body that it holds by the centre.
-    swings
-        Whether it swings sideways while it is taut, as light lines do.
-    points_meet
-        Whether its ends must meet at the start, instead of having a certain distance.
-    quantities
-        Its quantities, with their units.
-    pull
-        The name of its force in a free-body diagram.
-    """
+    """The declaration of a kind of joint."""
 
     force: Effect | None = None
+    """Its declaration as a force; None if it is exact."""
     goes_slack: bool = False
+    """Whether it only pulls, so that it can go slack, and become taut with a jerk."""
     drives: bool = False
+    """Whether it imposes a motion on its ends under any load, and does work."""
     turns: bool = False
+    """Whether it exerts a torque on a body that it holds by the centre."""
     swings: bool = False
+    """Whether it swings sideways while it is taut, as light lines do."""
     points_meet: bool = False
+    """Whether its ends must meet at the start, instead of having a certain distance."""
     quantities: Mapping[str, str] = field(default_factory=_of_a_line)
+    """Its quantities, with their units."""
     pull: str = "reaction"
+    """The name of its force in a free-body diagram."""
 
 
 def kinds(joints: Iterable[type[Model]]) -> Mapping[str, Kind]:

@@ -16,22 +16,15 @@ _KEYS = tuple(f'"{key}"' for key in (REPEAT, COPY, GROUPS))
 
 
 class WrittenOut(NamedTuple):
-    """A level with its shorthand expanded.
-
-    Attributes
-    ----------
-    data
-        The JSON content of the expanded level.
-    placed, typed
-        The origins of parts: in groups that were placed, and in members that were repeated.
-    faults
-        The mistakes in the shorthand, with their paths in the text.
-    """
+    """A level with its shorthand expanded."""
 
     data: Any
+    """The JSON content of the expanded level."""
     placed: Moves
     typed: Moves
+    """The origins of parts: in groups that were placed, and in members that were repeated."""
     faults: list[Fault]
+    """The mistakes in the shorthand, with their paths in the text."""
 
     def place(self, path: Path) -> Path:
         """Return the path in the text of a part at a path in the data."""

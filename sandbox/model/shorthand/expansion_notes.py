@@ -31,24 +31,16 @@ class TooLongError(Exception):
 
 @dataclass(slots=True)
 class Notes:
-    """Notes on an expansion.
-
-    Attributes
-    ----------
-    typed
-        The paths at which parts of repeated members were typed, if they differ from their own.
-    placed
-        The paths in their groups of parts that were placed.
-    faults
-        The mistakes, with their paths in the text.
-    left
-        The number of characters that may still be added.
-    """
+    """Notes on an expansion."""
 
     typed: Moves = field(default_factory=dict)
+    """The paths at which parts of repeated members were typed, if they differ from their own."""
     placed: Moves = field(default_factory=dict)
+    """The paths in their groups of parts that were placed."""
     faults: list[Fault] = field(default_factory=list)
+    """The mistakes, with their paths in the text."""
     left: int = MOST
+    """The number of characters that may still be added."""
 
     def refuse(self, path: Path, rule: Message) -> None:
         """Note a mistake."""

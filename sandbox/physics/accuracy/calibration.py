@@ -22,34 +22,23 @@ _ENERGY = Watched("system.energy")
 
 @dataclass(frozen=True, slots=True)
 class Setting:
-    """The cheapest setting that reaches an accuracy.
-
-    Attributes
-    ----------
-    target
-        The requested accuracy.
-    chosen
-        The setting, its estimated error and its cost.
-    judged_by
-        The quantities by which the error is judged, in words.
-    verified
-        Whether runs with smaller steps confirmed the error; else it is extrapolated by the order.
-    in_real_time
-        The most accurate setting that runs in real time, if the chosen one does not.
-    decided_by
-        The quantity with the largest error; empty if no quantity has any.
-    onset
-        The error of a velocity at the one step in which a force sets in or ends, if it exceeds the
-        target; else 0.
-    """
+    """The cheapest setting that reaches an accuracy."""
 
     target: float
+    """The requested accuracy."""
     chosen: Offer
+    """The setting, its estimated error and its cost."""
     judged_by: str
+    """The quantities by which the error is judged, in words."""
     verified: bool
+    """Whether runs with smaller steps confirmed the error; else it is extrapolated by the order."""
     in_real_time: Offer | None = None
+    """The most accurate setting that runs in real time, if the chosen one does not."""
     decided_by: str = ""
+    """The quantity with the largest error; empty if no quantity has any."""
     onset: float = 0.0
+    """The error of a velocity at the one step in which a force sets in or ends, if it exceeds the
+    target; else 0."""
 
     @property
     def playable(self) -> Offer:

@@ -24,21 +24,14 @@ NOT_SEEN = 1e-3
 
 @dataclass(frozen=True, slots=True)
 class Offer:
-    """A setting that is available, with its estimated error and its cost.
-
-    Attributes
-    ----------
-    stepping
-        The setting.
-    error
-        The largest error of the run, as for a check: relative, absolute if zero is expected.
-    cost
-        The computing time per second of the scene [s].
-    """
+    """A setting that is available, with its estimated error and its cost."""
 
     stepping: Stepping
+    """The setting."""
     error: float
+    """The largest error of the run, as for a check: relative, absolute if zero is expected."""
     cost: float
+    """The computing time per second of the scene [s]."""
 
     def __str__(self) -> str:
         return str(self.told)
@@ -79,18 +72,12 @@ class Candidate(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Offers:
-    """The settings that the refined schemes offer.
-
-    Attributes
-    ----------
-    refinements
-        Refined runs; the first refinement is the reference for the others.
-    work
-        The counted work of a step of each [s], by which the cheapest is chosen.
-    """
+    """The settings that the refined schemes offer."""
 
     refinements: Sequence[Refinement]
+    """Refined runs; the first refinement is the reference for the others."""
     work: Sequence[float]
+    """The counted work of a step of each [s], by which the cheapest is chosen."""
 
     @property
     def fine(self) -> Stepping:

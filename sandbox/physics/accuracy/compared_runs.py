@@ -54,20 +54,15 @@ class Watched:
     """A quantity whose error is estimated, at every step or at an instant.
 
     Its error is relative to its largest value, or to a scale if that is larger.
-
-    Attributes
-    ----------
-    quantity, at, scale
-        The quantity, its instant (None for every step), and the least scale of its error.
-    motion
-        Whether it is watched as part of its body's motion. Such a velocity is not compared where it
-        jumps, as in an impact: the positions show how late it jumps.
     """
 
     quantity: str
     at: Instant | None = None
     scale: float = 0.0
+    """The quantity, its instant (None for every step), and the least scale of its error."""
     motion: bool = False
+    """Whether it is watched as part of its body's motion. Such a velocity is not compared where it
+    jumps, as in an impact: the positions show how late it jumps."""
 
     @property
     def rates(self) -> tuple[str, str] | None:

@@ -52,25 +52,17 @@ def foot(rate: float) -> float:
 
 @dataclass(frozen=True, slots=True)
 class Refinement:
-    """Runs of one scheme, each at twice the rate of the one before.
-
-    Attributes
-    ----------
-    traces
-        The runs.
-    errors
-        (r,), the largest relative error of each run.
-    growth
-        For each quantity the error of the last run, and the power of the step with which it
-        continues: negative for rounding, which grows with the rate.
-    seen
-        The number of runs, from the first, whose errors are confirmed by finer runs.
-    """
+    """Runs of one scheme, each at twice the rate of the one before."""
 
     traces: tuple[Trace, ...]
+    """The runs."""
     errors: tuple[float, ...]
+    """(r,), the largest relative error of each run."""
     growth: tuple[tuple[float, float], ...]
+    """For each quantity the error of the last run, and the power of the step with which it
+    continues: negative for rounding, which grows with the rate."""
     seen: int = 0
+    """The number of runs, from the first, whose errors are confirmed by finer runs."""
 
     def cheapest(self, error: float) -> tuple[Trace, float] | None:
         """Return the first run with a confirmed error that is small enough, and that error."""

@@ -23,24 +23,16 @@ ROUNDING = 1e-15
 
 @dataclass(frozen=True, slots=True)
 class Errors:
-    """The errors of runs in a quantity, each run with half the step of the one before [its unit].
-
-    Attributes
-    ----------
-    of
-        The errors of the runs.
-    order
-        The power of the step with which they fall; None if there is none.
-    unit
-        The scale of relative errors; 1 where the value itself is zero.
-    rise
-        The power of the rate with which they grow, if they are due to rounding; else 0.
-    """
+    """The errors of runs in a quantity, each with half the step of the one before [its unit]."""
 
     of: tuple[float, ...]
+    """The errors of the runs."""
     order: float | None
+    """The power of the step with which they fall; None if there is none."""
     unit: float
+    """The scale of relative errors; 1 where the value itself is zero."""
     rise: float
+    """The power of the rate with which they grow, if they are due to rounding; else 0."""
 
     @property
     def relative(self) -> tuple[float, ...]:

@@ -90,31 +90,21 @@ class Here(Point):
 
 @dataclass(frozen=True, slots=True)
 class Split:
-    """The parts of a check's error, relative as a check's error is.
-
-    Attributes
-    ----------
-    check
-        The index of the check in the level.
-    off
-        The numerical error of the measured value [its unit].
-    total
-        The check's error; None where its formula does not apply, or its instant never occurs.
-    model
-        The error that remains as the step goes to zero: the approximation in the formula. 0 if
-        there is none, None where the formula does not apply.
-    numerical
-        The error due to the step, from halving it.
-    remaining
-        The rest, such as rounding.
-    """
+    """The parts of a check's error, relative as a check's error is."""
 
     check: int
+    """The index of the check in the level."""
     off: float
+    """The numerical error of the measured value [its unit]."""
     total: float | None
+    """The check's error; None where its formula does not apply, or its instant never occurs."""
     model: float | None
+    """The error that remains as the step goes to zero: the approximation in the formula. 0 if there
+    is none, None where the formula does not apply."""
     numerical: float
+    """The error due to the step, from halving it."""
     remaining: float | None
+    """The rest, such as rounding."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -21,22 +21,15 @@ USUAL_DIGITS = 5
 
 @dataclass(frozen=True, slots=True)
 class Trust:
-    """How far a quantity of the run can be trusted.
-
-    Attributes
-    ----------
-    quantity
-        The name of the quantity.
-    size, off
-        The largest value and the largest numerical error, in the quantity's unit.
-    until
-        When halving the step makes a visible difference in a graph [s]; None if it never does.
-    """
+    """How far a quantity of the run can be trusted."""
 
     quantity: str
+    """The name of the quantity."""
     size: float
     off: float
+    """The largest value and the largest numerical error, in the quantity's unit."""
     until: float | None
+    """When halving the step makes a visible difference in a graph [s]; None if it never does."""
 
     @property
     def digits(self) -> int:

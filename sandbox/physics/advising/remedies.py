@@ -41,18 +41,12 @@ PAST = 1.5
 
 
 class Advice(NamedTuple):
-    """The outcome of the trials.
-
-    Attributes
-    ----------
-    text
-        The advice in words; empty if there is none.
-    rate
-        The rate that holds, if one was found [Hz].
-    """
+    """The outcome of the trials."""
 
     text: Message
+    """The advice in words; empty if there is none."""
     rate: float | None = None
+    """The rate that holds, if one was found [Hz]."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -13,36 +13,25 @@ COMPONENTS = {"x": 0, "y": 1}
 
 @dataclass(frozen=True, slots=True)
 class Balance:
-    """The books at a step, as they stand in the middle of the drift that follows it.
-
-    Attributes
-    ----------
-    kinetic
-        The kinetic energy of all bodies [J].
-    potential
-        The potential energy, by the law that stores it [J].
-    work, loss
-        The energy put in, and the energy lost, by cause, since the books were opened [J].
-    unexplained
-        The further change of the energy [J].
-    impulse
-        The impulse from outside since then, by cause: along x and y, and the angular one about the
-        origin, (3,) each [N s, N m s].
-    unexplained_impulse
-        (3,), the further change of the momentum.
-    overlaps
-        The part of the unexplained energy due to the correction of overlaps, which moves bodies
-        [J].
-    """
+    """The books at a step, as they stand in the middle of the drift that follows it."""
 
     kinetic: float
+    """The kinetic energy of all bodies [J]."""
     potential: Mapping[str, float]
+    """The potential energy, by the law that stores it [J]."""
     work: Mapping[str, float]
     loss: Mapping[str, float]
+    """The energy put in, and the energy lost, by cause, since the books were opened [J]."""
     unexplained: float
+    """The further change of the energy [J]."""
     impulse: Mapping[str, Array]
+    """The impulse from outside since then, by cause: along x and y, and the angular one about the
+    origin, (3,) each [N s, N m s]."""
     unexplained_impulse: Array
+    """(3,), the further change of the momentum."""
     overlaps: float
+    """The part of the unexplained energy due to the correction of overlaps, which moves bodies [J].
+    """
 
     @property
     def energy(self) -> float:

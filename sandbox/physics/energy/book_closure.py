@@ -39,30 +39,21 @@ NOTHING = 1e-9
 
 
 class Closing(NamedTuple):
-    """The closing of the energy books [J].
-
-    Attributes
-    ----------
-    turned
-        The turnover: the largest kinetic energy, change of a store, or other entry since the start.
-    unexplained
-        The largest amount without a cause.
-    overlaps
-        The part of it due to the correction of overlaps, at the end.
-    bound
-        The most that the scheme may leave unexplained.
-    scale
-        The approximate energy that the scene could store.
-    rounding
-        The kinetic energy of the rounding of positions within a step; less is rest.
-    """
+    """The closing of the energy books [J]."""
 
     turned: float
+    """The turnover: the largest kinetic energy, change of a store, or other entry since the start.
+    """
     unexplained: float
+    """The largest amount without a cause."""
     overlaps: float
+    """The part of it due to the correction of overlaps, at the end."""
     bound: float
+    """The most that the scheme may leave unexplained."""
     scale: float
+    """The approximate energy that the scene could store."""
     rounding: float = 0.0
+    """The kinetic energy of the rounding of positions within a step; less is rest."""
 
     @property
     def closes(self) -> bool:

@@ -15,27 +15,18 @@ if TYPE_CHECKING:
 
 
 class Within(NamedTuple):
-    """A kick within a drift; n bodies, m equations of joints.
-
-    Attributes
-    ----------
-    kick
-        The kick, for the books.
-    change
-        (n, 3), the change of the velocities [m/s, rad/s].
-    impulses
-        (m,), the impulses of the joints; positive where they pull.
-    jacobian
-        (m, n, 3), the derivatives of the joints' equations by positions and angles.
-    contacts
-        The contacts, with their impulses.
-    """
+    """A kick within a drift; n bodies, m equations of joints."""
 
     kick: Kick
+    """The kick, for the books."""
     change: Array
+    """(n, 3), the change of the velocities [m/s, rad/s]."""
     impulses: Array
+    """(m,), the impulses of the joints; positive where they pull."""
     jacobian: Array
+    """(m, n, 3), the derivatives of the joints' equations by positions and angles."""
     contacts: Contacts
+    """The contacts, with their impulses."""
 
 
 def kicks_within(

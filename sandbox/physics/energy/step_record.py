@@ -20,65 +20,44 @@ if TYPE_CHECKING:
 
 
 class StepRecord(NamedTuple):
-    """The last observed step of a run; n bodies.
-
-    Attributes
-    ----------
-    steps
-        The number of steps taken, with this one.
-    dt
-        The time step [s].
-    snapshot, contacts
-        The state, and the contacts.
-    begun
-        (n, 3), the velocities at the beginning of the last kick [m/s, rad/s].
-    after
-        (n, 3), the velocities at its end; None at the start of a run.
-    seen
-        The motion that the laws saw in the last kick; None if there are none.
-    smooth
-        (n, 3), the accelerations by gravity and force laws in the last kick [m/s², rad/s²].
-    turned
-        (n, 2), the part of these that rotated velocities [m/s²]; None without such forces.
-    parts
-        The drifts and kicks of the step.
-    trail
-        Positions and velocities after each part but the last: (n, 6) each; empty unless kept.
-    hold
-        The row of the body that a hand holds, and the lever arm from its centre to the grip [m];
-        None if it holds none.
-    over
-        The number of contacts, first in the list, that were impacts in its drift.
-    impacts
-        The located impacts in its drift; None if there were none.
-    stop
-        The ends of slipping in its drift; None if there were none.
-    acted
-        The events in its drift; None if there were none.
-    divided
-        The parts of its drift, if it was taken in parts; else None.
-    jump
-        (n, 3), the jumps of velocity in sequential impacts [m/s, rad/s]; None without.
-    """
+    """The last observed step of a run; n bodies."""
 
     steps: int
+    """The number of steps taken, with this one."""
     dt: float
+    """The time step [s]."""
     snapshot: Snapshot
     contacts: Contacts
+    """The state, and the contacts."""
     begun: Array
+    """(n, 3), the velocities at the beginning of the last kick [m/s, rad/s]."""
     after: Array | None
+    """(n, 3), the velocities at its end; None at the start of a run."""
     seen: Reading | None
+    """The motion that the laws saw in the last kick; None if there are none."""
     smooth: Array
+    """(n, 3), the accelerations by gravity and force laws in the last kick [m/s², rad/s²]."""
     turned: Array | None
+    """(n, 2), the part of these that rotated velocities [m/s²]; None without such forces."""
     parts: Sequence[Substep]
+    """The drifts and kicks of the step."""
     trail: Sequence[Array]
+    """Positions and velocities after each part but the last: (n, 6) each; empty unless kept."""
     hold: tuple[int, XY] | None
+    """The row of the body that a hand holds, and the lever arm from its centre to the grip [m];
+    None if it holds none."""
     over: int = 0
+    """The number of contacts, first in the list, that were impacts in its drift."""
     impacts: "Collided | None" = None
+    """The located impacts in its drift; None if there were none."""
     stop: "Stop | None" = None
+    """The ends of slipping in its drift; None if there were none."""
     acted: "Acted | None" = None
+    """The events in its drift; None if there were none."""
     divided: "Divided | None" = None
+    """The parts of its drift, if it was taken in parts; else None."""
     jump: Array | None = None
+    """(n, 3), the jumps of velocity in sequential impacts [m/s, rad/s]; None without."""
 
     @property
     def t(self) -> float:

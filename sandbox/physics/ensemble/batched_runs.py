@@ -66,18 +66,12 @@ def accepts(world: World) -> bool:
 
 @dataclass(slots=True)
 class Flown:
-    """The outcome of a run.
-
-    Attributes
-    ----------
-    trace
-        The recorded run; None if it must be run alone.
-    stopped
-        Whether a condition ended it.
-    """
+    """The outcome of a run."""
 
     trace: Trace | None
+    """The recorded run; None if it must be run alone."""
     stopped: bool
+    """Whether a condition ended it."""
 
 
 class Flight:

@@ -26,24 +26,17 @@ NEAR = 1e-6
 
 
 class Part(NamedTuple):
-    """A part of a drift in which the accelerations of n bodies are constant.
-
-    Attributes
-    ----------
-    t, lasts
-        Its start time and its duration [s].
-    place, velocity
-        (n, 3), positions and velocities at its start [m, rad, m/s, rad/s].
-    acceleration, smooth
-        (n, 3), the total accelerations, and those by gravity and force laws [m/s², rad/s²].
-    """
+    """A part of a drift in which the accelerations of n bodies are constant."""
 
     t: float
     lasts: float
+    """Its start time and its duration [s]."""
     place: Array
     velocity: Array
+    """(n, 3), positions and velocities at its start [m, rad, m/s, rad/s]."""
     acceleration: Array
     smooth: Array
+    """(n, 3), the total accelerations, and those by gravity and force laws [m/s², rad/s²]."""
 
     def at(self, time: float) -> Instant:
         """Return the motion at a time after its start [s]."""
@@ -60,35 +53,25 @@ class Acted(NamedTuple):
 
     The books assume that the kick before the drift acts until its middle, and the kick after it
     from there on.
-
-    Attributes
-    ----------
-    begun
-        (n, 3), the velocities at the beginning of the kick after the drift [m/s, rad/s].
-    switched
-        The jump of the stored energy when forces are switched [J].
-    worked
-        The work of each law beyond that of the halves of the two kicks [J].
-    pushed
-        The momentum and angular momentum from each law beyond those from the two halves: (3,) each
-        [kg m/s, kg m²/s].
-    given
-        The same from all forces together: (3,).
-    lifted
-        The change of the energy read in the middle of the drift that is only due to the change of
-        acceleration [J]: on the parabola, the energy due to a force F is higher by F a dt²/8 than
-        in the middle of the chord.
-    jolts
-        The impacts of joints in the drift.
     """
 
     begun: Array
+    """(n, 3), the velocities at the beginning of the kick after the drift [m/s, rad/s]."""
     switched: float
+    """The jump of the stored energy when forces are switched [J]."""
     worked: Sequence[float]
+    """The work of each law beyond that of the halves of the two kicks [J]."""
     pushed: Sequence[Array]
+    """The momentum and angular momentum from each law beyond those from the two halves: (3,) each
+    [kg m/s, kg m²/s]."""
     given: Array
+    """The same from all forces together: (3,)."""
     lifted: float
+    """The change of the energy read in the middle of the drift that is only due to the change of
+    acceleration [J]: on the parabola, the energy due to a force F is higher by F a dt²/8 than in
+    the middle of the chord."""
     jolts: "Sequence[Jolt]" = ()
+    """The impacts of joints in the drift."""
 
 
 def crosses(crossing: Crossing, before: float, now: float) -> bool:

@@ -27,31 +27,21 @@ from sandbox.physics.scene.scene import Scene
 
 
 class Jolt(NamedTuple):
-    """The outcome of an impact of joints; n bodies, m equations.
-
-    Attributes
-    ----------
-    t
-        The time of the impact [s].
-    place
-        (n, 3), the positions [m, rad].
-    begun, after
-        (n, 3), the velocities before and after it [m/s, rad/s].
-    pulls
-        The impulses of the exact joints, in place of tensions [N s].
-    contacts
-        The contacts, with their impulses.
-    elastic
-        Whether it takes no energy: only stops with e = 1 take part.
-    """
+    """The outcome of an impact of joints; n bodies, m equations."""
 
     t: float
+    """The time of the impact [s]."""
     place: Array
+    """(n, 3), the positions [m, rad]."""
     begun: Array
     after: Array
+    """(n, 3), the velocities before and after it [m/s, rad/s]."""
     pulls: Pulls
+    """The impulses of the exact joints, in place of tensions [N s]."""
     contacts: Contacts
+    """The contacts, with their impulses."""
     elastic: bool
+    """Whether it takes no energy: only stops with e = 1 take part."""
 
 
 def jolt(scene: Scene, t: float, bounces: Mapping[int, float] | None = None) -> Jolt:

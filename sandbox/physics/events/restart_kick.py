@@ -32,22 +32,15 @@ Kicker = Callable[[float, Array, float, float], Array]
 
 
 class Found(NamedTuple):
-    """The accelerations with which n bodies continue.
-
-    Attributes
-    ----------
-    acceleration
-        (n, 3), their accelerations [m/s², rad/s²].
-    forces
-        Their contacts, with forces in place of impulses.
-    slips, sense
-        The slips of the contacts, and their directions.
-    """
+    """The accelerations with which n bodies continue."""
 
     acceleration: Array
+    """(n, 3), their accelerations [m/s², rad/s²]."""
     forces: Contacts
+    """Their contacts, with forces in place of impulses."""
     slips: Slips
     sense: Array
+    """The slips of the contacts, and their directions."""
 
 
 class Onwards:

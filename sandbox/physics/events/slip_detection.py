@@ -14,28 +14,19 @@ WEAKER = 1e-6
 
 
 class Seen(NamedTuple):
-    """The k contacts of a kick of n bodies.
-
-    Attributes
-    ----------
-    place
-        (n, 3), the positions of the bodies [m, rad].
-    slips, sense
-        The slips of the contacts, and their directions.
-    ends
-        (k,), the contacts whose slip ends in the drift after the kick.
-    weakened
-        (k,), the contacts whose friction pymunk has already reduced for that.
-    steps
-        The number of steps until the first end.
-    """
+    """The k contacts of a kick of n bodies."""
 
     place: Array
+    """(n, 3), the positions of the bodies [m, rad]."""
     slips: Slips
     sense: Array
+    """The slips of the contacts, and their directions."""
     ends: Booleans
+    """(k,), the contacts whose slip ends in the drift after the kick."""
     weakened: Booleans
+    """(k,), the contacts whose friction pymunk has already reduced for that."""
     steps: float
+    """The number of steps until the first end."""
 
 
 class Lookout:

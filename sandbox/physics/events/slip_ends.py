@@ -45,18 +45,12 @@ FAR = 1_000_000
 
 
 class Cut(NamedTuple):
-    """The outcome of a drift in which slipping ended; n bodies.
-
-    Attributes
-    ----------
-    begun
-        (n, 3), the velocities at the beginning of the next kick [m/s, rad/s].
-    acceleration
-        (n, 3), the accelerations since slipping last ended [m/s², rad/s²].
-    """
+    """The outcome of a drift in which slipping ended; n bodies."""
 
     begun: Array
+    """(n, 3), the velocities at the beginning of the next kick [m/s, rad/s]."""
     acceleration: Array
+    """(n, 3), the accelerations since slipping last ended [m/s², rad/s²]."""
 
 
 class Stops:

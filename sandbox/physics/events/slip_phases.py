@@ -19,24 +19,16 @@ FAINT = 1e-9
 
 
 class Slips(NamedTuple):
-    """The slips of k contacts of n bodies, along their surfaces.
-
-    Attributes
-    ----------
-    bodies
-        (k, 2), the two bodies of each contact.
-    way
-        (k, 2, 3), the Jacobian of the slip, for the velocities of the two bodies.
-    runs
-        (k,), the slip due to running surfaces, such as belts [m/s].
-    far
-        (k,), the approximate distance from the origin [m].
-    """
+    """The slips of k contacts of n bodies, along their surfaces."""
 
     bodies: Integers
+    """(k, 2), the two bodies of each contact."""
     way: Array
+    """(k, 2, 3), the Jacobian of the slip, for the velocities of the two bodies."""
     runs: Array
+    """(k,), the slip due to running surfaces, such as belts [m/s]."""
     far: Array
+    """(k,), the approximate distance from the origin [m]."""
 
     @classmethod
     def of(cls, contacts: Contacts, place: Array, running: Array) -> "Slips":
@@ -88,23 +80,16 @@ class Slips(NamedTuple):
 
 
 class Phase(NamedTuple):
-    """A part of a drift in which the accelerations of n bodies are constant.
-
-    Attributes
-    ----------
-    lasts
-        Its duration [s].
-    place, velocity, acceleration
-        (n, 3), positions and velocities at its start, and the accelerations in it.
-    forces
-        The contacts, with forces in place of impulses.
-    """
+    """A part of a drift in which the accelerations of n bodies are constant."""
 
     lasts: float
+    """Its duration [s]."""
     place: Array
     velocity: Array
     acceleration: Array
+    """(n, 3), positions and velocities at its start, and the accelerations in it."""
     forces: Contacts
+    """The contacts, with forces in place of impulses."""
 
     def at(self, time: float) -> tuple[Array, Array]:
         """Return positions and velocities at a time after its start [s]."""
@@ -117,31 +102,23 @@ class Stop(NamedTuple):
 
     The books assume that the kick before the drift acts until its middle, and the kick after it
     from there on.
-
-    Attributes
-    ----------
-    begun
-        (n, 3), the velocities at the beginning of the kick after the drift [m/s, rad/s].
-    rubbed, works
-        The work of friction, and of belts and kinematic bodies, beyond that in the halves of the
-        two kicks [J].
-    way
-        (n, 3), the displacements beyond those in the halves of the two kicks [m, rad].
-    lifted
-        The change of the energy read in the middle of the drift that is only due to the change of
-        acceleration [J]: on the parabola, the energy due to a force F is higher by F a dt²/8 than
-        in the middle of the chord.
-    given
-        (3,), the momentum and angular momentum beyond those from the two halves
-        [kg m/s, kg m²/s].
     """
 
     begun: Array
+    """(n, 3), the velocities at the beginning of the kick after the drift [m/s, rad/s]."""
     rubbed: float
     works: dict[str, float]
+    """The work of friction, and of belts and kinematic bodies, beyond that in the halves of the two
+    kicks [J]."""
     way: Array
+    """(n, 3), the displacements beyond those in the halves of the two kicks [m, rad]."""
     lifted: float
+    """The change of the energy read in the middle of the drift that is only due to the change of
+    acceleration [J]: on the parabola, the energy due to a force F is higher by F a dt²/8 than in
+    the middle of the chord."""
     given: Array
+    """(3,), the momentum and angular momentum beyond those from the two halves [kg m/s, kg m²/s].
+    """
 
 
 def booked(

@@ -23,21 +23,14 @@ from sandbox.physics.state.motion import Motion
 
 
 class Displaced(NamedTuple):
-    """The submerged area A of a body, and integrals over it.
-
-    Attributes
-    ----------
-    area
-        A [m²].
-    moment
-        The integral over A of the horizontal distance from the centre of mass [m³].
-    depth
-        The integral over A of the depth [m³].
-    """
+    """The submerged area A of a body, and integrals over it."""
 
     area: Array
+    """A [m²]."""
     moment: Array
+    """The integral over A of the horizontal distance from the centre of mass [m³]."""
     depth: Array
+    """The integral over A of the depth [m³]."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -19,19 +19,13 @@ AT_ONCE = 15_000
 
 
 class Block(NamedTuple):
-    """Some bodies, and all that attract them, except those of earlier blocks.
-
-    Attributes
-    ----------
-    some, others
-        The bodies, and these with all that follow.
-    ways
-        (..., some, others) each, the x and y components from the first to the second [m].
-    """
+    """Some bodies, and all that attract them, except those of earlier blocks."""
 
     some: slice
     others: slice
+    """The bodies, and these with all that follow."""
     ways: tuple[Array, Array]
+    """(..., some, others) each, the x and y components from the first to the second [m]."""
 
     def add(self, to: Array, mass: Array, of_pairs: Array, sign: int) -> None:
         """Add m1 m2 times a value of each pair to its first body, and to its second with a sign.

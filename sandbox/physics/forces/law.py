@@ -63,29 +63,21 @@ class Turn(Protocol):
 
 
 class Given(NamedTuple):
-    """The input from which the laws of a level are made.
-
-    Attributes
-    ----------
-    level, values
-        The level that declares the laws, and the values of its parameters.
-    names, mass
-        (n,), the names of its bodies, and their masses at the start, 0 if nothing moves them [kg].
-    share
-        The masses over those at the start, as a function of time.
-    step
-        The duration of a kick [s].
-    switches
-        The switches of named forces, whole effects and springs that events turn on and off.
-    """
+    """The input from which the laws of a level are made."""
 
     level: Level
     values: Values
+    """The level that declares the laws, and the values of its parameters."""
     names: Sequence[str]
     mass: Array
+    """(n,), the names of its bodies, and their masses at the start, 0 if nothing moves them [kg].
+    """
     share: Share
+    """The masses over those at the start, as a function of time."""
     step: float
+    """The duration of a kick [s]."""
     switches: "Switches" = {}  # noqa: RUF012 (nobody writes to it)
+    """The switches of named forces, whole effects and springs that events turn on and off."""
 
     def row(self, body: str) -> int:
         """Return the row of a body."""

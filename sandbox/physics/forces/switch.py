@@ -13,18 +13,12 @@ from sandbox.model.expressions import Array
 
 @dataclass(slots=True)
 class Switch:
-    """Whether a force acts, as a function of time.
-
-    Attributes
-    ----------
-    first
-        Whether the force acts at the start.
-    thrown
-        The times at which the switch was thrown, in order [s].
-    """
+    """Whether a force acts, as a function of time."""
 
     first: bool
+    """Whether the force acts at the start."""
     thrown: list[float] = field(default_factory=list)
+    """The times at which the switch was thrown, in order [s]."""
 
     def turn(self, t: float, *, on: bool) -> None:
         """Turn it on or off from a time on [s]."""

@@ -37,18 +37,12 @@ THIN = 4 * DIRECT_SKIN
 
 
 class Need(NamedTuple):
-    """A lower bound on the rate.
-
-    Attributes
-    ----------
-    rate
-        The rate that is just stable, or at which no impact is missed [Hz].
-    subject
-        What needs it, in words: a joint, a body or an effect.
-    """
+    """A lower bound on the rate."""
 
     rate: float
+    """The rate that is just stable, or at which no impact is missed [Hz]."""
     subject: Message
+    """What needs it, in words: a joint, a body or an effect."""
 
 
 def needs(scene: Scene, now: Snapshot, located: Container[str] = ()) -> list[Need]:

@@ -14,27 +14,18 @@ from sandbox.physics.joints.pulley import PulleyString
 
 
 class Pulls(NamedTuple):
-    """The forces of exact joints in a kick; m equations, n bodies.
-
-    Attributes
-    ----------
-    jacobian
-        (m, n, 3), the derivatives of the equations by the bodies' positions and angles.
-    tension
-        (m,), the forces along these rows, positive where they pull [N].
-    pulls_only
-        (m,), whether they can only pull, as ropes.
-    changes
-        (m,), whether the values to keep change with time.
-    joints
-        (m,), the names of their joints.
-    """
+    """The forces of exact joints in a kick; m equations, n bodies."""
 
     jacobian: Array
+    """(m, n, 3), the derivatives of the equations by the bodies' positions and angles."""
     tension: Array
+    """(m,), the forces along these rows, positive where they pull [N]."""
     pulls_only: Booleans
+    """(m,), whether they can only pull, as ropes."""
     changes: Booleans
+    """(m,), whether the values to keep change with time."""
     joints: NDArray[np.str_]
+    """(m,), the names of their joints."""
 
     def slack_before(self, last: "Pulls", first: "Pulls") -> Booleans:
         """Return which of these did not pull in one of two earlier kicks: (m,).
@@ -92,18 +83,12 @@ def _of_string(name: str, string: PulleyString, rows: Sequence[int | None], coun
 
 
 class Pull(NamedTuple):
-    """The force of a joint on one body in the last kick.
-
-    Attributes
-    ----------
-    joint
-        The name of the joint.
-    wrench
-        The force, and the torque about the body's centre of mass [N, N m].
-    """
+    """The force of a joint on one body in the last kick."""
 
     joint: str
+    """The name of the joint."""
     wrench: tuple[float, float, float]
+    """The force, and the torque about the body's centre of mass [N, N m]."""
 
 
 def pulls_on(joints: Joints, row: int, count: int) -> Iterator[Pull]:

@@ -27,48 +27,35 @@ NO_PAIRS: Integers = np.empty((0, 2), dtype=np.intp)
 
 @dataclass(slots=True, kw_only=True)
 class Joints:
-    """All j joints of a scene, in the level's order; by default none.
-
-    Attributes
-    ----------
-    paths
-        The points that each joint runs through, by name; for a wire, points of its curve.
-    lines
-        The names of rods, ropes and strings, which can oscillate transversely when they are taut.
-    wires
-        The equations that keep bodies on wires, by name.
-    springs, strings, own, together
-        By name, the joints that are force laws, those that are solved by themselves, and those that
-        pymunk solves; all other exact joints, or None.
-    radii
-        The radii of the circles on which strings are wound, by name [m].
-    twists
-        Whether any joint exerts a torque.
-    solids
-        The bodies that are welded or stuck together; None if there can be none.
-    touches, weld
-        A function that finds the pairs to stick that have met, or None; one that welds two bodies.
-    elastic, latches
-        The sides of elastic stops, and the joints that events tie; None if there are none.
-    cut
-        The times at which joints were cut, by name [s].
-    """
+    """All j joints of a scene, in the level's order; by default none."""
 
     paths: "dict[str, tuple[Anchor, ...]]" = field(default_factory=dict)
+    """The points that each joint runs through, by name; for a wire, points of its curve."""
     lines: list[str] = field(default_factory=list)
+    """The names of rods, ropes and strings, which can oscillate transversely when they are taut."""
     wires: "dict[str, WireEquation]" = field(default_factory=dict)
+    """The equations that keep bodies on wires, by name."""
     springs: "dict[str, SpringForce]" = field(default_factory=dict)
     strings: "dict[str, PulleyString]" = field(default_factory=dict)
     own: "dict[str, OwnJoint]" = field(default_factory=dict)
     together: "ExactJoints | None" = None
+    """By name, the joints that are force laws, those that are solved by themselves, and those that
+    pymunk solves; all other exact joints, or None."""
     radii: dict[str, float] = field(default_factory=dict)
+    """The radii of the circles on which strings are wound, by name [m]."""
     twists: bool = False
+    """Whether any joint exerts a torque."""
     solids: "Solids | None" = None
+    """The bodies that are welded or stuck together; None if there can be none."""
     touches: "Touches | None" = None
     weld: Callable[[str, str], None] | None = None
+    """A function that finds the pairs to stick that have met, or None; one that welds two bodies.
+    """
     elastic: "JointSystem | None" = None
     latches: "Latches | None" = None
+    """The sides of elastic stops, and the joints that events tie; None if there are none."""
     cut: dict[str, float] = field(default_factory=dict)
+    """The times at which joints were cut, by name [s]."""
 
     @property
     def joined(self) -> Integers:

@@ -8,21 +8,14 @@ import numpy as np
 
 @dataclass(frozen=True, slots=True)
 class Latches:
-    """The joints of a scene that events tie.
-
-    Attributes
-    ----------
-    names
-        The names of these joints, which are inactive until they are tied.
-    tie
-        Ties a joint that is solved together with others, at a time [s].
-    tied
-        The times at which joints were tied, by name [s].
-    """
+    """The joints of a scene that events tie."""
 
     names: frozenset[str]
+    """The names of these joints, which are inactive until they are tied."""
     tie: Callable[[str, float], None]
+    """Ties a joint that is solved together with others, at a time [s]."""
     tied: dict[str, float] = field(default_factory=dict)
+    """The times at which joints were tied, by name [s]."""
 
     def is_open(self, name: str, t: float) -> bool:
         """Return whether a joint is still open at a time [s]."""

@@ -14,15 +14,10 @@ if TYPE_CHECKING:
 
 
 class Solids:
-    """Groups bodies into solids, whose parts do not collide with each other.
-
-    Attributes
-    ----------
-    pairs
-        (k, 2), the indices of the bodies that were joined.
-    """
+    """Groups bodies into solids, whose parts do not collide with each other."""
 
     pairs: Integers
+    """(k, 2), the indices of the bodies that were joined."""
 
     def __init__(self, bodies: Mapping[str, pymunk.Body]) -> None:
         self._bodies = bodies

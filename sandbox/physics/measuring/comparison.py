@@ -12,36 +12,25 @@ from sandbox.physics.measuring.recording import Trace, needed
 
 @dataclass(frozen=True, slots=True)
 class Difference:
-    """The difference of a quantity between two runs.
-
-    Attributes
-    ----------
-    label
-        A short description.
-    quantity, unit
-        The quantity and its unit.
-    at
-        The instant of the comparison; None for the time at which the runs differ most.
-    t
-        The time of the instant in the first run and in the second [s]; None if it never came.
-    before, after
-        The quantity in the first run and in the second; None if the instant never came.
-    scale
-        The largest magnitude in the first run; at an instant, the magnitude there.
-    share
-        The difference over the largest magnitude in both runs, from 0 to 2; infinite if the instant
-        came in only one of them.
-    """
+    """The difference of a quantity between two runs."""
 
     label: str
+    """A short description."""
     quantity: str
     unit: str
+    """The quantity and its unit."""
     at: Instant | None
+    """The instant of the comparison; None for the time at which the runs differ most."""
     t: tuple[float | None, float | None]
+    """The time of the instant in the first run and in the second [s]; None if it never came."""
     before: float | None
     after: float | None
+    """The quantity in the first run and in the second; None if the instant never came."""
     scale: float
+    """The largest magnitude in the first run; at an instant, the magnitude there."""
     share: float
+    """The difference over the largest magnitude in both runs, from 0 to 2; infinite if the instant
+    came in only one of them."""
 
     @property
     def relative(self) -> float | None:

@@ -17,26 +17,18 @@ from sandbox.physics.measuring.free_body import FRICTION, NORMAL, Acting
 
 
 class Press(NamedTuple):
-    """The forces of a contact on a body.
-
-    Attributes
-    ----------
-    row
-        The index of the other body.
-    normal, friction
-        (3,) each, the force [N], and the torque about the centre of mass as far as known [N m].
-    at
-        (2,), the middle of the contact [m].
-    half
-        (2,), from the middle to one of two contact points, if the force may act anywhere between
-        them [m].
-    """
+    """The forces of a contact on a body."""
 
     row: int
+    """The index of the other body."""
     normal: Array
     friction: Array
+    """(3,) each, the force [N], and the torque about the centre of mass as far as known [N m]."""
     at: Array
+    """(2,), the middle of the contact [m]."""
     half: Array
+    """(2,), from the middle to one of two contact points, if the force may act anywhere between
+    them [m]."""
 
     def acting(self, by: str, center: XY) -> Iterator[Acting]:
         """Yield the two forces on a body, given its centre of mass [m]."""

@@ -11,27 +11,18 @@ IMPACT, NORMAL, FRICTION, HAND = "impact", "normal force", "friction", "hand"
 
 
 class Acting(NamedTuple):
-    """A force on a body.
-
-    Attributes
-    ----------
-    name
-        Its name: `weight`, `normal force`, `tension`.
-    by
-        The body or joint that exerts it; empty if the name says it.
-    force
-        The components [N].
-    at
-        The point of application [m].
-    couple
-        An additional torque, beside that of the force at its point [N m].
-    """
+    """A force on a body."""
 
     name: str
+    """Its name: `weight`, `normal force`, `tension`."""
     by: str
+    """The body or joint that exerts it; empty if the name says it."""
     force: XY
+    """The components [N]."""
     at: XY
+    """The point of application [m]."""
     couple: float = 0.0
+    """An additional torque, beside that of the force at its point [N m]."""
 
     @classmethod
     def of(
@@ -67,41 +58,28 @@ class Acting(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class FreeBody:
-    """A body and the forces on it at a step; see `free_body_forces` for what they are.
-
-    Attributes
-    ----------
-    body
-        The name of the body.
-    t
-        The time [s].
-    mass, moment
-        Mass and moment of inertia at that time [kg, kg m²]; the moment is 0 if it cannot rotate.
-    center
-        The centre of mass [m].
-    forces
-        The forces on it, without those that are zero.
-    acceleration, angular_acceleration
-        The accelerations over the same kick as the forces [m/s², rad/s²].
-    along
-        A unit vector along each surface that presses on it, the hardest first.
-    struck
-        Whether an impact is among the forces.
-    closed
-        Whether one force was computed from the others, so that the sum proves nothing.
-    """
+    """A body and the forces on it at a step; see `free_body_forces` for what they are."""
 
     body: str
+    """The name of the body."""
     t: float
+    """The time [s]."""
     mass: float
     moment: float
+    """Mass and moment of inertia at that time [kg, kg m²]; the moment is 0 if it cannot rotate."""
     center: XY
+    """The centre of mass [m]."""
     forces: tuple[Acting, ...]
+    """The forces on it, without those that are zero."""
     acceleration: XY
     angular_acceleration: float
+    """The accelerations over the same kick as the forces [m/s², rad/s²]."""
     along: tuple[XY, ...]
+    """A unit vector along each surface that presses on it, the hardest first."""
     struck: bool
+    """Whether an impact is among the forces."""
     closed: bool
+    """Whether one force was computed from the others, so that the sum proves nothing."""
 
     @property
     def net(self) -> XY:

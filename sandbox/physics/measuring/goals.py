@@ -17,55 +17,37 @@ Standing = Literal["met", "missed", "open"]
 
 @dataclass(frozen=True, slots=True)
 class Outcome:
-    """The state of a goal.
-
-    Attributes
-    ----------
-    goal
-        The goal.
-    unit
-        The unit of the quantity.
-    t, measured
-        The time at which the quantity was furthest beyond its bounds or closest to them, or the
-        time of the event [s], and the value then; None if the event has not come.
-    least, most
-        The bounds with the run's parameters; infinite if there is none.
-    standing
-        `open` while the run can still decide it.
-    """
+    """The state of a goal."""
 
     goal: Goal
+    """The goal."""
     unit: str
+    """The unit of the quantity."""
     t: float | None
     measured: float | None
+    """The time at which the quantity was furthest beyond its bounds or closest to them, or the time
+    of the event [s], and the value then; None if the event has not come."""
     least: float
     most: float
+    """The bounds with the run's parameters; infinite if there is none."""
     standing: Standing
+    """`open` while the run can still decide it."""
 
 
 @dataclass(frozen=True, slots=True)
 class Attempt:
-    """The state of a challenge after a run, or during one.
-
-    Attributes
-    ----------
-    outcomes
-        The states of all goals: those for the first star, then one for each further star.
-    stars
-        The number of stars earned so far.
-    most
-        The number of stars that there are.
-    complete
-        Whether the run has lasted for the duration of its level.
-    altered
-        The locked parameters that differ from the level's values; if any, no star counts.
-    """
+    """The state of a challenge after a run, or during one."""
 
     outcomes: tuple[Outcome, ...]
+    """The states of all goals: those for the first star, then one for each further star."""
     stars: int
+    """The number of stars earned so far."""
     most: int
+    """The number of stars that there are."""
     complete: bool
+    """Whether the run has lasted for the duration of its level."""
     altered: tuple[str, ...]
+    """The locked parameters that differ from the level's values; if any, no star counts."""
 
     @property
     def solved(self) -> bool:

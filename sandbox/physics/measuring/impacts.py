@@ -22,28 +22,19 @@ SUDDEN = 2.0
 
 
 class Impacts(NamedTuple):
-    """The impacts of one step; k pairs of bodies.
-
-    Attributes
-    ----------
-    bodies
-        (k, 2), the bodies' indices.
-    at
-        (k, 2), the contact point, or the midpoint of two [m].
-    impulse
-        (k,), the normal impulse [N s].
-    lighter
-        (k,), the index of the lighter of the two bodies that can move.
-    momentum
-        The largest momentum of a body at the beginning of the kick, after located impacts
-        [kg m/s].
-    """
+    """The impacts of one step; k pairs of bodies."""
 
     bodies: Integers
+    """(k, 2), the bodies' indices."""
     at: Array
+    """(k, 2), the contact point, or the midpoint of two [m]."""
     impulse: Array
+    """(k,), the normal impulse [N s]."""
     lighter: Integers
+    """(k,), the index of the lighter of the two bodies that can move."""
     momentum: float
+    """The largest momentum of a body at the beginning of the kick, after located impacts [kg m/s].
+    """
 
 
 def impacts(world: World) -> Impacts | None:

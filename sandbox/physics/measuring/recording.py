@@ -46,53 +46,36 @@ LARGEST = 1e9
 
 
 class Meeting(NamedTuple):
-    """The time at which two bodies began to touch.
-
-    Attributes
-    ----------
-    step
-        The first instant at which they touch.
-    time
-        The time of the impact [s], before that instant, if it was located.
-    """
+    """The time at which two bodies began to touch."""
 
     step: int
+    """The first instant at which they touch."""
     time: float | None
+    """The time of the impact [s], before that instant, if it was located."""
 
 
 @dataclass(frozen=True, slots=True)
 class Trace:
-    """A recorded run; T instants.
-
-    Attributes
-    ----------
-    level, values, stepping
-        The level, its parameters, and the stepping.
-    t
-        (T,), times [s].
-    columns
-        (T,) each, the quantities by name.
-    units
-        The quantities' units.
-    meetings, partings
-        The times at which each pair of bodies began to touch, or separated, at most `MOST_MEETINGS`
-        each. Bodies that touch at the start must separate before they can meet.
-    leans
-        Whether the forces on bodies at rest at the start were not found: a pile may then lean.
-    closing
-        How its energy books closed; None if none were kept.
-    """
+    """A recorded run; T instants."""
 
     level: Level
     values: Values
     stepping: Stepping
+    """The level, its parameters, and the stepping."""
     t: Array
+    """(T,), times [s]."""
     columns: Mapping[str, Array]
+    """(T,) each, the quantities by name."""
     units: Mapping[str, str]
+    """The quantities' units."""
     meetings: Mapping[Pair, Sequence[Meeting]]
     partings: Mapping[Pair, Sequence[int]]
+    """The times at which each pair of bodies began to touch, or separated, at most `MOST_MEETINGS`
+    each. Bodies that touch at the start must separate before they can meet."""
     leans: bool = False
+    """Whether the forces on bodies at rest at the start were not found: a pile may then lean."""
     closing: Closing | None = None
+    """How its energy books closed; None if none were kept."""
 
     @property
     def smooth(self) -> bool:

@@ -32,75 +32,52 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Scene:
-    """A level's objects in pymunk, with the data for running and measuring it.
-
-    Attributes
-    ----------
-    space
-        pymunk's space.
-    bodies
-        The n bodies in the level's order, with static and kinematic ones.
-    batch
-        Reads and writes the bodies.
-    mass, moment
-        (n,), of dynamic bodies at the start, 0 for others [kg, kg m²]. The moment is also 0 in a
-        level without rotation.
-    inertia
-        (n, 3), mass, mass and moment [kg, kg m²].
-    share
-        The masses over those at the start, as a function of time.
-    inverse_mass
-        (n, 3), one over the inertia, 0 of bodies that do not move or turn [1/kg, 1/(kg m²)].
-    joints
-        The joints, in the level's order.
-    pair_callbacks
-        The number of callbacks by the pairs with coefficients of their own, with one contact each.
-    sticking
-        The friction of pairs whose static coefficient is larger, by the indices of their bodies.
-    sequence
-        The solver of impacts in sequence; None if the level does not use it.
-    reach
-        The distance from the origin within which pymunk finds pairs [m].
-    direct
-        The solver of contacts together with exact joints; None if pymunk solves contacts.
-    hollows
-        The arcs, and the hoops that may have bodies inside; None if there are none.
-    gates
-        The surfaces that let bodies through one way; None if there are none.
-    gravity, laws
-        Uniform gravity, which pymunk applies, and the force laws.
-    hooked
-        The laws that need a hook: all but the springs that pymunk applies.
-    turns
-        The laws that turn velocities, and do no work.
-    switches
-        The switches of forces that events turn on and off, by name.
-    happened
-        The times of the events so far, by name [s].
-    """
+    """A level's objects in pymunk, with the data for running and measuring it."""
 
     space: pymunk.Space
+    """pymunk's space."""
     bodies: dict[str, pymunk.Body]
+    """The n bodies in the level's order, with static and kinematic ones."""
     batch: Batch
+    """Reads and writes the bodies."""
     mass: Array
     moment: Array
+    """(n,), of dynamic bodies at the start, 0 for others [kg, kg m²]. The moment is also 0 in a
+    level without rotation."""
     inertia: Array
+    """(n, 3), mass, mass and moment [kg, kg m²]."""
     share: Share
+    """The masses over those at the start, as a function of time."""
     inverse_mass: Array
+    """(n, 3), one over the inertia, 0 of bodies that do not move or turn [1/kg, 1/(kg m²)]."""
     joints: Joints
+    """The joints, in the level's order."""
     pair_callbacks: int
+    """The number of callbacks by the pairs with coefficients of their own, with one contact each.
+    """
     sticking: "Mapping[frozenset[int], Sticking]"
+    """The friction of pairs whose static coefficient is larger, by the indices of their bodies."""
     sequence: "Sequential | None"
+    """The solver of impacts in sequence; None if the level does not use it."""
     reach: float
+    """The distance from the origin within which pymunk finds pairs [m]."""
     direct: "Direct | None"
+    """The solver of contacts together with exact joints; None if pymunk solves contacts."""
     hollows: "Hollows | None"
+    """The arcs, and the hoops that may have bodies inside; None if there are none."""
     gates: "Gates | None"
+    """The surfaces that let bodies through one way; None if there are none."""
     gravity: Gravity | None
     laws: tuple[Law, ...]
+    """Uniform gravity, which pymunk applies, and the force laws."""
     hooked: tuple[Law, ...]
+    """The laws that need a hook: all but the springs that pymunk applies."""
     turns: tuple[Turn, ...]
+    """The laws that turn velocities, and do no work."""
     switches: "Switches"
+    """The switches of forces that events turn on and off, by name."""
     happened: dict[str, float] = field(default_factory=dict)
+    """The times of the events so far, by name [s]."""
 
 
 def make_scene(level: Level, values: Values, stepping: Stepping) -> Scene:

@@ -24,36 +24,25 @@ class Kick:
 
     Time is counted in steps, so that it is the same everywhere to the last digit. The kicks of most
     steps differ only in time, so one object serves for all of them.
-
-    Attributes
-    ----------
-    clock
-        Counts the steps.
-    ahead
-        The time of the kick, in steps after the last that was counted.
-    length
-        Its duration [s].
-    drift
-        The duration of the drift after it, negative if backwards [s].
-    ends
-        The end of that drift, in steps after the kick.
-    scale
-        The factor of forces, since pymunk's kick lasts as long as the drift before it.
-    start
-        (n, 3), the velocities at its start [m/s, rad/s], for a kick of bodies that are held in
-        place; None if it follows a drift, whose velocities are those of half a kick earlier.
-    at_step
-        Whether it begins at a step, with the velocities there.
     """
 
     clock: Clock
+    """Counts the steps."""
     ahead: float
+    """The time of the kick, in steps after the last that was counted."""
     length: float
+    """Its duration [s]."""
     drift: float
+    """The duration of the drift after it, negative if backwards [s]."""
     ends: float = 1
+    """The end of that drift, in steps after the kick."""
     scale: float = 1.0
+    """The factor of forces, since pymunk's kick lasts as long as the drift before it."""
     start: Array | None = None
+    """(n, 3), the velocities at its start [m/s, rad/s], for a kick of bodies that are held in
+    place; None if it follows a drift, whose velocities are those of half a kick earlier."""
     at_step: bool = False
+    """Whether it begins at a step, with the velocities there."""
 
     @property
     def t(self) -> float:

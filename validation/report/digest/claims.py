@@ -46,31 +46,21 @@ class Chapter:
 
 @dataclass(frozen=True, slots=True)
 class Cases:
-    """All cases.
-
-    Attributes
-    ----------
-    chapters
-        The cases, chapter by chapter.
-    failed
-        The cases that do not hold.
-    closest
-        The cases whose errors are the largest shares of their bounds.
-    exact
-        The number of cases with no error but rounding.
-    least_order
-        The least order among the cases that claim one.
-    naive_missed
-        The number of bounds that stock pymunk misses at the same rate.
-    """
+    """All cases."""
 
     chapters: tuple[Chapter, ...]
+    """The cases, chapter by chapter."""
     failed: tuple[Outcome, ...]
+    """The cases that do not hold."""
     closest: tuple[Outcome, ...]
+    """The cases whose errors are the largest shares of their bounds."""
     exact: int
+    """The number of cases with no error but rounding."""
     ordered: int
     least_order: float
+    """The least order among the cases that claim one."""
     naive_missed: int
+    """The number of bounds that stock pymunk misses at the same rate."""
     total: int
 
 

@@ -24,32 +24,23 @@ class Group:
 
 @dataclass(frozen=True, slots=True)
 class Costs:
-    """The cost of accuracy, over all levels.
-
-    Attributes
-    ----------
-    rows
-        Every sweep that allows a comparison, with its headline and order.
-    silent
-        The sweeps that do not.
-    exact, converging
-        The gains in accuracy over pymunk in the same time, for levels where our error is rounding
-        and for the others; None if there are no such levels.
-    alike
-        The levels on which pymunk's error is rounding as well, so that there is nothing to compare.
-    no_closer
-        The other levels on which pymunk is as accurate, or more so.
-    step_ratio
-        The median ratio of our step's time to pymunk's, at the same rate.
-    """
+    """The cost of accuracy, over all levels."""
 
     rows: tuple[Row, ...]
+    """Every sweep that allows a comparison, with its headline and order."""
     silent: tuple[Sweep, ...]
+    """The sweeps that do not."""
     exact: Group | None
     converging: Group | None
+    """The gains in accuracy over pymunk in the same time, for levels where our error is rounding
+    and for the others; None if there are no such levels."""
     alike: tuple[str, ...]
+    """The levels on which pymunk's error is rounding as well, so that there is nothing to compare.
+    """
     no_closer: tuple[str, ...]
+    """The other levels on which pymunk is as accurate, or more so."""
     step_ratio: float
+    """The median ratio of our step's time to pymunk's, at the same rate."""
 
     @property
     def chapters(self) -> list[tuple[str, list[Row]]]:

@@ -17,22 +17,15 @@ GROUPS = {
 
 @dataclass(frozen=True, slots=True)
 class HardCases:
-    """Scenes that break engines, and the difficulties up to which they hold.
-
-    Attributes
-    ----------
-    cases, frontiers
-        The cases that must hold, and the scenes that are made harder until they break.
-    failed
-        The unexpected failures.
-    out_of_reach
-        The known failures, with the reasons.
-    """
+    """Scenes that break engines, and the difficulties up to which they hold."""
 
     cases: tuple[Hard, ...]
     frontiers: tuple[Hard, ...]
+    """The cases that must hold, and the scenes that are made harder until they break."""
     failed: tuple[str, ...]
+    """The unexpected failures."""
     out_of_reach: tuple[str, ...]
+    """The known failures, with the reasons."""
 
     @property
     def held(self) -> int:

@@ -10,18 +10,12 @@ from validation.report.digest.chapters import by_chapter
 
 @dataclass(frozen=True, slots=True)
 class Requests:
-    """Requests for an accuracy, and their results.
-
-    Attributes
-    ----------
-    asked
-        All of them.
-    expensive
-        The highest cost allowed, as a multiple of that of the cheapest setting.
-    """
+    """Requests for an accuracy, and their results."""
 
     asked: tuple[Request, ...]
+    """All of them."""
     expensive: float = EXPENSIVE
+    """The highest cost allowed, as a multiple of that of the cheapest setting."""
 
     @property
     def met(self) -> int:

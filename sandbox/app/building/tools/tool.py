@@ -18,24 +18,16 @@ STILL = 4.0  # px, the distance between press and release below which it is a cl
 
 
 class Bench(Protocol):
-    """The level or the run, as a tool uses it.
-
-    Attributes
-    ----------
-    camera
-        The camera of the stage.
-    sketch
-        The drawing of the level.
-    selected
-        The selected parts, the latest last.
-    ignored
-        The bodies to which nothing snaps, since they are being moved.
-    """
+    """The level or the run, as a tool uses it."""
 
     camera: Camera
+    """The camera of the stage."""
     sketch: Sketch
+    """The drawing of the level."""
     selected: tuple[Part, ...]
+    """The selected parts, the latest last."""
     ignored: frozenset[str]
+    """The bodies to which nothing snaps, since they are being moved."""
 
     def make(self, said: str, edit: Callable[[str, Level], Made], family: str = "bodies") -> bool:
         """Add parts to the level and select them, and return whether that was possible."""

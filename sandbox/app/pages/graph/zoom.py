@@ -21,38 +21,25 @@ TWICE = 500  # ms, the largest time between the presses of a double click
 
 
 class Graph(NamedTuple):
-    """A graph in the picture of all of them.
-
-    Attributes
-    ----------
-    unit
-        The unit of the quantities that it shows.
-    place
-        Its place in the picture [px].
-    across, up
-        Its axes, with pixels relative to its corner.
-    """
+    """A graph in the picture of all of them."""
 
     unit: str
+    """The unit of the quantities that it shows."""
     place: pygame.Rect
+    """Its place in the picture [px]."""
     across: Scale
     up: Scale
+    """Its axes, with pixels relative to its corner."""
 
 
 @dataclass(frozen=True, slots=True)
 class Zoom:
-    """The visible part of the graphs: an interval of each axis, or the whole.
-
-    Attributes
-    ----------
-    across
-        The interval of the shared horizontal axis.
-    up
-        The intervals of the vertical axes, by unit.
-    """
+    """The visible part of the graphs: an interval of each axis, or the whole."""
 
     across: Interval | None = None
+    """The interval of the shared horizontal axis."""
     up: Mapping[str, Interval] = field(default_factory=dict)
+    """The intervals of the vertical axes, by unit."""
 
     def __bool__(self) -> bool:
         return self.across is not None or bool(self.up)

@@ -17,26 +17,19 @@ LIMITS: Sequence[float] = (0.01, 0.05, 0.2)
 
 @dataclass(frozen=True, slots=True)
 class Outcome:
-    """The outcome of a prediction.
-
-    Attributes
-    ----------
-    predicted, formula, simulated
-        Three values of the quantity; no formula describes a run changed by hand.
-    unit
-        The unit of the quantity.
-    scale
-        The reference of relative differences; None if they are absolute, since all values are zero.
-    t
-        The time of the measurement [s].
-    """
+    """The outcome of a prediction."""
 
     predicted: float
     formula: float | None
     simulated: float
+    """Three values of the quantity; no formula describes a run changed by hand."""
     unit: str
+    """The unit of the quantity."""
     scale: float | None
+    """The reference of relative differences; None if they are absolute, since all values are zero.
+    """
     t: float | None = None
+    """The time of the measurement [s]."""
 
     def apart(self, value: float) -> float:
         """Return the difference of a value from the simulated one, relative if possible."""

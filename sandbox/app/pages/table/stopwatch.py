@@ -21,22 +21,15 @@ DIAL = 8  # px, the radius of the sign beside the time
 
 
 class Reading(NamedTuple):
-    """The display of a stopwatch.
-
-    Attributes
-    ----------
-    seconds
-        The measured time [s].
-    decimals
-        The number of significant decimals.
-    begun, going
-        Whether it was started, and whether it is still running.
-    """
+    """The display of a stopwatch."""
 
     seconds: float
+    """The measured time [s]."""
     decimals: int
+    """The number of significant decimals."""
     begun: bool
     going: bool
+    """Whether it was started, and whether it is still running."""
 
     @property
     def text(self) -> str:

@@ -26,18 +26,12 @@ MOST = 60
 
 
 class Occasion(NamedTuple):
-    """A trigger.
-
-    Attributes
-    ----------
-    at
-        The moment; None for a click.
-    value
-        The text of the height of the landing or the value that is crossed; else empty.
-    """
+    """A trigger."""
 
     at: Moment | None
+    """The moment; None for a click."""
     value: str = ""
+    """The text of the height of the landing or the value that is crossed; else empty."""
 
     @property
     def label(self) -> str:

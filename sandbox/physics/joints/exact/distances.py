@@ -17,30 +17,20 @@ TINY = 1e-300
 
 @dataclass(frozen=True, slots=True)
 class Row:
-    """One equation: a sum of lengths is kept.
-
-    Attributes
-    ----------
-    joint
-        The name of its joint.
-    reaches
-        The segments whose lengths are added, each between two ends.
-    length
-        The sum to keep [m].
-    changing
-        The change of that sum [m] as a function of time [s]; None if it is constant.
-    pulls_only
-        Whether the sum is an upper bound, as for a rope.
-    along
-        A unit direction: the component of the single segment along it counts, not its length.
-    """
+    """One equation: a sum of lengths is kept."""
 
     joint: str
+    """The name of its joint."""
     reaches: Sequence[tuple[Anchor, Anchor]]
+    """The segments whose lengths are added, each between two ends."""
     length: float
+    """The sum to keep [m]."""
     changing: Callable[[float], float] | None = None
+    """The change of that sum [m] as a function of time [s]; None if it is constant."""
     pulls_only: bool = False
+    """Whether the sum is an upper bound, as for a rope."""
     along: complex | None = None
+    """A unit direction: the component of the single segment along it counts, not its length."""
 
 
 class Reaches:
