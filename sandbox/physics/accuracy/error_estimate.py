@@ -13,20 +13,29 @@ from sandbox.physics.measuring.recording import Trace
 
 @dataclass(frozen=True, slots=True)
 class Estimate:
-    """The numerical error of a run in one quantity."""
+    """The numerical error of a run in one quantity.
+
+    Attributes
+    ----------
+    quantity, at
+        The quantity, at an instant or the largest error over the run.
+    unit
+        The unit of `difference`.
+    error
+        The error relative to the largest value, as for a check; absolute if that is zero. Infinite
+        if the instant occurs in only some of the runs.
+    difference
+        The error in that unit.
+    order
+        The power of the step with which it falls; None if it is rounding, or no order shows.
+    """
 
     quantity: str
     at: Instant | None
-    """The quantity, at an instant or the largest error over the run."""
     unit: str
-    """The unit of `difference`."""
     error: float
-    """The error relative to the largest value, as for a check; absolute if that is zero. Infinite
-    if the instant occurs in only some of the runs."""
     difference: float
-    """The error in that unit."""
     order: float | None
-    """The power of the step with which it falls; None if it is rounding, or no order shows."""
 
 
 def estimate(
