@@ -29,7 +29,6 @@ class Executor(Protocol):
     @property
     def jobs(self) -> int:
         """The number of items that are worked on at a time."""
-        ...
 
     def results(self, work: Callable[[Item], Result], items: Iterable[Item]) -> Iterator[Result]:
         """Yield the result of each item, in the order in which they are finished.
@@ -39,7 +38,6 @@ class Executor(Protocol):
         SandboxError
             If it cannot continue.
         """
-        ...
 
 
 class Here:

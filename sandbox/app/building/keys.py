@@ -58,11 +58,9 @@ class Keyed(Protocol):
     @property
     def bench(self) -> Work:
         """The level or its run, whichever the tools change."""
-        ...
 
     def go_on(self) -> None:
         """Let time run again unless something is being drawn into the run."""
-        ...
 
 
 def press(editor: Keyed, event: pygame.event.Event, session: Session) -> bool:

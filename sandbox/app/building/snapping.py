@@ -34,7 +34,6 @@ class Scene(Protocol):
     @property
     def level(self) -> Level:
         """The level under edit."""
-        ...
 
 
 class Snapping:

@@ -27,23 +27,19 @@ class Worker(Protocol):
     @property
     def news(self) -> object:
         """An object that differs whenever the display must change."""
-        ...
 
     @property
     def running(self) -> bool:
         """Whether work is under way."""
-        ...
 
     def follow(self, session: Session, seconds: float, *, watched: bool) -> str | None:
         """Let time pass [s], every frame; return a message, None if there is none.
 
         `watched` is whether its page is the chosen one.
         """
-        ...
 
     def cancel(self) -> None:
         """Cancel the work."""
-        ...
 
 
 W = TypeVar("W", bound=Worker)
@@ -58,25 +54,20 @@ class OnStage(Protocol):
 
     def command(self, command: str, session: Session) -> bool:
         """Handle a command of the window, and return whether the window must not execute it."""
-        ...
 
     def key(self, event: pygame.event.Event, session: Session) -> bool:
         """Handle a pressed key, and return whether it has a meaning here."""
-        ...
 
     def process(
         self, event: pygame.event.Event, area: pygame.Rect, stage: Stage, session: Session
     ) -> bool:
         """Handle a mouse event, and return whether it has a meaning here."""
-        ...
 
     def draw(self, surface: pygame.Surface, stage: Stage, pen: Pen, session: Session) -> bool:
         """Draw on the stage, and return whether that replaces the run."""
-        ...
 
     def draw_over(self, surface: pygame.Surface, stage: Stage, pen: Pen) -> None:
         """Draw over the run, if it is drawn."""
-        ...
 
 
 @runtime_checkable
@@ -85,11 +76,9 @@ class Zoomed(Protocol):
 
     def wheel(self, notches: float, pixel: tuple[int, int]) -> bool:
         """Zoom about the mouse if it is over the part, and return whether it is."""
-        ...
 
     def home(self) -> bool:
         """Reset the zoom, and return whether there was one."""
-        ...
 
 
 @runtime_checkable
@@ -98,7 +87,6 @@ class Leading(Protocol):
 
     def leads(self, button: object) -> str | None:
         """Return the command of a button; None if it is not one of these."""
-        ...
 
 
 @runtime_checkable
@@ -108,7 +96,6 @@ class Asking(Protocol):
     @property
     def awaited(self) -> Field | None:
         """The field that awaits the answer; None while there is no question."""
-        ...
 
 
 class Desk(NamedTuple):

@@ -20,7 +20,6 @@ class Typed(Protocol):
 
     def revert(self) -> None:
         """Reset the fields to the current values."""
-        ...
 
 
 class Sheet:
@@ -108,11 +107,9 @@ class Panel(Protocol):
 
     def process(self, event: pygame.event.Event) -> str | None:
         """Handle a click; return the message for it, or None if nothing was clicked."""
-        ...
 
     def update(self) -> None:
         """Update the contents."""
-        ...
 
 
 def below(image: UIImage) -> int:

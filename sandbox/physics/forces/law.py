@@ -34,15 +34,12 @@ class Law(Protocol):
     @property
     def effect(self) -> Effect:
         """Its declaration: that of an effect, or of springs."""
-        ...
 
     def add(self, motion: Motion, wrench: Array) -> None:
         """Add the force and torque on each body [N, N m] to an array, (..., n, 3)."""
-        ...
 
     def potential_energy(self, motion: Motion) -> Array:
         """Return the potential energy of each body [J]: (..., n)."""
-        ...
 
 
 class Turn(Protocol):
@@ -55,11 +52,9 @@ class Turn(Protocol):
     @property
     def effect(self) -> Effect:
         """Its declaration."""
-        ...
 
     def rate(self, motion: Motion) -> Array:
         """Return ω of each body, counter-clockwise [rad/s]: (..., n), 0 where it does not act."""
-        ...
 
 
 class Given(NamedTuple):

@@ -16,27 +16,22 @@ class Motion(Protocol):
     @property
     def t(self) -> Array:
         """The time: (...) [s]."""
-        ...
 
     @property
     def position(self) -> Array:
         """The positions: (..., n, 2) [m]."""
-        ...
 
     @property
     def angle(self) -> Array:
         """The angles: (..., n) [rad]."""
-        ...
 
     @property
     def velocity(self) -> Array:
         """The velocities: (..., n, 2) [m/s]."""
-        ...
 
     @property
     def angular_velocity(self) -> Array:
         """The angular velocities: (..., n) [rad/s]."""
-        ...
 
 
 class Instant(NamedTuple):

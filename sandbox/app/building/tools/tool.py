@@ -31,31 +31,24 @@ class Bench(Protocol):
 
     def make(self, said: str, edit: Callable[[str, Level], Made], family: str = "bodies") -> bool:
         """Add parts to the level and select them, and return whether that was possible."""
-        ...
 
     def change(self, said: str, edit: Callable[[str, Level], str]) -> bool:
         """Change the level, and return whether that was possible."""
-        ...
 
     def tell(self, text: str) -> None:
         """Show a message in the banner."""
-        ...
 
     def select(self, parts: Sequence[Part]) -> None:
         """Replace the selection."""
-        ...
 
     def with_group(self, part: Part) -> tuple[Part, ...]:
         """Return a part, with the other bodies of its group if it has one."""
-        ...
 
     def part_at(self, pixel: XY) -> Part | None:
         """Return the topmost body or joint at a pixel; None if there is none."""
-        ...
 
     def snapped_by(self, names: Sequence[str], by: XY) -> Snapped:
         """Return the displacement with which bodies touch what they come near [m]."""
-        ...
 
 
 class Tool(Protocol):
@@ -64,36 +57,28 @@ class Tool(Protocol):
     @property
     def busy(self) -> bool:
         """Whether something is being drawn or dragged."""
-        ...
 
     @property
     def hint(self) -> str:
         """A hint at what to do next."""
-        ...
 
     def press(self, spot: Spot) -> None:
         """Start, or set the next point."""
-        ...
 
     def move(self, spot: Spot) -> None:
         """Update the preview."""
-        ...
 
     def release(self, spot: Spot) -> None:
         """Finish a drag."""
-        ...
 
     def finish(self) -> None:
         """Finish a shape that takes several clicks."""
-        ...
 
     def cancel(self) -> None:
         """Cancel what is being drawn, or remove its last point."""
-        ...
 
     def draw(self, surface: pygame.Surface, pen: Pen) -> None:
         """Draw the preview."""
-        ...
 
 
 @dataclass(frozen=True, slots=True)

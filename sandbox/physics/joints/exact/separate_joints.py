@@ -23,7 +23,6 @@ class Alone(Protocol):
         ZeroDivisionError
             If no impulse does.
         """
-        ...
 
 
 def alone(
