@@ -91,44 +91,33 @@ class Case:
 
 @dataclass(frozen=True, slots=True)
 class Outcome:
-    """The outcome of a case; `naive` is stock pymunk, on the same level at the same rate.
-
-    Attributes
-    ----------
-    name, level, parameters, quantity, tolerance
-        As in the case, with all parameters.
-    because
-        The reason for that tolerance.
-    unit
-        The unit of the measured and the expected value.
-    measured, expected
-        The two values where they differ most; NaN if the event never occurred.
-    error, naive_error
-        See `relative_error`; infinite if the event never occurred.
-    passed
-        Whether the error is within its bound, the naive error beyond its own, and the order
-        reached.
-    step_seconds, naive_step_seconds
-        The time of a step of the level with its defaults [s].
-    order
-        The power of the step with which the error falls; None if the case claims no order.
-    """
+    """The outcome of a case; `naive` is stock pymunk, on the same level at the same rate."""
 
     name: str
     level: str
     parameters: Values
     quantity: str
+    """As in the case, with all parameters."""
     unit: str
+    """The unit of the measured and the expected value."""
     measured: float
     expected: float
+    """The two values where they differ most; NaN if the event never occurred."""
     error: float
+    """See `relative_error`; infinite if the event never occurred."""
     tolerance: float
     because: str
+    """As in the case."""
     passed: bool
+    """Whether the error is within its bound, the naive error beyond its own, and the order reached.
+    """
     naive_error: float
+    """The same of stock pymunk."""
     step_seconds: float
     naive_step_seconds: float
+    """The time of a step of the level with its defaults [s]."""
     order: float | None
+    """The power of the step with which the error falls; None if the case claims no order."""
 
 
 def run(cases: Sequence[Case]) -> Iterator[Outcome]:

@@ -73,30 +73,22 @@ class Point:
 
 @dataclass(frozen=True, slots=True)
 class Sweep:
-    """The points of a level; the costs are NaN until they are timed.
-
-    Attributes
-    ----------
-    level, own_rate
-        The level, and its own rate [Hz].
-    judged_by, quantities
-        The reference of the errors, and the quantities that have them.
-    points, requests
-        The settings that were tried, and the requests for an accuracy.
-    failure
-        Why the level does not run at its own rate; empty if it does.
-    trusted
-        The trusted digits at that rate, of the least known position and of the quantities.
-    """
+    """The points of a level; the costs are NaN until they are timed."""
 
     level: str
+    """The name of the level."""
     judged_by: str
     quantities: tuple[str, ...]
+    """The reference of the errors, and the quantities that have them."""
     own_rate: float
+    """The level's own rate [Hz]."""
     points: tuple[Point, ...]
     requests: tuple[Request, ...] = ()
+    """The settings that were tried, and the requests for an accuracy."""
     failure: str = ""
+    """Why the level does not run at its own rate; empty if it does."""
     trusted: tuple[Trust, ...] = ()
+    """The trusted digits at that rate, of the least known position and of the quantities."""
 
 
 def errors(name: str, budget: Budget) -> Sweep:

@@ -26,101 +26,74 @@ LOOKS = 600
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class HardCase:
-    """A scene that must hold.
-
-    Attributes
-    ----------
-    name
-        The claim, in a few words.
-    family
-        The module that it comes from.
-    group
-        A: should be exact; B: should converge; C: should stand; D: beyond pymunk's own solver.
-    level
-        The name of the level, such as `hard/stack-of-15`.
-    criterion
-        The meaning of the figure, and the origin of the bound.
-    figure, bound
-        The figure of a run, and its bound.
-    duration, quick
-        The length of the run, and of a quick run [s]; None for the level's own.
-    rate
-        The rate [Hz]; None for the level's own.
-    parameters
-        The parameters that differ from the level's defaults.
-    scene
-        A variation of the level, if that is run instead of the level itself.
-    order
-        The least power of the step with which the figure must fall; None if it claims none.
-    every_step
-        Whether every step is observed, instead of some hundreds.
-    special
-        A function of the level and the duration that returns the figure, if one run is not enough.
-    beyond
-        Why it is out of reach, if it is; then it is shown, but is not a failure.
-    """
+    """A scene that must hold."""
 
     name: str
+    """The claim, in a few words."""
     family: str
+    """The module that it comes from."""
     group: str
+    """A: should be exact; B: should converge; C: should stand; D: beyond pymunk's own solver."""
     level: str
+    """The name of the level, such as `hard/stack-of-15`."""
     criterion: str
+    """The meaning of the figure, and the origin of the bound."""
     bound: float
+    """The bound of the figure."""
     figure: Figure | None = None
+    """The figure of a run."""
     duration: float | None = None
     quick: float | None = None
+    """The length of the run, and of a quick run [s]; None for the level's own."""
     rate: float | None = None
+    """The rate [Hz]; None for the level's own."""
     parameters: Mapping[str, float] = field(default_factory=dict)
+    """The parameters that differ from the level's defaults."""
     scene: Document | None = None
+    """A variation of the level, if that is run instead of the level itself."""
     order: float | None = None
+    """The least power of the step with which the figure must fall; None if it claims none."""
     every_step: bool = False
+    """Whether every step is observed, instead of some hundreds."""
     special: Callable[[Level, float], float] | None = None
+    """A function of the level and the duration that returns the figure, if one run is not enough.
+    """
     beyond: str | None = None
+    """Why it is out of reach, if it is; then it is shown, but is not a failure."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Frontier:
-    """The difficulty up to which a scene stays within its bound.
-
-    Attributes
-    ----------
-    name, family
-        As for a case.
-    axis, unit
-        The quantity that makes it harder.
-    scene
-        The level at a given difficulty; the cost of its stepping is the budget for pymunk as well.
-    figure, bound, criterion
-        As for a case.
-    start, end
-        The least difficulty, and the one at which the search ends.
-    duration
-        The length of a run [s].
-    whole
-        Whether the difficulty is a whole number.
-    over_time
-        Whether the difficulty is the time until which the bound holds; `end` is then the duration.
-    tolerance
-        The factor by which the frontier may recede.
-    beyond
-        Why it is nearer than that of pymunk, if it is.
-    """
+    """The difficulty up to which a scene stays within its bound."""
 
     name: str
     family: str
+    """As for a case."""
     axis: str
+    """The quantity that makes it harder."""
     scene: Callable[[float], Document]
+    """The level at a given difficulty; the cost of its stepping is the budget for pymunk as well.
+    """
     figure: Figure
     bound: float
     criterion: str
+    """As for a case."""
     start: float
     end: float
+    """The least difficulty, and the one at which the search ends."""
     duration: float = 5.0
+    """The length of a run [s]."""
     unit: str = ""
+    """The unit of that quantity."""
     whole: bool = False
+    """Whether the difficulty is a whole number."""
     over_time: bool = False
+    """Whether the difficulty is the time until which the bound holds; `end` is then the duration.
+    """
     tolerance: float = 1.25
+    """The factor by which the frontier may recede."""
     beyond: str | None = None
+    """Why it is nearer than that of pymunk, if it is."""
 
 
 def watch(level: Level, world: World, duration: float, *, every_step: bool = False) -> Run:

@@ -36,29 +36,22 @@ class Refiner:
     """Runs a level at a rate, and at twice the rate each next time.
 
     A run that has to stop because its steps are too long does not count.
-
-    Attributes
-    ----------
-    level, values, wanted, target
-        The run, the watched quantities, and the largest error allowed.
-    stepping
-        The stepping of the next run.
-    refinement
-        The runs so far; None if there are fewer than two.
-    failure
-        Why the last run had to stop; None if it did not.
-    step
-        The counted work of a step [s].
     """
 
     level: Level
     values: Values
+    """The run."""
     stepping: Stepping
+    """The stepping of the next run."""
     wanted: Sequence[Watched]
     target: float
+    """The watched quantities, and the largest error allowed."""
     refinement: Refinement | None = None
+    """The runs so far; None if there are fewer than two."""
     failure: SimulationError | None = None
+    """Why the last run had to stop; None if it did not."""
     step: float = 0.0
+    """The counted work of a step [s]."""
     _traces: list[Trace] = field(default_factory=list)
 
     def __post_init__(self) -> None:
