@@ -48,8 +48,5 @@ def _change(random: Random, part: Any, key: Any, found: list[Place]) -> None:  #
     else:
         other, step = random.choice(found)
         if isinstance(other, dict | list) and (isinstance(other, list) or step in other):
-            part[key] = deepcopy(other[step]) if _is_there(other, step) else 1
-
-
-def _is_there(part: Any, key: Any) -> bool:  # noqa: ANN401 (whatever JSON holds)
-    return key in part if isinstance(part, dict) else key < len(part)
+            there = isinstance(other, dict) or step < len(other)
+            part[key] = deepcopy(other[step]) if there else 1

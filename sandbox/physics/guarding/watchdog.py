@@ -189,10 +189,10 @@ class Watchdog:
 
     def _look_for_lost(self, now: Snapshot) -> None:
         if not is_sound(now):
-            refuse_lost(self._names, now, self._rate, lambda row: self._gone_by(row, now), self._by)
-
-    def _gone_by(self, row: int, now: Snapshot) -> tuple[Message, float | None]:
-        return self._without_value(row, now) or self._cause(row)
+            refuse_lost(
+                self._names, now, self._rate,
+                lambda row: self._without_value(row, now) or self._cause(row), self._by,
+            )  # fmt: skip
 
     def _by(self, row: int) -> tuple[Message, float | None]:
         return self._known_cause(row) or (NOTHING, None)

@@ -32,7 +32,7 @@ def dumbbells(ratio: float) -> Document:
     joints: Document = {}
     momentum = 0.0
     for i, (degrees, e, top_heavy) in enumerate(DUMBBELLS, start=1):
-        masses = _masses(ratio, top_heavy=top_heavy)
+        masses = (1.0, ratio) if top_heavy else (ratio, 1.0)  # kg, of the lower and the upper end
         x, y, angle = 3.0 * (i - 3), 0.1 + FALL * BOUNCED / 2, radians(degrees)
         ends = (x, y), (x + cos(angle), y + sin(angle))
         for name, place, heavy in zip(("low", "high"), ends, masses, strict=True):
@@ -53,11 +53,6 @@ def dumbbells(ratio: float) -> Document:
         ],
         view={"center": [0.5, 1], "width": 16},
     )
-
-
-def _masses(ratio: float, *, top_heavy: bool) -> tuple[float, float]:
-    """Return the masses of a dumbbell's lower and upper end [kg]."""
-    return (1.0, ratio) if top_heavy else (ratio, 1.0)
 
 
 def misses(run: Run) -> float:

@@ -64,8 +64,8 @@ def figure(
             *_earlier(session, these, up, across),
             *(Curve(n, "run", list(up).index(n), columns[across], columns[n]) for n in these),
             *(
-                Curve(_of_the_formula(name), "closed", list(up).index(name), x, y)
-                for name, x, y in closed_forms(session, columns, these, across)
+                Curve(say("{quantity}, closed form", quantity=n), "closed", list(up).index(n), x, y)
+                for n, x, y in closed_forms(session, columns, these, across)
             ),
         ]
         fields.append(Field(graph.unit, curves, (graph.up.low, graph.up.high)))
@@ -85,10 +85,6 @@ def _earlier(
         for name in these:
             color = list(up).index(name)
             yield Curve(f"{name}, {label}", "earlier", color, columns[across], columns[name])
-
-
-def _of_the_formula(name: str) -> str:
-    return say("{quantity}, closed form", quantity=name)
 
 
 def saved(found: Figure, path: Path) -> Iterator[str]:
