@@ -47,7 +47,7 @@ def chaotic(level: Level, values: Values, stepping: Stepping, stop: Stop) -> Mes
     Cancelled
         If `stop` returned true.
     """
-    t, times = growth(level, values, stepping, stop)
+    t, times = _growth(level, values, stepping, stop)
     chaotic = np.flatnonzero(times >= CHAOTIC)
     if not len(chaotic):
         return NOTHING
@@ -58,21 +58,8 @@ def chaotic(level: Level, values: Values, stepping: Stepping, stop: Stop) -> Mes
     return Message("a small change grows {times:.0e} times in {t:.3g} s", times=times[at], t=t[at])
 
 
-def growth(level: Level, values: Values, stepping: Stepping, stop: Stop) -> tuple[Array, Array]:
-    """Return times [s], and the growth factor of a small displacement until then: (T,) each.
-
-    Parameters
-    ----------
-    level, values, stepping
-        The run, which is run twice.
-    stop
-        Called repeatedly; returns whether to give up.
-
-    Raises
-    ------
-    Cancelled
-        If `stop` returned true.
-    """
+def _growth(level: Level, values: Values, stepping: Stepping, stop: Stop) -> tuple[Array, Array]:
+    """Return times [s], and the growth factor of a small displacement until then: (T,) each."""
     name = next((n for n, body in level.bodies.items() if body.type == "dynamic"), None)
     nothing = np.zeros(0), np.zeros(0)
     if name is None:
