@@ -30,15 +30,10 @@ CLOUD = 4000
 
 @dataclass(frozen=True, slots=True)
 class Picture:
-    """A figure, with a description of what it shows.
-
-    Attributes
-    ----------
-    name
-        The name of its file, without the ending.
-    """
+    """A figure, with a description of what it shows."""
 
     name: str
+    """The name of its file, without the ending."""
     figure: Figure
     caption: str
 

@@ -40,28 +40,19 @@ class SandboxError(Exception):
 
 @dataclass(frozen=True, slots=True)
 class Mistake:
-    """A mistake in a level, and its place.
-
-    Attributes
-    ----------
-    source
-        The file, or another origin of the level.
-    line, column
-        The position in the file, from 1; None if it has none.
-    path
-        The path in the level, such as `bodies.ball.mass`; empty for the level as a whole.
-    rule
-        The mistake or the broken rule, with a suggestion if possible.
-    value
-        The text at that place, as in the file; empty if it does not help.
-    """
+    """A mistake in a level, and its place."""
 
     source: str
+    """The file, or another origin of the level."""
     line: int | None
     column: int | None
+    """The position in the file, from 1; None if it has none."""
     path: str
+    """The path in the level, such as `bodies.ball.mass`; empty for the level as a whole."""
     rule: Message
+    """The mistake or the broken rule, with a suggestion if possible."""
     value: str = ""
+    """The text at that place, as in the file; empty if it does not help."""
 
     def __str__(self) -> str:
         return str(self.message)

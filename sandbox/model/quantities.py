@@ -91,36 +91,24 @@ _BOOKS: Mapping[str, str] = {
 
 @dataclass(frozen=True, slots=True)
 class Quantity:
-    """A quantity of a level, as its parts.
-
-    Attributes
-    ----------
-    name
-        The full name, such as `ball.position.x`.
-    owner
-        The kind of thing that it belongs to.
-    subject
-        The body or joint; `system` or `t` for the others.
-    attribute
-        The attribute, such as `position` or `contact.normal`.
-    component
-        The component of a vector; None for its magnitude, and for scalars.
-    unit
-        The SI unit.
-    other
-        The second body or the point; empty if there is none.
-    over_time
-        The aggregate since the start, one of `OVER_TIME`; empty for the current value.
-    """
+    """A quantity of a level, as its parts."""
 
     name: str
+    """The full name, such as `ball.position.x`."""
     owner: Owner
+    """The kind of thing that it belongs to."""
     subject: str
+    """The body or joint; `system` or `t` for the others."""
     attribute: str
+    """The attribute, such as `position` or `contact.normal`."""
     component: Component | None
+    """The component of a vector; None for its magnitude, and for scalars."""
     unit: str
+    """The SI unit."""
     other: str = ""
+    """The second body or the point; empty if there is none."""
     over_time: str = ""
+    """The aggregate since the start, one of `OVER_TIME`; empty for the current value."""
 
     @property
     def adds_up(self) -> bool:

@@ -30,22 +30,15 @@ SAMPLES = Path("out") / "fuzz"
 
 @dataclass(slots=True)
 class Findings:
-    """The outcomes of many levels.
-
-    Attributes
-    ----------
-    answers
-        The number of levels that were answered, by kind of answer.
-    failures
-        The levels that were not: the number of each, what happened, and the file of its reduced
-        form.
-    guided
-        Whether Atheris guided the search.
-    """
+    """The outcomes of many levels."""
 
     answers: Counter[str] = field(default_factory=Counter)
+    """The number of levels that were answered, by kind of answer."""
     failures: list[dict[str, Any]] = field(default_factory=list)
+    """The levels that were not: the number of each, what happened, and the file of its reduced
+    form."""
     guided: bool = False
+    """Whether Atheris guided the search."""
 
 
 def made(seed: int, number: int) -> dict[str, Any]:

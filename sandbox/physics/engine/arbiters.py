@@ -28,26 +28,18 @@ _FIELDS = (
 
 
 class Pairs(NamedTuple):
-    """The pairs in contact.
-
-    Attributes
-    ----------
-    raw
-        pymunk's record of them.
-    rows
-        (k,), their rows in that record, in the order of the bodies.
-    bodies, first, touches
-        See `Contacts`.
-    alone
-        Whether each two bodies have at most one pair, so that the order is unique.
-    """
+    """The pairs in contact."""
 
     raw: bytes
+    """pymunk's record of them."""
     rows: NDArray[np.intp]
+    """(k,), their rows in that record, in the order of the bodies."""
     bodies: NDArray[np.intp]
     first: NDArray[np.bool_]
     touches: NDArray[np.intp]
+    """See `Contacts`."""
     alone: bool
+    """Whether each two bodies have at most one pair, so that the order is unique."""
 
 
 class Arbiters:

@@ -28,37 +28,25 @@ Booleans = NDArray[np.bool_]
 
 
 class Contacts(NamedTuple):
-    """The pairs of bodies in contact in the last step; k pairs, in the order of the bodies.
-
-    Attributes
-    ----------
-    bodies
-        (k, 2), the bodies' indices.
-    first
-        (k,), whether the pair did not touch in the step before.
-    direction
-        (k, 2), the unit normal, from the first body to the second.
-    normal, friction
-        (k,), the sizes of the normal and the tangential impulse [N s].
-    touches
-        (k,), the number of contact points, one or two.
-    points
-        (k, 2, 2), the contact points; the second has no meaning if there is only one [m].
-    impulse
-        (k, 2), the impulse on the second body; that on the first is opposite [N s].
-    depths
-        (k, 2), the overlaps at the contact points [m].
-    """
+    """The pairs of bodies in contact in the last step; k pairs, in the order of the bodies."""
 
     bodies: Integers
+    """(k, 2), the bodies' indices."""
     first: Booleans
+    """(k,), whether the pair did not touch in the step before."""
     direction: Array
+    """(k, 2), the unit normal, from the first body to the second."""
     normal: Array
     friction: Array
+    """(k,), the sizes of the normal and the tangential impulse [N s]."""
     touches: Integers
+    """(k,), the number of contact points, one or two."""
     points: Array
+    """(k, 2, 2), the contact points; the second has no meaning if there is only one [m]."""
     impulse: Array
+    """(k, 2), the impulse on the second body; that on the first is opposite [N s]."""
     depths: Array
+    """(k, 2), the overlaps at the contact points [m]."""
 
     @property
     def depth(self) -> Array:

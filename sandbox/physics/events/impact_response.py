@@ -28,85 +28,57 @@ STILL = 1e-15
 
 
 class Impact(NamedTuple):
-    """One impact of two bodies.
-
-    Attributes
-    ----------
-    bodies
-        Their indices.
-    time
-        The time since the previous step [s].
-    normal
-        The unit vector from the first to the second.
-    points
-        Their contact points [m].
-    impulse
-        The impulse on the second body; the first gets the opposite [N s].
-    kinematic, driven
-        The work of kinematic bodies and of belts [J].
-    rubbed, pressed
-        The work of friction and of the normal impulses [J].
-    given
-        (3,), the momentum, and the angular momentum about the origin, that it added
-        [kg m/s, kg m²/s].
-    """
+    """One impact of two bodies."""
 
     bodies: tuple[int, int]
+    """Their indices."""
     time: float
+    """The time since the previous step [s]."""
     normal: complex
+    """The unit vector from the first to the second."""
     points: tuple[complex, ...]
+    """Their contact points [m]."""
     impulse: complex
+    """The impulse on the second body; the first gets the opposite [N s]."""
     kinematic: float
     driven: float
+    """The work of kinematic bodies and of belts [J]."""
     rubbed: float
     pressed: float
+    """The work of friction and of the normal impulses [J]."""
     given: Array
+    """(3,), the momentum, and the angular momentum about the origin, that it added [kg m/s, kg
+    m²/s]."""
 
 
 class Collided(NamedTuple):
-    """The outcome of the impacts within a drift, for books kept at its middle; n bodies.
-
-    Attributes
-    ----------
-    impacts
-        The impacts, in order.
-    begun
-        (n, 3), the velocities at the beginning of the kick after the drift [m/s, rad/s].
-    lifted
-        The increase of the energy read in the middle of the drift that is only due to accelerations
-        smaller than before the impacts [J]: on a parabola it is higher by m a² dt²/8 than in the
-        middle of the chord.
-    pulled
-        (3,), the momentum and angular momentum from the forces along the path, beyond those from
-        the kicks before and after [kg m/s, kg m²/s].
-    """
+    """The outcome of the impacts within a drift, for books kept at its middle; n bodies."""
 
     impacts: Sequence[Impact]
+    """The impacts, in order."""
     begun: Array
+    """(n, 3), the velocities at the beginning of the kick after the drift [m/s, rad/s]."""
     lifted: float
+    """The increase of the energy read in the middle of the drift that is only due to accelerations
+    smaller than before the impacts [J]: on a parabola it is higher by m a² dt²/8 than in the middle
+    of the chord."""
     pulled: Array
+    """(3,), the momentum and angular momentum from the forces along the path, beyond those from the
+    kicks before and after [kg m/s, kg m²/s]."""
 
 
 class Bounce(NamedTuple):
-    """The effect of one impact, or of simultaneous ones, on n bodies.
-
-    Attributes
-    ----------
-    struck
-        (n,), the bodies that impulses reached.
-    jump
-        (n, 3), the jumps of their velocities [m/s, rad/s].
-    held
-        (n, 3), the change of the accelerations of bodies that rest on each other from there on
-        [m/s², rad/s²].
-    impacts
-        The impacts, for reports and books.
-    """
+    """The effect of one impact, or of simultaneous ones, on n bodies."""
 
     struck: Booleans
+    """(n,), the bodies that impulses reached."""
     jump: Array
+    """(n, 3), the jumps of their velocities [m/s, rad/s]."""
     held: Array
+    """(n, 3), the change of the accelerations of bodies that rest on each other from there on
+    [m/s², rad/s²]."""
     impacts: tuple[Impact, ...]
+    """The impacts, for reports and books."""
 
 
 class Coefficients(NamedTuple):
@@ -117,24 +89,16 @@ class Coefficients(NamedTuple):
 
 
 class _Points(NamedTuple):
-    """The k rows of hits of n bodies: the normals of all points, then, with friction, their slips.
-
-    Attributes
-    ----------
-    jacobian
-        (k, n, 3), maps velocities to the rates of separation and slip.
-    response
-        (k, n, 3), the jump of the velocities by a unit impulse on each row.
-    delassus
-        (k, k), the rate of each row by a unit impulse on each.
-    runs
-        (k,), the slip due to running belts [m/s].
-    """
+    """The k rows of hits of n bodies: normals of all points, then, with friction, their slips."""
 
     jacobian: Array
+    """(k, n, 3), maps velocities to the rates of separation and slip."""
     response: Array
+    """(k, n, 3), the jump of the velocities by a unit impulse on each row."""
     delassus: Array
+    """(k, k), the rate of each row by a unit impulse on each."""
     runs: Array
+    """(k,), the slip due to running belts [m/s]."""
 
 
 class Collision:

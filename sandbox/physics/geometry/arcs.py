@@ -34,31 +34,21 @@ outer side: the middle of a thin line does, by the overlap that is not corrected
 
 @dataclass(frozen=True, slots=True)
 class Arc:
-    """A line of some thickness along a part of a circle, or along a whole circle as a hoop.
-
-    Attributes
-    ----------
-    body
-        The body's index.
-    center
-        The centre of the circle, in the axes of the body [m].
-    radius
-        The radius of the circle, in the middle of the line [m].
-    inner, outer
-        The radii of the two sides [m].
-    middle
-        The direction from the centre to the middle of the arc, in the axes of the body.
-    cosine
-        The cosine of half the angle that it spans; below −1 for a whole circle.
-    """
+    """A line of some thickness along a part of a circle, or along a whole circle as a hoop."""
 
     body: int
+    """The body's index."""
     center: complex
+    """The centre of the circle, in the axes of the body [m]."""
     radius: float
+    """The radius of the circle, in the middle of the line [m]."""
     inner: float
     outer: float
+    """The radii of the two sides [m]."""
     middle: complex
+    """The direction from the centre to the middle of the arc, in the axes of the body."""
     cosine: float
+    """The cosine of half the angle that it spans; below −1 for a whole circle."""
 
     def spans(self, way: complex, turned: complex) -> bool:
         """Return whether a vector from the centre points at the arc, with the body turned."""
@@ -67,90 +57,59 @@ class Arc:
 
 @dataclass(frozen=True, slots=True)
 class Piece:
-    """One of pymunk's shapes, for contacts with arcs and curves.
-
-    Attributes
-    ----------
-    body
-        The body's index.
-    core
-        The corners before the radius is added, in the axes of the body; one point if round [m].
-    radius
-        The thickness around the core [m].
-    arc
-        The arc of which it is a side or an end; None for other shapes.
-    away
-        The outward direction of an arc's end; 0 for other shapes.
-    goes_on
-        The direction of another line that continues from an arc's end; 0 if there is none.
-    corner
-        The corner or end [m] of a feeler, a shape that only touches arcs from inside; None for
-        other shapes. The core of a feeler is that of the whole shape.
-    curve
-        The side of a curve's stretch that it is; None for other shapes.
-    """
+    """One of pymunk's shapes, for contacts with arcs and curves."""
 
     body: int
+    """The body's index."""
     core: tuple[complex, ...]
+    """The corners before the radius is added, in the axes of the body; one point if round [m]."""
     radius: float
+    """The thickness around the core [m]."""
     arc: Arc | None = None
+    """The arc of which it is a side or an end; None for other shapes."""
     away: complex = 0j
+    """The outward direction of an arc's end; 0 for other shapes."""
     goes_on: complex = 0j
+    """The direction of another line that continues from an arc's end; 0 if there is none."""
     corner: complex | None = None
+    """The corner or end [m] of a feeler, a shape that only touches arcs from inside; None for other
+    shapes. The core of a feeler is that of the whole shape."""
     curve: Side | None = None
+    """The side of a curve's stretch that it is; None for other shapes."""
 
 
 class Touch(NamedTuple):
-    """A contact of a corner or round shape with the inner side of an arc, or a side of a curve.
-
-    Attributes
-    ----------
-    arc
-        The arc; for a curve, its osculating circle.
-    body
-        The index of the other body.
-    point
-        The corner, or the centre of the round shape, in the axes of that body [m].
-    radius
-        The radius around that point [m].
-    depth
-        The overlap; negative if the two are apart [m].
-    normal
-        The unit vector from the arc to the other body.
-    on_arc, on_other
-        The contact points on the two surfaces, in the plane [m].
-    sign
-        1 from inside, −1 from outside; 0 if the body does not follow the arc.
-    """
+    """A contact of a corner or round shape with the inner side of an arc, or a side of a curve."""
 
     arc: Arc
+    """The arc; for a curve, its osculating circle."""
     body: int
+    """The index of the other body."""
     point: complex
+    """The corner, or the centre of the round shape, in the axes of that body [m]."""
     radius: float
+    """The radius around that point [m]."""
     depth: float
+    """The overlap; negative if the two are apart [m]."""
     normal: complex
+    """The unit vector from the arc to the other body."""
     on_arc: complex
     on_other: complex
+    """The contact points on the two surfaces, in the plane [m]."""
     sign: int = 1
+    """1 from inside, −1 from outside; 0 if the body does not follow the arc."""
 
 
 class Way(NamedTuple):
-    """The velocities of a body relative to an arc that it touches.
-
-    Attributes
-    ----------
-    comes
-        The velocity of approach [m/s].
-    leaves
-        The velocity of separation needed to keep the overlap through the next drift; negative if
-        the body may still come closer [m/s].
-    along
-        The velocity along the arc [m/s].
-    """
+    """The velocities of a body relative to an arc that it touches."""
 
     comes: float
+    """The velocity of approach [m/s]."""
     leaves: float
+    """The velocity of separation needed to keep the overlap through the next drift; negative if the
+    body may still come closer [m/s]."""
     along: float
+    """The velocity along the arc [m/s]."""
 
 
 Verdict = Touch | bool

@@ -25,48 +25,31 @@ FEELER = 1 << 31
 
 @dataclass(frozen=True, slots=True)
 class Outline:
-    """A shape, in the axes of its body.
-
-    Attributes
-    ----------
-    body
-        The body's index.
-    corners
-        The corners of the core, counter-clockwise [m].
-    radius
-        The radius around the core [m].
-    reach
-        The largest distance of the core from the centre of the body [m].
-    group
-        The collision group; shapes of the same group do not touch, unless it is 0.
-    ways
-        The vectors along the segments that continue a segment at its two ends; 0 without one.
-    """
+    """A shape, in the axes of its body."""
 
     body: int
+    """The body's index."""
     corners: tuple[complex, ...]
+    """The corners of the core, counter-clockwise [m]."""
     radius: float
+    """The radius around the core [m]."""
     reach: float
+    """The largest distance of the core from the centre of the body [m]."""
     group: int = 0
+    """The collision group; shapes of the same group do not touch, unless it is 0."""
     ways: tuple[complex, complex] = (0j, 0j)
+    """The vectors along the segments that continue a segment at its two ends; 0 without one."""
 
 
 class Gap(NamedTuple):
-    """The gap between two shapes.
-
-    Attributes
-    ----------
-    distance
-        The distance, negative if they overlap [m].
-    normal
-        The unit vector from the first to the second.
-    points
-        The one or two contact points, on the core of the first [m].
-    """
+    """The gap between two shapes."""
 
     distance: float
+    """The distance, negative if they overlap [m]."""
     normal: complex
+    """The unit vector from the first to the second."""
     points: tuple[complex, ...]
+    """The one or two contact points, on the core of the first [m]."""
 
 
 def outlines(bodies: Sequence[pymunk.Body]) -> list[Outline]:

@@ -43,44 +43,29 @@ _GAUSS = tuple((0.5 + x, w) for x, w in ((-sqrt(0.15), 5 / 18), (0.0, 4 / 9), (s
 
 
 class Foot(NamedTuple):
-    """A point of a course.
-
-    Attributes
-    ----------
-    at
-        The parameter, in pieces.
-    point
-        The position [m].
-    tangent
-        The unit tangent.
-    bend
-        The curvature, positive where the course turns left; never 0 [1/m].
-    """
+    """A point of a course."""
 
     at: float
+    """The parameter, in pieces."""
     point: complex
+    """The position [m]."""
     tangent: complex
+    """The unit tangent."""
     bend: float
+    """The curvature, positive where the course turns left; never 0 [1/m]."""
 
 
 class Stretch(NamedTuple):
-    """A part of a course that bends one way, with one nearest point to anything beside it.
-
-    Attributes
-    ----------
-    first, last
-        The knots at its ends.
-    bend
-        1 if it turns left, −1 if right, 0 if it is straight.
-    center, reach
-        The centre and radius of a circle around it [m].
-    """
+    """A part of a course that bends one way, with one nearest point to anything beside it."""
 
     first: int
     last: int
+    """The knots at its ends."""
     bend: int
+    """1 if it turns left, −1 if right, 0 if it is straight."""
     center: complex
     reach: float
+    """The centre and radius of a circle around it [m]."""
 
 
 class Course:
@@ -232,22 +217,15 @@ class Course:
 
 @dataclass(frozen=True, slots=True)
 class Side:
-    """A stretch of a curve, with both of its sides.
-
-    Attributes
-    ----------
-    body
-        The body's index.
-    course, stretch
-        The course, and the part of it.
-    half
-        The distance of the two sides from the course, half the thickness [m].
-    """
+    """A stretch of a curve, with both of its sides."""
 
     body: int
+    """The body's index."""
     course: Course
     stretch: Stretch
+    """The course, and the part of it."""
     half: float
+    """The distance of the two sides from the course, half the thickness [m]."""
 
 
 def _cuts(bends: np.ndarray, turns: np.ndarray) -> list[int]:

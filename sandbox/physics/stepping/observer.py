@@ -20,25 +20,17 @@ if TYPE_CHECKING:
 
 
 class Observation(NamedTuple):
-    """The observed state at a step; n bodies.
-
-    Attributes
-    ----------
-    steps
-        The number of steps taken.
-    snapshot, contacts
-        The state, and the contacts.
-    begun
-        (n, 3), the velocities at the beginning of the last kick [m/s, rad/s].
-    after
-        (n, 3), the velocities at its end; None at the start of a run.
-    """
+    """The observed state at a step; n bodies."""
 
     steps: int
+    """The number of steps taken."""
     snapshot: Snapshot
     contacts: Contacts
+    """The state, and the contacts."""
     begun: Array
+    """(n, 3), the velocities at the beginning of the last kick [m/s, rad/s]."""
     after: Array | None
+    """(n, 3), the velocities at its end; None at the start of a run."""
 
 
 class Observer:

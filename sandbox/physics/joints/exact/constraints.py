@@ -29,15 +29,10 @@ PLACES = 4e-16
 
 @dataclass(slots=True)  # not frozen: some are made in every step
 class Coordinates:
-    """Positions or velocities of all N bodies, the plane itself last.
-
-    Attributes
-    ----------
-    values
-        (3 N,), x and y of each body, then the angle of each.
-    """
+    """Positions or velocities of all N bodies, the plane itself last."""
 
     values: Array
+    """(3 N,), x and y of each body, then the angle of each."""
     _plane: Plane | None = field(default=None, init=False, repr=False, compare=False)
     _turned: Plane | None = field(default=None, init=False, repr=False, compare=False)
 
