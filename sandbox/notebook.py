@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 
 from sandbox.model.errors import SandboxError
 from sandbox.model.level import Level
+from sandbox.model.message import Message
 from sandbox.physics.measuring.recording import Trace
 
 if TYPE_CHECKING:
@@ -72,7 +73,7 @@ def animation(trace: Trace) -> Animation:
         path = Path(folder) / "run.gif"
         *_, outcome = film(whole, path, "gif")
         if not path.exists():
-            raise SandboxError("{outcome}", outcome=outcome)
+            raise SandboxError(Message("{outcome}", outcome=outcome))
         return Animation(path.read_bytes())
 
 

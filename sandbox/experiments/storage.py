@@ -18,6 +18,7 @@ from sandbox.experiments.plan import Plan
 from sandbox.experiments.table import Cell, schema
 from sandbox.model.errors import SandboxError, brief
 from sandbox.model.files import make_folder, write_atomically
+from sandbox.model.message import Message
 from sandbox.version import __version__
 
 if TYPE_CHECKING:
@@ -60,17 +61,19 @@ class Store:
             there = place.read_text("utf-8") if place.exists() else None
         except (OSError, ValueError) as error:
             raise SandboxError(
-                "cannot read {place}: {error}", place=place, error=str(error)
+                Message("cannot read {place}: {error}", place=place, error=str(error))
             ) from error
         if there is None:
             write_atomically(place, text)
         elif there != text:
             changed = _difference(there, text)
             raise SandboxError(
-                "{folder} holds another experiment ({changed}): name another folder, or remove"
-                " this one",
-                folder=self._folder,
-                changed=changed,
+                Message(
+                    "{folder} holds another experiment ({changed}): name another folder, or remove"
+                    " this one",
+                    folder=self._folder,
+                    changed=changed,
+                )
             )
 
     @property
@@ -85,7 +88,11 @@ class Store:
             return bool(pq.read_metadata(self.results).num_rows == self._plan.runs)
         except (OSError, pa.ArrowInvalid) as error:
             raise SandboxError(
-                "cannot read {results}: {error}; remove it", results=self.results, error=str(error)
+                Message(
+                    "cannot read {results}: {error}; remove it",
+                    results=self.results,
+                    error=str(error),
+                )
             ) from error
 
     def missing(self) -> Iterator[tuple[int, int]]:
@@ -135,9 +142,11 @@ class Store:
         except OSError as error:
             beside.unlink(missing_ok=True)
             raise SandboxError(
-                "cannot write {results}: {reason}; what was done is kept",
-                results=self.results,
-                reason=error.strerror or error,
+                Message(
+                    "cannot write {results}: {reason}; what was done is kept",
+                    results=self.results,
+                    reason=error.strerror or error,
+                )
             ) from error
 
     def _grouped(self) -> "Iterator[pa.Table]":

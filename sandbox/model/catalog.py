@@ -52,7 +52,10 @@ def sources() -> Path:
     if not (folder / "pyproject.toml").is_file():
         package = Path(__file__).resolve().parents[1]
         raise SandboxError(
-            "this is written in a checkout of the project; {package} is installed", package=package
+            Message(
+                "this is written in a checkout of the project; {package} is installed",
+                package=package,
+            )
         )
     return folder
 

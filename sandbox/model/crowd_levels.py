@@ -7,6 +7,7 @@ from typing import Any, NamedTuple
 from sandbox.model.body import MAX_BODIES
 from sandbox.model.did_you_mean import suggestion
 from sandbox.model.errors import SandboxError, brief
+from sandbox.model.message import Message
 
 Document = dict[str, Any]
 """The content of a level's file."""
@@ -174,15 +175,19 @@ def crowd(kind: str, bodies: int) -> Document:
     """
     if kind not in CROWDS:
         raise CrowdError(
-            "there is no scene '{kind}'{hint}", kind=brief(kind), hint=suggestion(kind, CROWDS)
+            Message(
+                "there is no scene '{kind}'{hint}", kind=brief(kind), hint=suggestion(kind, CROWDS)
+            )
         )
     make, most, least = CROWDS[kind]
     if not least <= bodies <= most:
         raise CrowdError(
-            "a {kind} of {bodies} bodies: there must be between {least} and {most}",
-            kind=kind,
-            bodies=bodies,
-            least=least,
-            most=most,
+            Message(
+                "a {kind} of {bodies} bodies: there must be between {least} and {most}",
+                kind=kind,
+                bodies=bodies,
+                least=least,
+                most=most,
+            )
         )
     return make(bodies)

@@ -202,15 +202,17 @@ def make_folder(folder: Path) -> None:
     except OSError as error:
         reason = Message("it is a file") if folder.is_file() else error.strerror
         raise SandboxError(
-            "cannot make the folder {folder}: {reason}", folder=folder, reason=reason
+            Message("cannot make the folder {folder}: {reason}", folder=folder, reason=reason)
         ) from error
     if not os.access(folder, os.W_OK | os.X_OK):
-        raise SandboxError("cannot write into the folder {folder}: it is read-only", folder=folder)
+        raise SandboxError(
+            Message("cannot write into the folder {folder}: it is read-only", folder=folder)
+        )
 
 
 def _taken(path: Path) -> TakenError:
-    return TakenError("{path} is there already; nothing is overwritten", path=path)
+    return TakenError(Message("{path} is there already; nothing is overwritten", path=path))
 
 
 def _refusal(path: Path, reason: str) -> SandboxError:
-    return SandboxError("cannot write {path}: {reason}", path=path, reason=reason)
+    return SandboxError(Message("cannot write {path}: {reason}", path=path, reason=reason))

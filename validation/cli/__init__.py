@@ -1,7 +1,7 @@
 """The commands of `python -m validation`: one module each, and one list of them.
 
-Each module has one function, `command`, which declares its arguments and its help, and returns
-whether all went well. Slow imports are made when it is called.
+Each module has one function, `command`, which declares its arguments and its help. Slow imports are
+made when it is called.
 """
 
 import typer
@@ -17,14 +17,12 @@ from validation.cli import (
     run,
     stability,
 )
-from validation.cli.options import Commands
 
 COMMANDS = (run, compose, cost, requests, pace, effects, report, stability, fuzz)
 """All commands in the order of the help; each is named after its module."""
 
 app = typer.Typer(
     name="validation",
-    cls=Commands,
     no_args_is_help=True,
     add_completion=False,
     pretty_exceptions_enable=False,

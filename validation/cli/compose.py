@@ -1,12 +1,13 @@
 """The command `compose`."""
 
+from collections.abc import Callable
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
 from sandbox.optional_packages import needed_for
-from validation.cli.options import Jobs, JsonFile
+from validation.cli.options import FAILED, Jobs, JsonFile, reported_errors
 
 
 def command(
@@ -31,12 +32,26 @@ def command(
         ),
     ] = None,
     jobs: Jobs = None,
-) -> bool:
+) -> None:
     """Judge random compositions of bodies, joints and effects by what must hold in any run.
 
     Exit status 1 if a judgement fails. A scene that is refused with a reason is no failure.
     """
+    with reported_errors():
+        measure = _composer()
+        passed = measure(scenes or _seeds(seed, count), json_file, output, jobs)
+    if not passed:
+        raise typer.Exit(FAILED)
+
+
+def _seeds(seed: int, count: int) -> list[int]:
+    from validation.compose.scenes import seeds
+
+    return seeds(seed, count)
+
+
+def _composer() -> Callable[..., bool]:
+    """Return the judge of compositions, which needs a library of its own."""
     with needed_for("a judgement of compositions"):
         from validation.compose.command import measure
-        from validation.compose.scenes import seeds
-    return measure(scenes or seeds(seed, count), json_file, output, jobs)
+    return measure

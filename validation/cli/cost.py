@@ -5,7 +5,7 @@ from typing import Annotated
 
 import typer
 
-from validation.cli.options import JsonFile
+from validation.cli.options import FAILED, JsonFile, reported_errors
 
 
 def command(
@@ -18,11 +18,14 @@ def command(
         Path | None, typer.Option(metavar="DIR", help="Also draw a diagram for every level there.")
     ] = None,
     quick: Annotated[bool, typer.Option("--quick", help="Fewer rates and shorter runs.")] = False,
-) -> bool:
+) -> None:
     """Show what accuracy costs in time: error against seconds for every scheme and rate.
 
     Exit status 1 if a level does not run at its own rate.
     """
     from validation.cost.command import measure  # what one command needs need not slow all
 
-    return not measure(levels or [], json_file, output, quick=quick)
+    with reported_errors():
+        failed = measure(levels or [], json_file, output, quick=quick)
+    if failed:
+        raise typer.Exit(FAILED)

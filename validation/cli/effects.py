@@ -4,7 +4,7 @@ from typing import Annotated
 
 import typer
 
-from validation.cli.options import JsonFile
+from validation.cli.options import JsonFile, reported_errors
 
 
 def command(
@@ -12,9 +12,9 @@ def command(
     quick: Annotated[
         bool, typer.Option("--quick", help="Fewer repetitions, and fewer bodies.")
     ] = False,
-) -> bool:
+) -> None:
     """Measure what each level pays beside the bare engine, and each effect over many bodies."""
     from validation.effects.command import measure  # what one command needs need not slow all
 
-    measure(json_file, quick=quick)
-    return True
+    with reported_errors():
+        measure(json_file, quick=quick)

@@ -5,7 +5,7 @@ from typing import Annotated
 
 import typer
 
-from validation.cli.options import JsonFile
+from validation.cli.options import FAILED, JsonFile, reported_errors
 
 
 def command(
@@ -24,7 +24,7 @@ def command(
         Path | None,
         typer.Option(metavar="DIR", help="Where what goes wrong is kept. [default: out/fuzz]"),
     ] = None,
-) -> bool:
+) -> None:
     """Try levels that nobody would write, drawn from the schema or made from the project's own.
 
     Where Atheris is installed, it leads from levels to others that reach more of the code. Each
@@ -34,4 +34,7 @@ def command(
     from validation.fuzz import command  # what one command needs need not slow all
 
     number = count or (None if minutes is not None else 1000)
-    return command.fuzz(number, seed, minutes, json_file, samples or command.SAMPLES)
+    with reported_errors():
+        passed = command.fuzz(number, seed, minutes, json_file, samples or command.SAMPLES)
+    if not passed:
+        raise typer.Exit(FAILED)

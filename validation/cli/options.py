@@ -1,10 +1,11 @@
-"""Options that several commands share, and what becomes of their results and errors."""
+"""Options, exit statuses and error messages that several commands share."""
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated
 
 import typer
-from typer.core import TyperGroup
 
 from sandbox.model.errors import LevelError, SandboxError
 from sandbox.physics.state.errors import SimulationError
@@ -24,17 +25,12 @@ Jobs = Annotated[
 FAILED, MISUSED = 1, 2
 
 
-class Commands(TyperGroup):
-    """Commands that return whether all went well, or raise an error that is fit to be printed.
-
-    Exit status 1 if not all went well, or if a level failed; 2 for wrong usage.
-    """
-
-    def invoke(self, ctx: Any) -> None:  # noqa: ANN401 (click's context is not typer's)
-        """Run the command, and exit with its status."""
-        try:
-            status = 0 if super().invoke(ctx) else FAILED
-        except SandboxError as error:
-            typer.echo(error, err=True)
-            status = FAILED if isinstance(error, LevelError | SimulationError) else MISUSED
-        raise typer.Exit(status)
+@contextmanager
+def reported_errors() -> Iterator[None]:
+    """Print an error and exit: with 1 if a level failed, with 2 for wrong usage."""
+    try:
+        yield
+    except SandboxError as error:
+        typer.echo(error, err=True)
+        failed = isinstance(error, LevelError | SimulationError)
+        raise typer.Exit(FAILED if failed else MISUSED) from None

@@ -4,7 +4,7 @@ from typing import Annotated
 
 import typer
 
-from validation.cli.options import Jobs, JsonFile
+from validation.cli.options import FAILED, Jobs, JsonFile, reported_errors
 
 
 def command(
@@ -16,11 +16,14 @@ def command(
     ] = 0,
     json_file: JsonFile = None,
     jobs: Jobs = None,
-) -> bool:
+) -> None:
     """Ask for accuracies of levels at random parameters, and check what is delivered.
 
     Exit status 1 if one is missed, or if an error is more than twice what was estimated.
     """
     from validation.requests.command import measure  # what one command needs need not slow all
 
-    return measure(count, seed, json_file, jobs)
+    with reported_errors():
+        passed = measure(count, seed, json_file, jobs)
+    if not passed:
+        raise typer.Exit(FAILED)

@@ -10,7 +10,7 @@ from sandbox.model.files import check_writable
 from validation import output, suite
 from validation.case import Case
 from validation.cases import all_cases
-from validation.cli.options import Jobs, JsonFile
+from validation.cli.options import FAILED, Jobs, JsonFile, reported_errors
 
 
 def command(
@@ -20,22 +20,24 @@ def command(
     ] = None,
     json_file: JsonFile = None,
     jobs: Jobs = None,
-) -> bool:
+) -> None:
     """Run every case against its closed form, beside stock pymunk.
 
     Exit status 1 if a case misses its bound, or if stock pymunk meets one that it should miss.
     """
-    if json_file:
-        check_writable(json_file)
-    cases = of_levels(levels or [])
-    outcomes = suite.outcomes(cases, jobs)
-    output.show(suite.table(cases, outcomes))
-    if json_file:
-        output.write(suite.content(outcomes), json_file)
+    with reported_errors():
+        if json_file:
+            check_writable(json_file)
+        cases = of_levels(levels or [])
+        outcomes = suite.outcomes(cases, jobs)
+        output.show(suite.table(cases, outcomes))
+        if json_file:
+            output.write(suite.content(outcomes), json_file)
     failed = [suite.named(case) for case, o in zip(cases, outcomes, strict=True) if not o.passed]
     output.complain(failed)
     typer.echo(f"{len(cases) - len(failed)} of {len(cases)} cases hold.")
-    return not failed
+    if failed:
+        raise typer.Exit(FAILED)
 
 
 def of_levels(names: Sequence[str]) -> list[Case]:

@@ -4,7 +4,7 @@ from typing import Annotated
 
 import typer
 
-from validation.cli.options import JsonFile
+from validation.cli.options import FAILED, JsonFile, reported_errors
 
 
 def command(
@@ -15,11 +15,14 @@ def command(
     update: Annotated[
         bool, typer.Option("--update", help="Record where the frontiers lie now.")
     ] = False,
-) -> bool:
+) -> None:
     """Run the hard cases, and make them harder until they break, beside pymunk at the same cost.
 
     Exit status 1 if a case misses its bound, or a frontier has moved inward.
     """
     from validation.stability.command import measure  # what one command needs need not slow all
 
-    return not measure(json_file, quick=quick, update=update and not quick)
+    with reported_errors():
+        failed = measure(json_file, quick=quick, update=update and not quick)
+    if failed:
+        raise typer.Exit(FAILED)

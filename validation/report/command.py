@@ -8,6 +8,7 @@ from rich.console import Console
 
 from sandbox.model.errors import SandboxError
 from sandbox.model.files import make_folder, write_atomically
+from sandbox.model.message import Message
 from sandbox.reporting import plots
 from validation.output import save
 from validation.report import page, parts
@@ -36,7 +37,7 @@ def write(output: Path, source: Path | None, *, quick: bool, figures: bool) -> b
         If the folder cannot be written, or there is nothing to read.
     """
     if source and not source.is_dir():
-        raise SandboxError("cannot read {source}: there is no such folder", source=source)
+        raise SandboxError(Message("cannot read {source}: there is no such folder", source=source))
     make_folder(output)
     contents = {part.command: _collected(part, source, quick=quick) for part in parts.PARTS}
     found = page.report(contents, quick=quick)

@@ -39,16 +39,24 @@ SHUT_IN = Message("{body} is wedged in: what presses on it does not give way; le
 
 
 class Cut(NamedTuple):
-    """The outcome of the impacts within a drift; n bodies."""
+    """The outcome of the impacts within a drift; n bodies.
+
+    Attributes
+    ----------
+    struck
+        (n,), the bodies that they reached.
+    place
+        (n, 3), the positions of all bodies at the end of the drift [m, rad].
+    jump
+        (n, 3), the jumps of the velocities at the beginning of the next kick [m/s, rad/s].
+    change
+        (n, 3), the changes of the accelerations [m/s², rad/s²].
+    """
 
     struck: Booleans
-    """(n,), the bodies that they reached."""
     place: Array
-    """(n, 3), the positions of all bodies at the end of the drift [m, rad]."""
     jump: Array
-    """(n, 3), the jumps of the velocities at the beginning of the next kick [m/s, rad/s]."""
     change: Array
-    """(n, 3), the changes of the accelerations [m/s², rad/s²]."""
 
 
 class Located:

@@ -9,6 +9,7 @@ import numpy as np
 
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level
+from sandbox.model.message import Message
 from sandbox.model.quantities import WITHIN, Component, Quantity, QuantityError, quantity
 from sandbox.model.shapes import evaluate
 from sandbox.physics.scene.scene import Scene
@@ -71,10 +72,11 @@ class Meter:
 
     def _bind(self, quantity: Quantity) -> Measurement:
         if quantity.booked or quantity.between or quantity.over_time:
-            raise QuantityError(
+            rule = Message(
                 "'{name}' is known only to a recorder, which watches the whole run",
                 name=quantity.name,
             )
+            raise QuantityError(rule)
         match quantity.owner:
             case "time":
                 return lambda s: s.t
