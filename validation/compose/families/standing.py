@@ -66,26 +66,19 @@ def _loads(draft: Draft, wide: float, base: float, count: int) -> None:
 
 
 def car(draft: Draft) -> None:
-    """Build a chassis on two wheels, loaded or not, at rest on level ground."""
+    """Build a loaded chassis on two wheels, at rest on level ground."""
     draft.rests = True
     if draft.chance(0.8):
         draft.rough()
     draft.floor()
-    _chassis(draft)
-
-
-def _chassis(draft: Draft, x: float = 0.0) -> str:
-    """Add a chassis on two wheels, perhaps with loads on it."""
     radius, wide, thick = draft.number(0.1, 0.22), draft.number(1, 2), 0.2
     base = 2 * radius + 0.05
-    chassis = draft.box("chassis", (x, base + thick / 2), (wide, thick), draft.ratio())
+    chassis = draft.box("chassis", (0.0, base + thick / 2), (wide, thick), draft.ratio())
     for name, side in (("rear", -1), ("front", 1)):
         at = side * (wide / 2 - radius)
-        wheel = draft.disc(name, (x + at, radius), radius, draft.number(1, 10))
+        wheel = draft.disc(name, (at, radius), radius, draft.number(1, 10))
         draft.join(f"{name}_axle", "pivot", held(chassis, at, radius - base - thick / 2), wheel)
-    if x == 0:
-        _loads(draft, wide - 2 * radius, base + thick, draft.count(0, 2) or 1)
-    return chassis
+    _loads(draft, wide - 2 * radius, base + thick, draft.count(0, 2) or 1)
 
 
 def ladder(draft: Draft) -> None:

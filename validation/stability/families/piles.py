@@ -55,28 +55,20 @@ def stack(
     )
 
 
-def pyramid(
-    rows: int,
-    *,
-    far: float = 0.0,
-    size: float = 1.0,
-    overlap: float = 0.0,
-    rate: float = 480,
-) -> Document:
-    """Return a pyramid somewhere, its boxes spaced or overlapping by a share of their size."""
-    pitch = size * (1.1 if not overlap else 1 - overlap)
-    rise = size * (1 - overlap)
+def pyramid(rows: int, *, far: float = 0.0, overlap: float = 0.0) -> Document:
+    """Return a pyramid of boxes of 1 m somewhere, spaced or overlapping by a share of that."""
+    pitch, rise = 1.1 if not overlap else 1 - overlap, 1 - overlap
     boxes: Document = {}
     for row in range(rows):
         for i in range(rows - row):
-            place = far + (i - (rows - row - 1) / 2) * pitch, size / 2 + row * rise
-            boxes[f"box{row + 1}_{i + 1}"] = box(place, size, size, friction=1)
+            place = far + (i - (rows - row - 1) / 2) * pitch, 0.5 + row * rise
+            boxes[f"box{row + 1}_{i + 1}"] = box(place, 1.0, 1.0, friction=1)
     top = f"box{rows}_1"
-    floor = ground(rows * size)
+    floor = ground(float(rows))
     floor["position"] = [far, -0.5]
     standing = [
-        check(f"{top}.position.y", (rows - 0.5) * size, RESTS, "height of the top box"),
-        check(f"{top}.position.x", far, RESTS * size, "lean of the stack", at=3),
+        check(f"{top}.position.y", rows - 0.5, RESTS, "height of the top box"),
+        check(f"{top}.position.x", far, RESTS, "lean of the stack", at=3),
     ]
     return level(
         f"A pyramid of {rows} rows" if not overlap else f"Boxes that overlap by {overlap:.0%}",
@@ -84,14 +76,14 @@ def pyramid(
         if not overlap
         else "Boxes that overlap at the start must separate gently.",
         NEWTON,
-        effects=pile(size, overlaps=overlap > 0),
+        effects=pile(1.0, overlaps=overlap > 0),
         bodies={**boxes, "ground": floor},
-        stepping={"rate": rate},
+        stepping={"rate": 480},
         duration=3,
         checks=standing
         if not overlap
         else [check(f"{top}.position.x", 0, 1, "horizontal position, within a metre")],
-        view={"center": [far, rows * size / 2], "width": 2 * rows * size},
+        view={"center": [far, rows / 2], "width": 2.0 * rows},
     )
 
 

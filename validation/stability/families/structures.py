@@ -14,15 +14,13 @@ CARD = 0.4, 0.002  # m
 PITCH = 0.392  # m, from one pair of cards to the next
 
 
-def arch(count: int = 17, inner: float = 4.0, outer: float = 5.0) -> Document:
+def arch(count: int = 17) -> Document:
     """Return a half circle of wedges between two abutments."""
     gap = 1e-6  # rad, on either side: it closes under its weight
     wedges: Document = {}
     for i in range(count):
         a, b = pi * i / count + gap, pi * (i + 1) / count - gap
-        corners = [
-            (r * cos(t), r * sin(t)) for r, t in ((inner, a), (outer, a), (outer, b), (inner, b))
-        ]
+        corners = [(r * cos(t), r * sin(t)) for r, t in ((4.0, a), (5.0, a), (5.0, b), (4.0, b))]
         x, y = _centroid(corners)
         relative = [rounded((p - x, q - y)) for p, q in corners]
         shape = {"type": "polygon", "vertices": relative}
