@@ -58,8 +58,9 @@ class Watched:
 
     quantity: str
     at: Instant | None = None
+    """Its instant; None for every step."""
     scale: float = 0.0
-    """The quantity, its instant (None for every step), and the least scale of its error."""
+    """The least scale of its error."""
     motion: bool = False
     """Whether it is watched as part of its body's motion. Such a velocity is not compared where it
     jumps, as in an impact: the positions show how late it jumps."""
