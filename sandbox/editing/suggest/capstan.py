@@ -154,7 +154,7 @@ def _chain(scene: Scene, start: str) -> tuple[list[str], list[str]]:
     path, rods = [start], list[str]()
     while len(scene.joints[path[-1]]) == (2 if rods else 1):
         (name,) = (one for one in scene.joints[path[-1]] if one not in rods[-1:])
-        rod = scene.joint(name)
+        rod = scene.level.joints[name]
         if not isinstance(rod, Rod) or rod.length is not None:
             return [], []
         ends = [end for end in rod.ends if end != path[-1]]

@@ -34,12 +34,8 @@ def suggestions(scene: Scene) -> Iterator[Suggestion]:
 
 def held_by(scene: Scene, joint: Spring) -> str | None:
     """Return the body that a linear spring ties by its centre to the plane, or None."""
-    held = [end for end in joint.ends if body_of(end)]
-    if len(held) != 1 or not isinstance(bob := held[0], str):
-        return None
-    alone = scene.level.bodies[bob].type == "dynamic" and len(scene.joints[bob]) == 1
-    linear = not joint.pushes_only and joint.law is None
-    return bob if alone and linear and joint.stiffness(scene.values) > 0 else None
+    linear = not joint.pushes_only and joint.law is None and joint.stiffness(scene.values) > 0
+    return scene.held_by(joint) if linear else None
 
 
 def _along(scene: Scene, joint: Spring, bob: str) -> Iterator[Suggestion]:

@@ -21,7 +21,7 @@ from sandbox.editing.suggest.scene import (
     said,
 )
 from sandbox.model.joint_ends import place
-from sandbox.model.joints import Joint, Rod, Rope, body_of, points
+from sandbox.model.joints import Joint, Rod, Rope, points
 from sandbox.model.level_parts import names_in
 
 NEAR = 1e-4
@@ -80,7 +80,7 @@ def _of(scene: Scene, name: str, bob: str, swings: Sequence[Swing]) -> Suggestio
     ]
     energy = f"{mass}*{g}*{said(y)}"
     checks = [check("energy", f"{bob}.energy", energy, NEAR, scale=f"{mass}*{g}")]
-    (peg, way), joint = swings[0], scene.joint(name)
+    (peg, way), joint = swings[0], scene.level.joints[name]
     length = plain(abs(way))
     if not names_in(joint) and all(abs(abs(one.way) - abs(way)) < SAME for one in swings):
         checks.append(check("length", f"{name}.length", f"{length!r}", 1e-10))
@@ -115,11 +115,8 @@ def bob_of(scene: Scene, joint: Joint) -> str | None:
     """Return the body that hangs at rest by its centre from a point of the plane, or None."""
     if not isinstance(joint, Rod | Rope) or joint.length is not None:
         return None
-    held = [end for end in joint.ends if body_of(end)]
-    if len(held) != 1 or not isinstance(bob := held[0], str):
-        return None
-    alone = scene.level.bodies[bob].type == "dynamic" and len(scene.joints[bob]) == 1
-    return bob if alone and scene.rests(bob) else None
+    bob = scene.held_by(joint)
+    return bob if bob and scene.rests(bob) else None
 
 
 def swings_free(scene: Scene, bob: str, peg: complex, way: complex, others: Iterable[str]) -> bool:

@@ -72,7 +72,7 @@ def suggestions(scene: Scene) -> Iterator[Suggestion]:
 def _of(scene: Scene, name: str, carried: Sequence[Carried], until: float) -> Suggestion:
     """Return the suggestion for bodies on a string that meet nothing before a time [s]."""
     assert scene.fall is not None
-    g, upright = opposite(scene.fall), _upright(scene, scene.joint(name))
+    g, upright = opposite(scene.fall), _upright(scene, scene.level.joints[name])
     tension, moves = _forms(carried, g)
     at = None if until >= scene.lasts else instant(SAFE * until)
     more: dict[str, Any] = {"at": at if upright else 0, "tolerance": EXACT if upright else NEAR}
@@ -157,7 +157,7 @@ def _one(scene: Scene, joint: Joint, name: str) -> Carried | None:
 def _below(scene: Scene, name: str, held: Joint) -> tuple[str, ...] | None:
     """Return the bodies that hang straight below a held body; None if it has other joints."""
     found = list[str]()
-    for joint in (scene.joint(other) for other in scene.joints[name]):
+    for joint in (scene.level.joints[other] for other in scene.joints[name]):
         if joint is held:
             continue
         hung = _hung(scene, joint, name)

@@ -12,7 +12,7 @@ import numpy as np
 from sandbox.editing.json_layout import plain
 from sandbox.editing.placement import Core, Placed, distance
 from sandbox.model.expressions import Expression, Values
-from sandbox.model.joints import Joint, bodies_of
+from sandbox.model.joints import Rod, Rope, Spring, bodies_of, body_of
 from sandbox.model.level import Level
 from sandbox.model.rules.faults import corners
 
@@ -95,6 +95,13 @@ class Scene:
                 held[body].append(name)
         return held
 
+    def held_by(self, joint: Rod | Rope | Spring) -> str | None:
+        """Return the dynamic body that a joint, and no other, ties by its centre to the plane."""
+        held = [end for end in joint.ends if body_of(end)]
+        if len(held) != 1 or not isinstance(bob := held[0], str):
+            return None
+        return bob if bob in self.dynamic and len(self.joints[bob]) == 1 else None
+
     @property
     def dynamic(self) -> list[str]:
         """The names of the dynamic bodies."""
@@ -152,10 +159,6 @@ class Scene:
             if any(self.distance(name, way(t), other) < TOUCHING for other in others):
                 return t - self.lasts / (SAMPLES - 1)
         return self.lasts
-
-    def joint(self, name: str) -> Joint:
-        """Return a joint."""
-        return self.level.joints[name]
 
 
 def moved(core: Core, way: complex) -> Core:
