@@ -64,7 +64,9 @@ def verdict(result: Result, *, complete: bool) -> str:
         return "not reached"
     if result.t is None:
         return "failed: never came"
-    return f"failed: came at {result.t:.4g} s, too near the end to be measured; lengthen the duration"
+    return (
+        f"failed: came at {result.t:.4g} s, too near the end to be measured; lengthen the duration"
+    )
 
 
 def _value(value: float | None, unit: str) -> str:

@@ -7,8 +7,8 @@ component; a vector without a component stands for its magnitude. The subject is
 
 Two bodies, or a body and one of its points, have quantities of their own, named after both:
 `block.contact.table.normal`, `moon.relative.planet.velocity.x`, `stick.tip.position.y`; a body has
-`ball.within.gate` for every sensor. Most quantities can also be aggregated over time, such as
-`string.tension.max`.
+`ball.within.gate` for every sensor, which has `gate.count` itself. Most quantities can also be
+aggregated over time, such as `string.tension.max`.
 """
 
 from collections.abc import Iterator, Mapping
@@ -62,6 +62,9 @@ MOST_MUTUAL = 6
 
 WITHIN = "within"
 """The depth of a body's centre in a sensor, from its outline; negative outside."""
+
+COUNT = "count"
+"""The number of moving bodies whose centre is in a sensor."""
 
 _OF_POINTS = {"position": "m", "velocity": "m/s"}
 """The quantities of a point of a body."""
@@ -206,6 +209,11 @@ def quantity(name: str, level: Level) -> Quantity:
     return known[name]
 
 
+def headed(name: str, unit: str) -> str:
+    """Return the heading of a quantity's column: its name, with its unit if it has one."""
+    return f"{name} [{unit}]" if unit else name
+
+
 def base(quantity: Quantity) -> str:
     """Return the name of the quantity that is aggregated over time."""
     return quantity.name.removesuffix(f".{quantity.over_time}")
@@ -328,6 +336,8 @@ def _of(owner: Owner, subject: str, level: Level) -> Iterator[Quantity]:
         yield Quantity(f"{subject}.{attribute}", owner, subject, attribute, None, unit)
     if owner == "body":
         yield from _of_points(subject, level)
+        if level.bodies[subject].sensor:
+            yield Quantity(f"{subject}.{COUNT}", owner, subject, COUNT, None, "")
 
 
 ATTRIBUTES_OF_BODIES = frozenset(
