@@ -2,7 +2,7 @@
 
 import json
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
 Json = Any
@@ -17,10 +17,16 @@ LONGEST = 100
 UNFINISHED = re.compile(r'{[^"}]')
 """What a shorthand completes, in the text of a value."""
 
-PLAIN = {"boolean": bool, "array": list, "string": str, "number": (int, float), "integer": int}
+PLAIN: Mapping[str, tuple[type, ...]] = {
+    "boolean": (bool,),
+    "array": (list,),
+    "string": (str,),
+    "number": (int, float),
+    "integer": (int,),
+}
 """The types of values other than objects, by their names in a schema."""
 
-UNUSED: dict[str, Json] = {
+UNUSED: Mapping[str, Json] = {
     "Level.parameters": {"g": {"value": 9.81, "min": 1, "max": 25, "unit": "m/s²"}},
     "Level.groups": {"cart": {"bodies": {"box": {"mass": 2}}}},
     "Level.challenge": {"task": "Land in the bucket.", "free": ["v"], "goals": [], "solution": {}},
