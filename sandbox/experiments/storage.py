@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING
 from sandbox.experiments.plan import Plan
 from sandbox.experiments.table import Cell, schema
 from sandbox.model.errors import SandboxError, brief
-from sandbox.model.files import make_folder, write_atomically
+from sandbox.model.files import folder_of_files, make_folder, write_atomically
 from sandbox.model.message import Message
 from sandbox.version import __version__
 
@@ -50,8 +50,8 @@ class Store:
         self._folder, self._plan = folder, plan
         self.results = folder / RESULTS
         self._parts = folder / PARTS
-        make_folder(folder)
-        self._claim(json.dumps(description(plan), indent=2, ensure_ascii=False) + "\n")
+        with folder_of_files(folder):
+            self._claim(json.dumps(description(plan), indent=2, ensure_ascii=False) + "\n")
         if not self.complete:
             make_folder(self._parts)
 

@@ -36,6 +36,18 @@ def test_a_full_disk_under_what_is_said_is_told_in_a_sentence(command: str) -> N
 
 
 @pytest.mark.sweep
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="no such device there")
+def test_a_full_disk_under_remarks_costs_no_work(write: Write, tmp_path: Path) -> None:
+    """Nor does a reader of them that has gone."""
+    for nowhere in ("2> /dev/full", "2> >(true)"):
+        done = shell(f"SANDBOX simulate {write()} --output out.csv {nowhere}", tmp_path)
+
+        assert (done.returncode, done.stderr) == (0, "")
+        assert (tmp_path / "out.csv").stat().st_size > 0
+        (tmp_path / "out.csv").unlink()
+
+
+@pytest.mark.sweep
 def test_whoever_stops_reading_ends_the_program_without_a_word(
     write: Write, tmp_path: Path
 ) -> None:

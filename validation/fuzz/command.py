@@ -14,7 +14,7 @@ from typing import Any
 
 import typer
 
-from sandbox.model.files import check_writable, make_folder, write_atomically
+from sandbox.model.files import check_writable, folder_of_files, write_atomically
 from validation import output
 from validation.environment import environment
 from validation.fuzz.grammar import Grammar
@@ -90,7 +90,7 @@ def fuzz(
     found, trial = Findings(guided=available()), Trial()
     try:
         source = guided(seed, trial) if found.guided else drawn(seed, trial)
-        with closing(source):
+        with folder_of_files(samples), closing(source):
             for tried in source:
                 late = minutes is not None and monotonic() - start > 60 * minutes
                 if late or tried.number == number:
@@ -125,7 +125,6 @@ def _note(tried: Tried, trial: Trial, found: Findings, samples: Path) -> None:
         return
     least = shrunk(data, lambda smaller: trial.run(json.dumps(smaller)).kind == outcome.kind)
     text = json.dumps(least, indent=2) + "\n"
-    make_folder(samples)
     sample = (
         samples / f"{outcome.kind.replace(' ', '-')}-{sha256(text.encode()).hexdigest()[:8]}.json"
     )
