@@ -62,6 +62,27 @@ def test_whoever_stops_reading_ends_the_program_without_a_word(
 
 
 @pytest.mark.sweep
+@pytest.mark.parametrize(
+    ("line", "file"),
+    [
+        ("VALIDATION pace kinematics/free-fall --json made.json", "made.json"),
+        ("SANDBOX bench kinematics/free-fall --seconds 0.1 --json made.json", "made.json"),
+        (
+            "SANDBOX experiment newton/atwood --vary m1=1,2 --measure t@end --jobs 1 --output made",
+            "made/report.html",
+        ),
+    ],
+)
+def test_what_was_measured_is_written_even_if_nobody_reads_of_it(
+    tmp_path: Path, line: str, file: str
+) -> None:
+    done = shell(f"{line} | true; exit ${{PIPESTATUS[0]}}", tmp_path)
+
+    assert done.returncode == 141
+    assert (tmp_path / file).stat().st_size > 0
+
+
+@pytest.mark.sweep
 def test_a_closed_output_is_no_failure() -> None:
     done = shell("SANDBOX check newton/atwood >&-")
 

@@ -46,9 +46,8 @@ def measure(
         check_writable(json_file)
     with folder_of_files(folder) if folder else nullcontext():
         found = outcomes(chosen, jobs)
-        _show(found)
-        if json_file:
-            output.write(content(found), json_file)
+        with output.written(content(found), json_file):
+            _show(found)
         if folder:
             _save([o for o in found if o.failed], folder)
     return not any(o.failed for o in found)

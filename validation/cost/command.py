@@ -43,9 +43,8 @@ def measure(
             catalog.find(name)
         every = catalog.textbook()
         found = sweep_all(list(names) or (sample(every) if quick else every), quick=quick)
-        _show(found)
-        if json_file:
-            output.write(content(found), json_file)
+        with output.written(content(found), json_file):
+            _show(found)
         if folder and draw:
             for sweep in found:
                 draw(sweep, folder)

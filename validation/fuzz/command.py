@@ -106,15 +106,16 @@ def _report(found: Findings, seed: int, seconds: float, json_file: Path | None) 
     """Print the findings, and write them to a file if one is given."""
     answers = ", ".join(f"{times:,} {kind}" for kind, times in sorted(found.answers.items()))
     how = "led by Atheris" if found.guided else "drawn at random"
-    typer.echo(f"{found.answers.total():,} levels, {how}, in {seconds:.0f} s: {answers or 'none'}.")
-    output.complain(f"{one['number']}: {one['what']} ({one['sample']})" for one in found.failures)
-    if json_file:
-        content = {
-            "environment": environment(), "seed": seed, "guided": found.guided,
-            "count": found.answers.total(), "seconds": seconds, "answers": dict(found.answers),
-            "failures": found.failures, "passed": not found.failures,
-        }  # fmt: skip
-        output.write(content, json_file)
+    total = f"{found.answers.total():,} levels, {how}, in {seconds:.0f} s"
+    wrong = (f"{one['number']}: {one['what']} ({one['sample']})" for one in found.failures)
+    content = {
+        "environment": environment(), "seed": seed, "guided": found.guided,
+        "count": found.answers.total(), "seconds": seconds, "answers": dict(found.answers),
+        "failures": found.failures, "passed": not found.failures,
+    }  # fmt: skip
+    with output.written(content, json_file):
+        typer.echo(f"{total}: {answers or 'none'}.")
+        output.complain(wrong)
 
 
 def _note(tried: Tried, trial: Trial, found: Findings, samples: Path) -> None:
