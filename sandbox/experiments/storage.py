@@ -87,13 +87,7 @@ class Store:
         try:
             return bool(pq.read_metadata(self.results).num_rows == self._plan.runs)
         except (OSError, pa.ArrowInvalid) as error:
-            raise SandboxError(
-                Message(
-                    "cannot read {results}: {error}; remove it",
-                    results=self.results,
-                    error=str(error),
-                )
-            ) from error
+            raise _unreadable(self.results, str(error)) from error
 
     def missing(self) -> Iterator[tuple[int, int]]:
         """Yield the ranges of missing rows: the first, and the one after the last."""
@@ -128,7 +122,7 @@ class Store:
         Raises
         ------
         SandboxError
-            If there is not enough space; the parts are kept.
+            If there is not enough space, or a part is damaged; the parts are kept.
         """
         import pyarrow.parquet as pq
 
@@ -140,7 +134,6 @@ class Store:
             beside.replace(self.results)
             shutil.rmtree(self._parts)
         except OSError as error:
-            beside.unlink(missing_ok=True)
             raise SandboxError(
                 Message(
                     "cannot write {results}: {reason}; what was done is kept",
@@ -148,15 +141,16 @@ class Store:
                     reason=error.strerror or error,
                 )
             ) from error
+        finally:
+            beside.unlink(missing_ok=True)
 
     def _grouped(self) -> "Iterator[pa.Table]":
         """Yield all rows in groups, of which only one is in memory at a time."""
         import pyarrow as pa
-        import pyarrow.parquet as pq
 
         held, begin = schema(self._plan).empty_table(), 0
         for start, stop, path in self._done():
-            part = pq.ParquetFile(path).read()
+            part = _part(path, held.schema)
             held = pa.concat_tables([held, part.slice(max(begin - start, 0))])
             begin = max(begin, stop)
             while len(held) >= GROUP:
@@ -173,6 +167,26 @@ class Store:
             if start.isdecimal() and stop.isdecimal():
                 found.append((int(start), int(stop), path))
         return sorted(found)
+
+
+def _part(path: Path, layout: "pa.Schema") -> "pa.Table":
+    """Return the rows of a part, which must have the columns of the whole."""
+    import pyarrow as pa
+    import pyarrow.parquet as pq
+
+    try:
+        part = pq.ParquetFile(path).read()
+    except (OSError, pa.ArrowInvalid) as error:
+        raise _unreadable(path, str(error)) from error
+    if part.schema != layout:
+        raise _unreadable(path, Message("it has other columns"))
+    return part
+
+
+def _unreadable(path: Path, reason: str) -> SandboxError:
+    return SandboxError(
+        Message("cannot read {path}: {reason}; remove it", path=path, reason=reason)
+    )
 
 
 def description(plan: Plan) -> dict[str, object]:
