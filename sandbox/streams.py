@@ -78,13 +78,20 @@ def install() -> None:
 
 @contextmanager
 def standard() -> Iterator[None]:
-    """Turn unhandled errors of the system into one sentence."""
+    """Turn unhandled errors of the system into one sentence.
+
+    An exit that became the cause of another error, as inside a class statement, is an exit still.
+    """
     try:
         yield
     except OSError as error:
         place = f"{error.filename}: " if error.filename else ""
         complain(f"{place}{error.strerror or error}")
         sys.exit(FAILED)
+    except RuntimeError as error:
+        if isinstance(error.__cause__, SystemExit):
+            raise error.__cause__ from None
+        raise
     finally:
         if sys.stdout is not None:
             sys.stdout.flush()
