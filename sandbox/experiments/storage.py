@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING
 from sandbox.experiments.plan import Plan
 from sandbox.experiments.table import Cell, schema
 from sandbox.model.errors import SandboxError, brief
-from sandbox.model.files import folder_of_files, make_folder, write_atomically
+from sandbox.model.files import folder_of_files, make_folder, read_ordinary, write_atomically
 from sandbox.model.message import Message
 from sandbox.version import __version__
 
@@ -26,6 +26,9 @@ if TYPE_CHECKING:
 
 GROUP = 65_536
 """The number of rows in each row group of the finished file, whatever the batches were."""
+
+LARGEST = 10_000_000
+"""The largest description that is read [bytes]."""
 
 RESULTS, DESCRIPTION, PARTS = "results.parquet", "experiment.json", "parts"
 
@@ -57,16 +60,17 @@ class Store:
 
     def _claim(self, text: str) -> None:
         place = self._folder / DESCRIPTION
+        if not place.exists():
+            write_atomically(place, text)
+            return
         try:
-            there = place.read_text("utf-8") if place.exists() else None
-        except (OSError, ValueError) as error:
+            there = read_ordinary(place.resolve(), LARGEST)
+        except OSError as error:
             raise SandboxError(
                 Message("cannot read {place}: {error}", place=place, error=str(error))
             ) from error
-        if there is None:
-            write_atomically(place, text)
-        elif there != text:
-            changed = _difference(there, text)
+        if there != text.encode():
+            changed = _difference(there or b"", text)
             raise SandboxError(
                 Message(
                     "{folder} holds another experiment ({changed}): name another folder, or remove"
@@ -205,7 +209,7 @@ def description(plan: Plan) -> dict[str, object]:
     }
 
 
-def _difference(there: str, text: str) -> str:
+def _difference(there: bytes, text: str) -> str:
     """Return where two descriptions differ."""
     try:
         before, now = json.loads(there), json.loads(text)
@@ -217,6 +221,6 @@ def _difference(there: str, text: str) -> str:
                     return (
                         f"its {key} is {was}" if part == "experiment" else f"made with {key} {was}"
                     )
-    except (ValueError, LookupError, TypeError, AttributeError):
+    except (ValueError, LookupError, TypeError, AttributeError, RecursionError):
         return f"its {DESCRIPTION} cannot be read"
     return "its level says something else"

@@ -158,6 +158,14 @@ def test_a_full_disk_is_a_sentence(tmp_path: Path, monkeypatch: pytest.MonkeyPat
     assert store.complete
 
 
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="pipes as on Unix")
+def test_a_pipe_in_the_place_of_a_description_is_not_waited_for(tmp_path: Path) -> None:
+    os.mkfifo(tmp_path / "experiment.json")
+
+    with pytest.raises(SandboxError, match=r"its experiment\.json cannot be read"):
+        Store(tmp_path, throws(2))
+
+
 @pytest.mark.parametrize("damage", ["cut off", "of another experiment"])
 def test_a_damaged_part_is_named_and_made_again_once_it_is_removed(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, damage: str
