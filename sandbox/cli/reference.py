@@ -57,9 +57,9 @@ The ledger says where energy comes from and where it goes. What no account expla
 COMMANDS = """\
 # Commands
 
-`python -m sandbox COMMAND --help` says the same. Exit status: 0 if all is well, 1 if a check or a
-level failed, 2 for wrong usage. [Validation](../explanation/validation.md) has the commands of
-`python -m validation`. This page is written by `make docs`."""
+`python -m sandbox COMMAND --help` says the same. Exit status: 0 if all is well, 1 if a check, a
+level or the writing of a file failed, 2 for wrong usage. [Validation](../explanation/validation.md)
+has the commands of `python -m validation`. This page is written by `make docs`."""
 
 SAMPLE = """{
   "format": 1, "title": "Sample", "duration": 1, "effects": {"contact": {}},

@@ -18,7 +18,7 @@ from typing import Literal
 
 from sandbox.model import ledger_accounts
 from sandbox.model.did_you_mean import closest, suggestion
-from sandbox.model.errors import SandboxError, brief
+from sandbox.model.errors import MisuseError, brief
 from sandbox.model.level import Level
 from sandbox.model.message import Message
 
@@ -149,7 +149,7 @@ class Quantity:
 TIME = Quantity("t", "time", "t", "t", None, "s")
 
 
-class QuantityError(SandboxError, ValueError):
+class QuantityError(MisuseError, ValueError):
     """A name that is not a quantity of the level."""
 
 

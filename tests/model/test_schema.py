@@ -93,6 +93,13 @@ def test_every_part_is_described_and_refuses_unknown_keys(name: str) -> None:
     assert part["additionalProperties"] is False
 
 
+def test_no_part_refuses_every_key() -> None:
+    """An editor would mark whatever is typed there."""
+    closed = [part for part in _parts(SCHEMA) if part.get("additionalProperties") is False]
+
+    assert [part for part in closed if not {"properties", "patternProperties"} & part.keys()] == []
+
+
 @pytest.mark.parametrize("name", sorted(Level.model_fields.keys() - {"schema_"}))
 def test_every_field_of_a_level_is_described(name: str) -> None:
     assert SCHEMA["properties"][name]["description"]
