@@ -11,6 +11,7 @@ import pygame
 from sandbox.app.drawing import lines, theme
 from sandbox.app.drawing.camera import Camera
 from sandbox.app.drawing.text import Pen
+from sandbox.app.drawing.theme import Color
 from sandbox.app.stage.labels import Labels
 from sandbox.app.words.formatting import MINUS, number
 from sandbox.app.words.language import say
@@ -129,7 +130,8 @@ class Forces:
                 lines.arrow(surface, color, start, end, WIDTH)
                 if arrow.handles and lines.near((end,)):
                     pygame.draw.aacircle(surface, theme.TEXT, end, HANDLE, 2)
-                write_beside(surface, pen, arrow.text, start, end, labels)
+                name = f"given {arrow.row} {i} {arrow.name}"
+                write_beside(surface, pen, arrow.text, start, end, labels, color, name)
 
 
 def _draw_sum(
@@ -147,7 +149,8 @@ def _draw_sum(
     x, y = (sum(arrow.newtons[axis] for arrow in arrows) for axis in (0, 1))
     lines.arrow(surface, theme.RESULTANT, start, at, WIDTH)
     message = say("sum {components}, {size} N", components=_pair(x, y), size=number(hypot(x, y), 3))
-    write_beside(surface, pen, message, start, at, labels)
+    name = f"sum {arrows[0].row} {arrows[0].tail}"
+    write_beside(surface, pen, message, start, at, labels, theme.RESULTANT, name)
 
 
 def _pair(x: float, y: float) -> str:
@@ -155,8 +158,9 @@ def _pair(x: float, y: float) -> str:
 
 
 def write_beside(
-    surface: pygame.Surface, pen: Pen, text: str, start: XY, end: XY, labels: Labels
-) -> None:
+    surface: pygame.Surface, pen: Pen, text: str, start: XY, end: XY, labels: Labels,
+    color: Color | None = None, name: str = "",
+) -> None:  # fmt: skip
     """Write text beside the tip of an arrow, or beyond the tip of a steep one.
 
     If labels or arrows are in the way, the text is placed around the tip or along the arrow; if
@@ -166,7 +170,7 @@ def write_beside(
     if length < HANDLE or not seen.collidepoint(end):
         return
     ux, uy = (end[0] - start[0]) / length, (end[1] - start[1]) / length
-    image = pen.outlined(text)
+    image = pen.outlined(text, color=color)
     aside = copysign(HANDLE + 6 + image.width / 2, ux) if abs(ux) > STEEP else 0.0
     beyond = uy * (6 if aside else HANDLE + 4 + image.height / 2)
     place = image.get_rect(center=(end[0] + aside, end[1] + beyond))
@@ -189,7 +193,7 @@ def write_beside(
         )
         around += [beside.move(move) for move in moves]
     places = [each.clamp(seen) for each in around]
-    if found := labels.find(places):
+    if found := labels.find(places, name=name):
         surface.blit(image, found)
 
 

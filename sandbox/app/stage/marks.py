@@ -177,7 +177,8 @@ def write_milestones(
         size = max(t.width for t in texts), sum(t.height - 2 for t in texts)
         inside = surface.get_rect().inflate(-2 * EDGE, -2 * EDGE)
         around = _around(round(x), round(y), size)
-        if place := labels.find((spot.clamp(inside) for spot in around), avoid):
+        spots, name = (spot.clamp(inside) for spot in around), f"at {milestone.place}"
+        if place := labels.find(spots, avoid, name=name):
             top = place.y
             for text in texts:
                 surface.blit(text, text.get_rect(midtop=(place.centerx, top)))
@@ -237,7 +238,8 @@ def draw_names(
                 place.move_to(topleft=(box.right + 4, box.bottom - 4)),
                 place.move_to(midtop=(box.centerx, box.bottom + 1)),
             )
-            if found := labels.find(places, boxes[:i] + boxes[i + 1 :]):
+            others, name = boxes[:i] + boxes[i + 1 :], f"name {outline.name}"
+            if found := labels.find(places, others, name=name, strict=True):
                 surface.blit(text, found)
 
 
