@@ -9,7 +9,7 @@ import pytest
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.camera import Camera
 from sandbox.app.drawing.theme import Color
-from sandbox.app.stage import bodies, joints
+from sandbox.app.stage import bodies, joints, surfaces
 from sandbox.app.stage.outline import outlines
 from sandbox.model.joints import AngleStop, Stop
 from sandbox.model.shapes import XY
@@ -33,7 +33,7 @@ def test_a_one_way_line_has_arrowheads_on_the_side_that_it_lets_through_from(
     outline = outlines(scene, {})["line"]
     surface = pygame.Surface(SIZE)
     if kind == "static":
-        bodies.draw_surface(surface, Camera(SIZE), outline, (0, 0), 0.0, (0, 3))
+        surfaces.draw_surface(surface, Camera(SIZE), outline, (0, 0), 0.0, (0, 3))
     else:
         bodies.draw_body(surface, Camera(SIZE), outline, (0, 0), 0.0, spoke=False)
 

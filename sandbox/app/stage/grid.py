@@ -18,7 +18,6 @@ BAR = 130  # px, the greatest length of the scale bar
 
 def draw_grid(surface: pygame.Surface, camera: Camera) -> None:
     """Draw the lines of the grid, with brighter axes through the origin."""
-    surface.fill(theme.STAGE)
     minor, major = spacing(camera)
     for apart, color in ((minor, theme.GRID), (major, theme.GRID_STRONG)):
         for x in _marks(camera, apart, 0):
