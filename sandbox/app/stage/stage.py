@@ -228,8 +228,12 @@ class Stage:
         """Mark the centres of attraction."""
         for attraction in self.view.world.level.effects.attraction or ():
             x, y = self.camera.to_screen(evaluate(attraction.center, self.view.world.values))
-            for a, b in (((x - 7, y), (x + 7, y)), ((x, y - 7), (x, y + 7))):
-                lines.stroke(self._base, theme.STAGE, a, b, 2)
+            if not self._base.get_rect().collidepoint(x, y):
+                continue
+            color = theme.contrasting(self._base.get_at((int(x), int(y)))[:3])
+            pygame.draw.aacircle(self._base, color, (x, y), 8, 2)
+            for a, b in (((x - 5, y), (x + 5, y)), ((x, y - 5), (x, y + 5))):
+                lines.stroke(self._base, color, a, b, 2)
 
     def _draw_trails(self, own: Trail | None, others: Sequence[tuple[Trail, theme.Color]]) -> None:
         """Update the trails on the canvas, starting from the base if necessary."""
