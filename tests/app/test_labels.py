@@ -178,3 +178,20 @@ def test_a_line_that_ends_anywhere_is_looked_at_in_no_time() -> None:
     labels.mark((5, -1e30), (1e10, 1e39))
 
     assert labels.find([BEST, SECOND]) == SECOND
+
+
+def test_no_label_lies_over_a_ruler(pen: Pen, monkeypatch: pytest.MonkeyPatch) -> None:
+    session = Session(load(catalog.find("machines/trebuchet")))
+    for _ in range(60):
+        session.step()
+    stage = Stage(pen, (400, 400))
+    stage.use(session.world)
+    stage.fit()
+    places, _ = placed(monkeypatch)
+    stage.camera.pan(-60, 0)
+    stage.view.looking, stage.asked = session.looking, "forces"
+    stage.draw(pygame.Surface((400, 400)), session.trail)
+
+    assert len(places) >= 3
+    assert min(place.left for place in places) >= stage.view.labels.bounds.left > 12
+    assert max(place.bottom for place in places) <= stage.view.labels.bounds.bottom < 400

@@ -81,7 +81,7 @@ def solid(surface: pygame.Surface, color: Color, corners: Sequence[XY]) -> None:
     area, corner = _covering(surface, corners)
     layer = pygame.Surface(area.size, pygame.SRCALPHA)
     shape = [(x - area.left, y - area.top) for x, y in corners]
-    pygame.draw.polygon(layer, lighter(color, 0.06), shape)
+    lines.polygon(layer, lighter(color, 0.06), shape)
     _shade(layer, corner[0] - area.left, corner[1] - area.top)
     surface.blit(layer, area)
     pygame.draw.aalines(surface, color, True, corners)
@@ -155,7 +155,7 @@ def bank(
         shade = (*color, round(DENSE * (BANDS + 1 - band) / BANDS))
         for (a, b), (c, d) in zip(pairwise(corners), pairwise(rims[band]), strict=True):
             quad = [(x - area.left, y - area.top) for x, y in (a, b, d, c)]
-            pygame.draw.polygon(layer, shade, quad if lines.near(quad) else lines.cut(quad))
+            lines.polygon(layer, shade, quad if lines.near(quad) else lines.cut(quad))
     surface.blit(layer, area)
 
 

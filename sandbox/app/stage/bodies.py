@@ -57,7 +57,7 @@ def _polygon(surface: pygame.Surface, color: Color, corners: Sequence[XY], rim: 
     if min(max(xs) - min(xs), max(ys) - min(ys)) < SMALL or not lines.near(corners):
         lines.fill(surface, color, corners, rim)
         return
-    pygame.draw.polygon(surface, color, corners)
+    lines.polygon(surface, color, corners)
     shading.bevel(surface, rim, corners, BEVEL)
 
 

@@ -166,8 +166,8 @@ def write_beside(
     If labels or arrows are in the way, the text is placed around the tip or along the arrow; if
     there is no room, or the arrow is too short to be seen, it is left out.
     """
-    length, seen = hypot(end[0] - start[0], end[1] - start[1]), surface.get_rect()
-    if length < HANDLE or not seen.collidepoint(end):
+    length = hypot(end[0] - start[0], end[1] - start[1])
+    if length < HANDLE or not surface.get_rect().collidepoint(end):
         return
     ux, uy = (end[0] - start[0]) / length, (end[1] - start[1]) / length
     image = pen.outlined(text, color=color)
@@ -192,7 +192,7 @@ def write_beside(
             (0, -2 * over),
         )
         around += [beside.move(move) for move in moves]
-    places = [each.clamp(seen) for each in around]
+    places = [each.clamp(labels.bounds) for each in around]
     if found := labels.find(places, name=name):
         surface.blit(image, found)
 

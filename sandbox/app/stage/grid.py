@@ -28,6 +28,12 @@ def draw_grid(surface: pygame.Surface, camera: Camera) -> None:
     _horizontal(surface, camera, 0.0, theme.AXIS)
 
 
+def inside(camera: Camera, pen: Pen) -> pygame.Rect:
+    """Return the area of the picture without its rulers [px]."""
+    side, (width, height) = _side(camera, spacing(camera)[1], pen), camera.size
+    return pygame.Rect(side, 0, width - side, height - pen.px(RULER))
+
+
 def draw_rulers(surface: pygame.Surface, camera: Camera, pen: Pen) -> None:
     """Draw the rulers along the left and the lower edge, in metres."""
     minor, major = spacing(camera)

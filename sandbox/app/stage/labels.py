@@ -11,17 +11,22 @@ from sandbox.model.shapes import XY
 class Labels:
     """The areas of a picture that are occupied by labels and lines.
 
+    Attributes
+    ----------
+    bounds
+        The area for labels [px].
+
     Parameters
     ----------
     bounds
-        The area of the picture [px].
+        The area for labels [px].
     kept
         The last place of each named label, as an index, updated by each new one: a label stays
         there from picture to picture while no other place is better.
     """
 
     def __init__(self, bounds: pygame.Rect, kept: dict[str, int] | None = None) -> None:
-        self._bounds = bounds
+        self.bounds = bounds
         self._kept = {} if kept is None else kept
         self._taken: list[pygame.Rect] = []
         self._crossed: list[tuple[XY, XY]] = []
@@ -58,7 +63,7 @@ class Labels:
         free = {
             i: place
             for i, place in enumerate(places)
-            if self._bounds.contains(place) and place.collidelist(self._taken) < 0
+            if self.bounds.contains(place) and place.collidelist(self._taken) < 0
         }
         clear = {i: place for i, place in free.items() if place.collidelist(avoid) < 0}
         first = self._kept.get(name, -1) if name else -1

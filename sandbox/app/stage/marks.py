@@ -24,7 +24,6 @@ from sandbox.physics.stepping.world import World
 LONGEST = 0.14
 """The longest arrow, as a fraction of the stage's width."""
 
-EDGE = 26  # px, kept free of text along the rulers
 LINE, FURTHER = 16, 4
 """The height of a line [px], and the number of offsets by lines at which a label may be placed."""
 
@@ -175,9 +174,8 @@ def write_milestones(
     for milestone, (x, y) in _seen(camera, milestones):
         texts = [pen.outlined(text) for text in milestone.texts(words)]
         size = max(t.width for t in texts), sum(t.height - 2 for t in texts)
-        inside = surface.get_rect().inflate(-2 * EDGE, -2 * EDGE)
         around = _around(round(x), round(y), size)
-        spots, name = (spot.clamp(inside) for spot in around), f"at {milestone.place}"
+        spots, name = (spot.clamp(labels.bounds) for spot in around), f"at {milestone.place}"
         if place := labels.find(spots, avoid, name=name):
             top = place.y
             for text in texts:

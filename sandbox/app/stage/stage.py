@@ -104,7 +104,8 @@ class Stage:
         Companions `beside` it are drawn over it; without any, the trails of `earlier` runs are.
         """
         view, world, outlines = self.view, self.view.world, self.view.outlines
-        view.trail, view.labels = trail, Labels(surface.get_rect(), view.kept)
+        area = surface.get_rect() if self.plain else grid.inside(self.camera, self._pen)
+        view.trail, view.labels = trail, Labels(area, view.kept)
         wide, high = self._pen.px(130), self._pen.px(90)
         view.labels.take(pygame.Rect(surface.width - wide, surface.height - high, wide, high))
         if view.few:
@@ -230,7 +231,8 @@ class Stage:
             x, y = self.camera.to_screen(evaluate(attraction.center, self.view.world.values))
             if not self._base.get_rect().collidepoint(x, y):
                 continue
-            color = theme.contrasting(self._base.get_at((int(x), int(y)))[:3])
+            red, green, blue, _ = self._base.get_at((int(x), int(y)))
+            color = theme.contrasting((red, green, blue))
             pygame.draw.aacircle(self._base, color, (x, y), 8, 2)
             for a, b in (((x - 5, y), (x + 5, y)), ((x, y - 5), (x, y + 5))):
                 lines.stroke(self._base, color, a, b, 2)
