@@ -41,7 +41,7 @@ RAY = 30.0  # px, the length of an angle stop from its pin
 BUFFER = 4.5  # px, the amplitude of an elastic stop's coil, and the distance between its turns
 HOOK = 7.0  # px, the radius of an open hook
 GAPE = 0.9  # rad, half the opening of a hook
-LONG = 24.0  # px, the length from which a rod shines
+LONG = 40.0  # px, the length from which a rod shines
 GLOSS, BEHIND = 0.45, 0.4
 """The share of white along a rod, and of black in the turns of a spring that lie behind."""
 SAG = 0.12

@@ -10,7 +10,7 @@ import pygame
 from sandbox.app.drawing import lines, shading, theme
 from sandbox.model.shapes import XY
 
-LONG = 30.0  # px, the distance between the ends of a string from which its twist is drawn
+LONG = 40.0  # px, the distance between the ends of a string from which its twist is drawn
 TWIST = 0.4
 """The share of shadow between the strands of a string."""
 SPOKES = 3
