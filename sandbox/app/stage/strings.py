@@ -49,7 +49,7 @@ def draw_line(surface: pygame.Surface, way: Sequence[XY], slack: bool) -> None:
         return
     lines.path(surface, theme.STRING, way, 2)
     if theme.SHADING and dist(way[0], way[-1]) > LONG:
-        lines.dashed(surface, shading.darker(theme.STRING, TWIST), way, 3, 5)
+        lines.dashed(surface, shading.darker(theme.STRING, TWIST), way, 4, 8)
 
 
 def eyes(surface: pygame.Surface, corners: Sequence[XY]) -> None:
