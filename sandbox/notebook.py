@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 from sandbox.model.errors import SandboxError
 from sandbox.model.level import Level
 from sandbox.model.message import Message
+from sandbox.model.quantities import headed
 from sandbox.physics.measuring.recording import Trace
 
 if TYPE_CHECKING:
@@ -89,5 +90,5 @@ def _table(trace: Trace) -> str:
     """Return a trace as a table in HTML: its first and last rows."""
     title = f"<b>{escape(trace.level.title)}</b>: {len(trace.t):,} instants"
     frame = trace.to_pandas()
-    frame.columns = [f"{name} [{trace.units[name]}]" for name in frame.columns]
+    frame.columns = [headed(name, trace.units[name]) for name in frame.columns]
     return f"{title}{frame.to_html(max_rows=10)}"

@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from contextlib import contextmanager
 
-from sandbox.model.errors import SandboxError
+from sandbox.model.errors import MisuseError
 from sandbox.model.message import Message
 
 
@@ -20,13 +20,13 @@ def needed_for(what: str, extra: str = "report") -> Iterator[None]:
 
     Raises
     ------
-    SandboxError
+    MisuseError
         If a library is not there.
     """
     try:
         yield
     except ModuleNotFoundError as error:
-        raise SandboxError(
+        raise MisuseError(
             Message(
                 "{what} needs the library {name!r}, which is not installed: python -m pip install"
                 " 'mechanics-sandbox[{extra}]' (in a checkout: -e '.[{extra}]')",

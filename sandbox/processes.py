@@ -6,8 +6,9 @@ import signal
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
 from concurrent.futures.process import BrokenProcessPool
+from contextlib import contextmanager
 from itertools import islice
-from multiprocessing import get_all_start_methods, get_context
+from multiprocessing import get_all_start_methods, get_context, resource_tracker
 from multiprocessing.connection import Connection
 from multiprocessing.forkserver import ensure_running, set_forkserver_preload
 from threading import Thread
@@ -37,10 +38,24 @@ def prepare(*modules: str) -> None:
     if METHOD != "forkserver":
         return
     set_forkserver_preload(list(modules))
-    # Ctrl-C is for this process alone: the others end with it, and have nothing to say
+    with starting():
+        ensure_running()
+
+
+@contextmanager
+def starting() -> Iterator[None]:
+    """Start processes within this that do not hear Ctrl-C.
+
+    It is for this process alone, and waits until they have started: they end with this one, and
+    have nothing to say.
+    """
+    if not hasattr(signal, "pthread_sigmask"):
+        yield
+        return
+    resource_tracker.ensure_running()  # it would let signals through again when it starts
     before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
     try:
-        ensure_running()
+        yield
     finally:
         signal.pthread_sigmask(signal.SIG_SETMASK, before)
 

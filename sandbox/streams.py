@@ -31,33 +31,67 @@ class Output(io.TextIOWrapper):
             self._end(error)
 
     def _end(self, error: OSError) -> NoReturn:
-        with suppress(OSError, ValueError):  # what is left goes nowhere, without another error
-            nowhere = os.open(os.devnull, os.O_WRONLY)
-            os.dup2(nowhere, self.fileno())
-            os.close(nowhere)
+        _give_up(self)
         if isinstance(error, BrokenPipeError):
             sys.exit(UNHEARD)
         complain(f"cannot write to the standard output: {error.strerror or error}")
         sys.exit(FAILED)
 
 
+class Remarks(io.TextIOWrapper):
+    """The standard error: what cannot be written there is dropped, and the work goes on."""
+
+    def write(self, text: str) -> int:
+        """Write a text."""
+        try:
+            return super().write(text)
+        except OSError:
+            _give_up(self)
+            return len(text)
+
+    def flush(self) -> None:
+        """Pass on what was written."""
+        try:
+            super().flush()
+        except OSError:
+            _give_up(self)
+
+
+def _give_up(stream: io.TextIOWrapper) -> None:
+    """Let what is left for a stream go nowhere, without another error."""
+    with suppress(OSError, ValueError):
+        nowhere = os.open(os.devnull, os.O_WRONLY)
+        os.dup2(nowhere, stream.fileno())
+        os.close(nowhere)
+
+
 def install() -> None:
-    """Let the standard output end the process in good order where it cannot be written."""
-    out = sys.stdout
+    """Let no error of the standard streams become a traceback, or cost what has been computed."""
+    out, remarks = sys.stdout, sys.stderr
     if isinstance(out, io.TextIOWrapper):
         buffering, encoding = out.line_buffering, out.encoding
         sys.stdout = Output(out.detach(), encoding, "replace", line_buffering=buffering)
+    if isinstance(remarks, io.TextIOWrapper):
+        encoding = remarks.encoding
+        sys.stderr = Remarks(remarks.detach(), encoding, "replace", line_buffering=True)
 
 
 @contextmanager
 def standard() -> Iterator[None]:
-    """Turn unhandled errors of the system into one sentence."""
+    """Turn unhandled errors of the system into one sentence.
+
+    An exit that became the cause of another error, as inside a class statement, is an exit still.
+    """
     try:
         yield
     except OSError as error:
         place = f"{error.filename}: " if error.filename else ""
         complain(f"{place}{error.strerror or error}")
         sys.exit(FAILED)
+    except RuntimeError as error:
+        if isinstance(error.__cause__, SystemExit):
+            raise error.__cause__ from None
+        raise
     finally:
         if sys.stdout is not None:
             sys.stdout.flush()

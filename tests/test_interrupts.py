@@ -9,7 +9,7 @@ from inspect import currentframe
 import pymunk
 import pytest
 
-from sandbox import interrupts
+from sandbox import interrupts, streams
 
 PATIENCE = 60.0  # s
 
@@ -23,6 +23,19 @@ def _handler() -> Iterator[None]:
     for number, handler in zip(numbers, before, strict=True):
         signal.signal(number, handler)
     sys.unraisablehook = hook
+
+
+def test_ctrl_c_within_a_class_statement_exits_as_well() -> None:
+    """Python turns whatever is raised there into another error."""
+
+    class Named:
+        def __set_name__(self, owner: type, name: str) -> None:
+            signal.raise_signal(signal.SIGINT)
+
+    with pytest.raises(SystemExit) as exit_, streams.standard():
+        type("Made", (), {"named": Named()})
+
+    assert exit_.value.code == interrupts.INTERRUPTED
 
 
 def test_ctrl_c_exits_with_the_status_of_shells() -> None:

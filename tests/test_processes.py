@@ -13,7 +13,7 @@ import pytest
 from sandbox.interrupts import ENDED, INTERRUPTED
 from sandbox.model.errors import SandboxError
 from sandbox.processes import spread
-from tests.elsewhere import PATIENCE, ROOT
+from tests.elsewhere import PATIENCE, ROOT, python
 
 pytestmark = pytest.mark.skipif(os.name == "nt", reason="signals as on Unix")
 
@@ -33,6 +33,21 @@ def alive(pid: int) -> bool:
         return False
     stat = Path(f"/proc/{pid}/stat")
     return not (stat.exists() and ") Z " in stat.read_text())  # what nobody has asked after
+
+
+@pytest.mark.skipif(not sys.platform.startswith("linux"), reason="asks the kernel")
+def test_the_server_of_processes_does_not_hear_ctrl_c_even_while_it_starts() -> None:
+    code = (
+        "from sandbox import processes; processes.prepare()\n"
+        "from multiprocessing.forkserver import _forkserver\n"
+        "from pathlib import Path\n"
+        "print(Path(f'/proc/{_forkserver._forkserver_pid}/status').read_text())"
+    )
+
+    status = python("-c", code).stdout
+
+    blocked = next(line for line in status.splitlines() if line.startswith("SigBlk"))
+    assert int(blocked.split()[1], 16) & 1 << signal.SIGINT - 1
 
 
 @pytest.fixture

@@ -1,7 +1,8 @@
 """The output of measurements: progress, tables on the terminal, JSON files."""
 
 import json
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
+from contextlib import contextmanager
 from math import isfinite
 from pathlib import Path
 from typing import TypeVar
@@ -39,10 +40,23 @@ def complain(failed: Iterable[str]) -> None:
         typer.echo(f"failed: {name}", err=True)
 
 
-def write(content: object, file: Path) -> None:
-    """Write figures to a file, and print its path; see `save`."""
-    save(content, file)
-    typer.echo(f"Written to {file}.")
+@contextmanager
+def written(content: object, file: Path | None) -> Iterator[None]:
+    """Show figures within this; they are written to a file, if one is given, however that ends.
+
+    The reader of the output may have gone, or its disk may be full.
+
+    Raises
+    ------
+    SandboxError
+        If the file cannot be written.
+    """
+    try:
+        yield
+    finally:
+        if file:
+            save(content, file)
+            typer.echo(f"Written to {file}.")
 
 
 def save(content: object, file: Path) -> None:

@@ -2,21 +2,16 @@
 
 from collections.abc import Sequence
 from math import isfinite
-from pathlib import Path
 
 from sandbox.model import catalog
-from sandbox.model.crowd_levels import CrowdError
-from sandbox.model.effect_variants import EffectError
-from sandbox.model.errors import SandboxError, ValueRangeError, brief
-from sandbox.model.files import TakenError, check_writable, make_folder
+from sandbox.model.errors import MisuseError, brief
 from sandbox.model.level import Level, Stepping
 from sandbox.model.loading import load
 from sandbox.model.message import Message
-from sandbox.model.quantities import QuantityError
 from sandbox.model.rules.conditions.numbers import MAX_STEPS
 
 
-class UsageError(SandboxError):
+class UsageError(MisuseError):
     """An invalid argument of the command line; its message is English only."""
 
     def __init__(self, message: str) -> None:
@@ -24,10 +19,6 @@ class UsageError(SandboxError):
 
     def __reduce__(self) -> tuple[object, ...]:
         return type(self), (str(self),)
-
-
-MISUSES = (UsageError, TakenError, QuantityError, ValueRangeError, EffectError, CrowdError)
-"""The errors that mean wrong usage."""
 
 
 def open_level(argument: str) -> tuple[str, Level]:
@@ -78,23 +69,6 @@ def payable(seconds: float, stepping: Stepping, option: str) -> None:
     if (steps := seconds * stepping.rate) > MAX_STEPS:
         rule = f"that takes {steps:.1g} steps at {stepping.rate:g} Hz; {MAX_STEPS:,} are allowed"
         raise UsageError(f"{option} {seconds:g}: {rule}")
-
-
-def output_file(path: Path) -> None:
-    """Refuse a path that cannot be written, before any work is done."""
-    try:
-        check_writable(path)
-    except SandboxError as error:
-        raise UsageError(str(error)) from error
-
-
-def output_folder(path: Path) -> Path:
-    """Return a folder, made if missing."""
-    try:
-        make_folder(path)
-    except SandboxError as error:
-        raise UsageError(str(error)) from error
-    return path
 
 
 def levels(count: int) -> str:

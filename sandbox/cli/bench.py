@@ -15,7 +15,7 @@ from sandbox.cli import argument_parsing
 from sandbox.cli.render import go_headless
 from sandbox.cli.text_columns import aligned
 from sandbox.model import catalog
-from sandbox.model.files import write_atomically
+from sandbox.model.files import check_writable, write_atomically
 
 if TYPE_CHECKING:
     from sandbox.app.window_timing import Timing
@@ -35,7 +35,7 @@ def measure(names: Sequence[str], size: str, seconds: float, json_file: Path | N
     """Measure levels, print the table, write it if asked to, and return the exit status."""
     window = _size(size)
     if json_file is not None:
-        argument_parsing.output_file(json_file)
+        check_writable(json_file)
     for name in names:
         catalog.find(name)
     go_headless()
@@ -44,11 +44,13 @@ def measure(names: Sequence[str], size: str, seconds: float, json_file: Path | N
     console = Console(stderr=True)
     levels = track(list(names) or catalog.names(), "Playing", console=console, transient=True)
     found = [time_window(name, window, seconds) for name in levels]
-    for line in aligned([_HEADER, *_rows(found)]):
-        typer.echo(line)
-    if json_file is not None:
-        content = {"size": window, "seconds": seconds, "levels": [asdict(each) for each in found]}
-        write_atomically(json_file, f"{json.dumps(content, indent=2)}\n".encode())
+    try:
+        for line in aligned([_HEADER, *_rows(found)]):
+            typer.echo(line)
+    finally:  # the reader of the output may be gone
+        if json_file is not None:
+            said = {"size": window, "seconds": seconds, "levels": [asdict(each) for each in found]}
+            write_atomically(json_file, f"{json.dumps(said, indent=2)}\n".encode())
     return int(any(_counts(each) and not each.smooth for each in found))
 
 

@@ -58,9 +58,15 @@ def _row(result: Result, *, complete: bool) -> tuple[str, ...]:
 
 def verdict(result: Result, *, complete: bool) -> str:
     """Return the verdict in words."""
-    if result.verdict == "waiting":
-        return "failed: never came" if complete else "not reached"
-    return result.verdict
+    if result.verdict != "waiting":
+        return result.verdict
+    if not complete:
+        return "not reached"
+    if result.t is None:
+        return "failed: never came"
+    return (
+        f"failed: came at {result.t:.4g} s, too near the end to be measured; lengthen the duration"
+    )
 
 
 def _value(value: float | None, unit: str) -> str:

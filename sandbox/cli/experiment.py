@@ -15,7 +15,8 @@ from sandbox import processes
 from sandbox.cli import argument_parsing
 from sandbox.cli.accuracy_option import Choice, settled
 from sandbox.cli.argument_parsing import UsageError
-from sandbox.model.errors import SandboxError, brief
+from sandbox.model.errors import MisuseError, SandboxError, brief
+from sandbox.model.files import folder_of_files
 from sandbox.model.level_parts import Fault
 from sandbox.model.loading import choose
 from sandbox.model.message import Message
@@ -50,15 +51,15 @@ def experiment(asked: Asked, output: Path, jobs: int | None, address: str | None
         from sandbox.experiments import report
         from sandbox.experiments.storage import Store
     plan = _plan(asked)
-    store = Store(argument_parsing.output_folder(output), plan)
+    store = Store(output, plan)
     missing = sum(stop - start for start, stop in store.missing()) if not store.complete else 0
     if missing < plan.runs:
         typer.echo(f"{output}: {plan.runs - missing:,} of {plan.runs:,} runs are done already")
     began = perf_counter()
     _run(plan, store, missing, jobs, address)
     seconds = perf_counter() - began
+    page = report.write(plan, store.results, output)  # first: nobody may listen any more
     typer.echo(f"{store.results}: {plan.runs:,} runs" + (f" in {seconds:.3g} s" if missing else ""))
-    page = report.write(plan, store.results, output)
     for line in page.remarks:
         typer.echo(line)
     typer.echo(f"{page.path}: the page of it")
@@ -83,7 +84,8 @@ def _run(plan: "Plan", store: "Store", missing: int, jobs: int | None, address: 
         raise
     except SandboxError as error:
         message = Message("{error}; {kept}", error=error.message, kept=_kept(plan, missing - done))
-        raise SandboxError(message) if type(error) is SandboxError else error from error
+        kind = type(error)
+        raise kind(message) if kind in (SandboxError, MisuseError) else error from error
 
 
 def _kept(plan: "Plan", missing: int) -> str:
@@ -107,11 +109,11 @@ def fit(asked: Asked, names: Sequence[str], data: Path | None, output: Path) -> 
     values = choose(level, argument_parsing.settings(asked.set))
     choice = Choice(asked.others.get("rate"), asked.others.get("scheme"))
     stepping = settled(level, values, choice)
-    folder = argument_parsing.output_folder(output)
     found_data = measured.read(data, level)
-    with Console(stderr=True).status(f"Fitting {source} ..."):
-        found = fit(level, values, names, found_data, stepping)
-    page = fit_report.write(level, source, found_data, found, folder)
+    with folder_of_files(output):
+        with Console(stderr=True).status(f"Fitting {source} ..."):
+            found = fit(level, values, names, found_data, stepping)
+        page = fit_report.write(level, source, found_data, found, output)
     for parameter in found.parameters:
         bound = ": the end of the level's range" if parameter.bound else ""
         typer.echo(f"{parameter.name} = {fit_report.said(parameter)}{bound}")

@@ -4,16 +4,15 @@ from pathlib import Path
 
 import typer
 
-from sandbox.cli import argument_parsing
 from sandbox.model.crowd_levels import crowd
-from sandbox.model.files import write_atomically
+from sandbox.model.files import check_writable, write_atomically
 from sandbox.model.loading import parse
 from sandbox.model.writing import text
 
 
 def generate(kind: str, bodies: int, output: Path) -> None:
     """Write a level with a number of bodies."""
-    argument_parsing.output_file(output)
+    check_writable(output)
     document = crowd(kind, bodies)
     said = text(document)
     parse(said, str(output))

@@ -9,7 +9,7 @@ from sandbox.cli import argument_parsing
 from sandbox.model import catalog, templates
 from sandbox.model.did_you_mean import suggestion
 from sandbox.model.errors import LevelError, brief
-from sandbox.model.files import write_atomically
+from sandbox.model.files import check_writable, write_atomically
 from sandbox.model.loading import parse, read
 from sandbox.model.writing import with_schema
 
@@ -46,7 +46,7 @@ def _target(name: str) -> Path:
         raise argument_parsing.UsageError(f"'{brief(name)}' is no name of a file; such as my-level")
     path = Path(stem + _ENDING)
     if not os.path.lexists(path):  # the writer reports an existing file
-        argument_parsing.output_file(path)
+        check_writable(path)
     return path
 
 

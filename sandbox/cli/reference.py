@@ -38,7 +38,8 @@ QUANTITIES = """\
 
 Checks, `--record`, graphs and Python use these names. A vector has the components `.x` and `.y`;
 without one its name stands for its size. `ball` and `box` stand for any body, `ball.tip` for a
-point that the body declares, `joint` for any joint. This page is written by `make docs`."""
+point that the body declares, `gate` for a sensor, `joint` for any joint. This page is written by
+`make docs`."""
 
 OVER_TIME = """\
 ## Since the start
@@ -56,18 +57,22 @@ The ledger says where energy comes from and where it goes. What no account expla
 COMMANDS = """\
 # Commands
 
-`python -m sandbox COMMAND --help` says the same. Exit status: 0 if all is well, 1 if a check or a
-level failed, 2 for wrong usage. [Validation](../explanation/validation.md) has the commands of
-`python -m validation`. This page is written by `make docs`."""
+`python -m sandbox COMMAND --help` says the same. Exit status: 0 if all is well, 1 if a check, a
+level or the writing of a file failed, 2 for wrong usage. [Validation](../explanation/validation.md)
+has the commands of `python -m validation`. This page is written by `make docs`."""
 
 SAMPLE = """{
   "format": 1, "title": "Sample", "duration": 1, "effects": {"contact": {}},
   "bodies": {
     "ball": {"shape": {"type": "disc", "radius": 1}, "mass": 1, "points": {"tip": [1, 0]}},
-    "box": {"shape": {"type": "box", "width": 1, "height": 1}, "mass": 1, "position": [5, 0]}
+    "box": {"shape": {"type": "box", "width": 1, "height": 1}, "mass": 1, "position": [5, 0]},
+    "gate": {"type": "static", "sensor": true, "shape": {"type": "disc", "radius": 1}}
   }
 }"""
 """A level that has every quantity of bodies."""
+
+OF_SENSORS = (quantities.WITHIN, quantities.COUNT)
+"""The quantities that only sensors have, which share all others with bodies."""
 
 SHORTHAND = ("Each", "Repeat")
 """Definitions that may stand anywhere in a level, and are described only once."""
@@ -184,7 +189,8 @@ def _of_bodies() -> Iterator[tuple[str, str, str]]:
     every = [*quantities.quantities(level), *quantities.mutual(level)]
     vectors = {one.name.removesuffix(".x") for one in every if one.component == "x"}
     for one in every:
-        if one.subject != "box" and one.component is None and not one.booked:
+        is_new = ("gate" in (one.subject, one.other)) is (one.attribute in OF_SENSORS)
+        if one.subject != "box" and is_new and one.component is None and not one.booked:
             yield f"`{one.name}`", "vector" if one.name in vectors else "", one.unit
 
 

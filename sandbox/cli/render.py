@@ -10,6 +10,7 @@ import typer
 from sandbox.cli import argument_parsing
 from sandbox.cli.accuracy_option import asking, find_out
 from sandbox.cli.effect_options import vary
+from sandbox.model.files import check_writable
 from sandbox.model.loading import choose
 
 
@@ -41,7 +42,7 @@ def render(
         raise argument_parsing.UsageError(
             f"--output {output}: the picture is a PNG; its name must end so"
         )
-    argument_parsing.output_file(output)
+    check_writable(output)
     if at is not None and not (isfinite(at) and at >= 0):
         raise argument_parsing.UsageError(f"--at {at:g}: must be a finite time, at least 0")
     source, level = argument_parsing.open_level(argument)

@@ -11,6 +11,7 @@ from sandbox.cli import argument_parsing, check_verdicts, effect_options
 from sandbox.cli.accuracy_option import Choice, asking, settled
 from sandbox.cli.effect_options import Varied, vary
 from sandbox.model.expressions import Values
+from sandbox.model.files import check_writable
 from sandbox.model.level import Level, Stepping
 from sandbox.model.loading import choose
 from sandbox.model.quantities import quantities, quantity
@@ -41,7 +42,7 @@ def simulate(
     With effects switched off or on, that run is written, and compared with the unchanged level.
     """
     settings = argument_parsing.settings(pairs)
-    argument_parsing.output_file(output)
+    check_writable(output)
     if duration is not None:
         argument_parsing.positive(duration, "--duration")
     source, level = argument_parsing.open_level(argument)

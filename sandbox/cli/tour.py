@@ -13,9 +13,11 @@ from sandbox.cli import argument_parsing, check_verdicts
 from sandbox.cli.render import go_headless
 from sandbox.model import catalog
 from sandbox.model.errors import SandboxError
-from sandbox.model.files import write_atomically
+from sandbox.model.files import folder_of_files, write_atomically
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from sandbox.cli.tour_visit import Visit
 
 INDEX = "index.html"
@@ -23,15 +25,9 @@ INDEX = "index.html"
 
 def tour(folder: Path) -> int:
     """Run every level, write pictures and a page into a folder, and return the exit status."""
-    argument_parsing.output_folder(folder)
-    go_headless()
-    from sandbox.cli.tour_page import page
-    from sandbox.cli.tour_visit import visit
-
-    progress = Console(stderr=True)
-    with Progress(console=progress, transient=True, disable=not progress.is_terminal) as bar:
-        visits = [visit(name, folder) for name in bar.track(catalog.names(), description="Tour")]
-    unwritten = _write(folder / INDEX, page(visits))  # first: the reader of the output may be gone
+    with folder_of_files(folder):
+        visits = _visits(folder)
+        unwritten = _write(folder / INDEX, visits)  # first: the reader of the output may be gone
     Console(highlight=False).print(_table(visits))
     for visited in visits:
         _explain(visited)
@@ -43,10 +39,21 @@ def tour(folder: Path) -> int:
     return int(bad > 0 or unwritten is not None)
 
 
-def _write(path: Path, text: str) -> SandboxError | None:
-    """Write a page, or return the error, so that the results are printed in any case."""
+def _visits(folder: Path) -> "list[Visit]":
+    go_headless()
+    from sandbox.cli.tour_visit import visit
+
+    progress = Console(stderr=True)
+    with Progress(console=progress, transient=True, disable=not progress.is_terminal) as bar:
+        return [visit(name, folder) for name in bar.track(catalog.names(), description="Tour")]
+
+
+def _write(path: Path, visits: "Sequence[Visit]") -> SandboxError | None:
+    """Write the page, or return the error, so that the results are printed in any case."""
+    from sandbox.cli.tour_page import page
+
     try:
-        write_atomically(path, text)
+        write_atomically(path, page(visits))
     except SandboxError as error:
         return error
     return None

@@ -1,6 +1,6 @@
 """The figures of an experiment: curves, families of curves, heat maps, histograms and shares."""
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -15,6 +15,7 @@ from sandbox.experiments.plan import Plan
 from sandbox.experiments.results import Results
 from sandbox.experiments.table import axis_unit, closed_form
 from sandbox.model.expressions import Array
+from sandbox.model.quantities import headed
 from sandbox.reporting.plots import COLOURS, FRAME, MARKERS, legend_below, style
 
 FAMILY = 8
@@ -102,8 +103,8 @@ def _curves(
             rows = here & (found.columns[family] == value) if family else here
             label = _named(plan, family, value) if family and value is not None else "measured"
             _curve(axes, plan, found, measure, along, rows, i, label)
-        _label(axes.set_xlabel, along, axis_unit(plan, along))
-        _label(axes.set_ylabel, measure.text, measure.unit)
+        axes.set_xlabel(headed(along, axis_unit(plan, along)))
+        axes.set_ylabel(headed(measure.text, measure.unit))
         if isinstance(grid := plan.grids[along], Grid) and grid.scale == "log":
             axes.set_xscale("log")
             if measure.reduction == "error":
@@ -149,10 +150,10 @@ def _heat_map(
         _scales(axes, plan, names)
         if 1 in words:
             axes.set_yticks(np.arange(len(y)), [str(v) for v in y])
-        _label(axes.set_xlabel, names[0], axis_unit(plan, names[0]))
-        _label(axes.set_ylabel, names[1], axis_unit(plan, names[1]))
+        axes.set_xlabel(headed(names[0], axis_unit(plan, names[0])))
+        axes.set_ylabel(headed(names[1], axis_unit(plan, names[1])))
         bar = figure.colorbar(drawn, ax=axes)
-        _label(bar.set_label, measure.text, measure.unit)
+        bar.set_label(headed(measure.text, measure.unit))
         if (form := found.columns.get(closed_form(measure.text))) is not None and not words:
             _contours(axes, places, _cells(form[here], at, cells.shape), bar.get_ticks())
     return figure
@@ -201,15 +202,15 @@ def _histogram(plan: Plan, found: Results, measure: Measure) -> Figure:
         if len(form):
             first.hist(form, edges, histtype="step", color="black", label="closed form")
             legend_below(figure, first)
-        _label(first.set_xlabel, measure.text, measure.unit)
+        first.set_xlabel(headed(measure.text, measure.unit))
         first.set_ylabel("runs")
         first.grid(visible=True)
         if single is not None:
             every = -(-len(column) // CLOUD)
             x = found.columns[single][::every]
             second[0].plot(x, column[::every], ".", markersize=2, color=COLOURS[0])
-            _label(second[0].set_xlabel, single, axis_unit(plan, single))
-            _label(second[0].set_ylabel, measure.text, measure.unit)
+            second[0].set_xlabel(headed(single, axis_unit(plan, single)))
+            second[0].set_ylabel(headed(measure.text, measure.unit))
             second[0].grid(visible=True)
             if isinstance(axis := plan.drawn[single], Uniform) and axis.scale == "log":
                 second[0].set_xscale("log")
@@ -240,7 +241,3 @@ def _named(plan: Plan, name: str, value: float | str) -> str:
         return value if name == "scheme" else f"{name} {value}"
     unit = axis_unit(plan, name)
     return f"{name} = {value:.4g}" + (f" {unit}" if unit else "")
-
-
-def _label(write: Callable[[str], object], name: str, unit: str) -> None:
-    write(f"{name} [{unit}]" if unit else name)

@@ -12,7 +12,7 @@ from sandbox.experiments.fitting import Fit, Fitted
 from sandbox.experiments.measured_data import Data
 from sandbox.model.files import write_atomically
 from sandbox.model.level import Level
-from sandbox.model.quantities import quantity
+from sandbox.model.quantities import headed, quantity
 from sandbox.reporting.pages import environment
 from sandbox.reporting.plots import COLOURS, legend_below, style
 from sandbox.reporting.svg import inline
@@ -70,8 +70,8 @@ def _picture(level: Level, data: Data, found: Fit, name: str) -> Figure:
             )
             axes.grid(visible=True)
         unit = quantity(name, level).unit
-        above.set_ylabel(f"{name} [{unit}]")
-        below.set_ylabel(f"left over [{unit}]")
+        above.set_ylabel(headed(name, unit))
+        below.set_ylabel(headed("left over", unit))
         below.set_xlabel("t [s]")
         legend_below(figure, above)
     return figure

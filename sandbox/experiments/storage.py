@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING
 from sandbox.experiments.plan import Plan
 from sandbox.experiments.table import Cell, schema
 from sandbox.model.errors import SandboxError, brief
-from sandbox.model.files import make_folder, write_atomically
+from sandbox.model.files import folder_of_files, make_folder, read_ordinary, write_atomically
 from sandbox.model.message import Message
 from sandbox.version import __version__
 
@@ -26,6 +26,9 @@ if TYPE_CHECKING:
 
 GROUP = 65_536
 """The number of rows in each row group of the finished file, whatever the batches were."""
+
+LARGEST = 10_000_000
+"""The largest description that is read [bytes]."""
 
 RESULTS, DESCRIPTION, PARTS = "results.parquet", "experiment.json", "parts"
 
@@ -50,23 +53,24 @@ class Store:
         self._folder, self._plan = folder, plan
         self.results = folder / RESULTS
         self._parts = folder / PARTS
-        make_folder(folder)
-        self._claim(json.dumps(description(plan), indent=2, ensure_ascii=False) + "\n")
+        with folder_of_files(folder):
+            self._claim(json.dumps(description(plan), indent=2, ensure_ascii=False) + "\n")
         if not self.complete:
             make_folder(self._parts)
 
     def _claim(self, text: str) -> None:
         place = self._folder / DESCRIPTION
+        if not place.exists():
+            write_atomically(place, text)
+            return
         try:
-            there = place.read_text("utf-8") if place.exists() else None
-        except (OSError, ValueError) as error:
+            there = read_ordinary(place.resolve(), LARGEST)
+        except OSError as error:
             raise SandboxError(
                 Message("cannot read {place}: {error}", place=place, error=str(error))
             ) from error
-        if there is None:
-            write_atomically(place, text)
-        elif there != text:
-            changed = _difference(there, text)
+        if there != text.encode():
+            changed = _difference(there or b"", text)
             raise SandboxError(
                 Message(
                     "{folder} holds another experiment ({changed}): name another folder, or remove"
@@ -87,13 +91,7 @@ class Store:
         try:
             return bool(pq.read_metadata(self.results).num_rows == self._plan.runs)
         except (OSError, pa.ArrowInvalid) as error:
-            raise SandboxError(
-                Message(
-                    "cannot read {results}: {error}; remove it",
-                    results=self.results,
-                    error=str(error),
-                )
-            ) from error
+            raise _unreadable(self.results, str(error)) from error
 
     def missing(self) -> Iterator[tuple[int, int]]:
         """Yield the ranges of missing rows: the first, and the one after the last."""
@@ -128,7 +126,7 @@ class Store:
         Raises
         ------
         SandboxError
-            If there is not enough space; the parts are kept.
+            If there is not enough space, or a part is damaged; the parts are kept.
         """
         import pyarrow.parquet as pq
 
@@ -140,7 +138,6 @@ class Store:
             beside.replace(self.results)
             shutil.rmtree(self._parts)
         except OSError as error:
-            beside.unlink(missing_ok=True)
             raise SandboxError(
                 Message(
                     "cannot write {results}: {reason}; what was done is kept",
@@ -148,15 +145,16 @@ class Store:
                     reason=error.strerror or error,
                 )
             ) from error
+        finally:
+            beside.unlink(missing_ok=True)
 
     def _grouped(self) -> "Iterator[pa.Table]":
         """Yield all rows in groups, of which only one is in memory at a time."""
         import pyarrow as pa
-        import pyarrow.parquet as pq
 
         held, begin = schema(self._plan).empty_table(), 0
         for start, stop, path in self._done():
-            part = pq.ParquetFile(path).read()
+            part = _part(path, held.schema)
             held = pa.concat_tables([held, part.slice(max(begin - start, 0))])
             begin = max(begin, stop)
             while len(held) >= GROUP:
@@ -175,6 +173,26 @@ class Store:
         return sorted(found)
 
 
+def _part(path: Path, layout: "pa.Schema") -> "pa.Table":
+    """Return the rows of a part, which must have the columns of the whole."""
+    import pyarrow as pa
+    import pyarrow.parquet as pq
+
+    try:
+        part = pq.ParquetFile(path).read()
+    except (OSError, pa.ArrowInvalid) as error:
+        raise _unreadable(path, str(error)) from error
+    if part.schema != layout:
+        raise _unreadable(path, Message("it has other columns"))
+    return part
+
+
+def _unreadable(path: Path, reason: str) -> SandboxError:
+    return SandboxError(
+        Message("cannot read {path}: {reason}; remove it", path=path, reason=reason)
+    )
+
+
 def description(plan: Plan) -> dict[str, object]:
     """Return all that is needed to repeat an experiment with identical results."""
     written = plan.experiment.model_dump(mode="json", exclude_none=True, exclude={"schema_"})
@@ -191,7 +209,7 @@ def description(plan: Plan) -> dict[str, object]:
     }
 
 
-def _difference(there: str, text: str) -> str:
+def _difference(there: bytes, text: str) -> str:
     """Return where two descriptions differ."""
     try:
         before, now = json.loads(there), json.loads(text)
@@ -203,6 +221,6 @@ def _difference(there: str, text: str) -> str:
                     return (
                         f"its {key} is {was}" if part == "experiment" else f"made with {key} {was}"
                     )
-    except (ValueError, LookupError, TypeError, AttributeError):
+    except (ValueError, LookupError, TypeError, AttributeError, RecursionError):
         return f"its {DESCRIPTION} cannot be read"
     return "its level says something else"

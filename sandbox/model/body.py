@@ -44,7 +44,9 @@ class Body(Model):
     """Something that moves, or that others move against."""
 
     type: Literal["dynamic", "kinematic", "static"] = "dynamic"
+    """whether forces move it, it moves as the level says, or it stands still"""
     shape: Shape
+    """its outline, along its own axes"""
     mass: Mass | None = None
     """kg; dynamic bodies have one, others do not"""
     moment: Moment | None = None

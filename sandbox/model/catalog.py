@@ -5,7 +5,7 @@ from pathlib import Path
 
 from sandbox.model.did_you_mean import meant, suggestion
 from sandbox.model.document import refuse
-from sandbox.model.errors import SandboxError, brief
+from sandbox.model.errors import MisuseError, brief
 from sandbox.model.message import Message
 
 CHAPTERS = (
@@ -45,13 +45,13 @@ def sources() -> Path:
 
     Raises
     ------
-    SandboxError
+    MisuseError
         If the package is installed without them.
     """
     folder = Path(__file__).resolve().parents[2]
     if not (folder / "pyproject.toml").is_file():
         package = Path(__file__).resolve().parents[1]
-        raise SandboxError(
+        raise MisuseError(
             Message(
                 "this is written in a checkout of the project; {package} is installed",
                 package=package,

@@ -8,6 +8,7 @@ from pydantic import Field
 from sandbox.model.base import Model
 from sandbox.model.expressions import Expression
 from sandbox.model.measuring_instants import Instant
+from sandbox.model.naming import Name
 from sandbox.model.prose_fields import Prose
 from sandbox.model.reference_fields import ParameterName, QuantityName
 
@@ -46,7 +47,7 @@ class Challenge(Model):
     """what earns the second star, and the third"""
     hints: Annotated[tuple[Sentence, ...], Field(max_length=5)] = ()
     """what helps, from a nudge to all but the answer"""
-    solution: Mapping[str, Annotated[float, Field(allow_inf_nan=False)]]
+    solution: Mapping[Name, Annotated[float, Field(allow_inf_nan=False)]]
     """values of free parameters that earn every star; shown to nobody"""
 
     @property

@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 
 from sandbox.model.body import MAX_BODIES
 from sandbox.model.did_you_mean import suggestion
-from sandbox.model.errors import SandboxError, brief
+from sandbox.model.errors import MisuseError, brief
 from sandbox.model.message import Message
 
 Document = dict[str, Any]
@@ -30,7 +30,7 @@ STIFF = 4.0
 """The least number of steps per radian of the fastest wave in a chain; 1/2 is too few."""
 
 
-class CrowdError(SandboxError):
+class CrowdError(MisuseError):
     """A scene of many bodies that cannot be made."""
 
 

@@ -19,7 +19,7 @@ from sandbox.model.constants import define
 from sandbox.model.did_you_mean import suggestion
 from sandbox.model.effects import EFFECTS, Effects
 from sandbox.model.effects.contract import Settings
-from sandbox.model.errors import SandboxError, brief
+from sandbox.model.errors import MisuseError, brief
 from sandbox.model.expressions import Expression
 from sandbox.model.level import Level
 from sandbox.model.level_parts import Fault
@@ -58,7 +58,7 @@ class Variation(NamedTuple):
         return f"with {self.effect}" + (f" ({said})" if said else "")
 
 
-class EffectError(SandboxError):
+class EffectError(MisuseError):
     """An effect that cannot be switched off, or on, in this level."""
 
 

@@ -3,8 +3,9 @@
     SandboxError
     ├── LevelError       a level that cannot be used; it holds every Mistake
     ├── ExpressionError  a formula that is not allowed, or has no value
-    ├── QuantityError    a name that is not a quantity of the level
-    ├── ValueRangeError  a parameter that does not exist, or a value that it cannot have
+    ├── MisuseError      what cannot be done as it was asked for
+    │   ├── QuantityError    a name that is not a quantity of the level
+    │   └── ValueRangeError  a parameter that does not exist, or a value that it cannot have
     └── SimulationError  a run that had to stop (in sandbox.physics)
 
 Code that shows messages to a person catches `SandboxError`; anything else is a defect.
@@ -20,6 +21,8 @@ MAX_MISTAKES = 100
 
 class SandboxError(Exception):
     """Anything that a user can mend; its text is fit to be shown."""
+
+    exit_status = 1  # of a command that ends with it
 
     def __init__(self, message: Message) -> None:
         super().__init__(message)
@@ -84,7 +87,13 @@ class LevelError(SandboxError):
         return type(self), (self.mistakes,)  # or Exception would rebuild it from its text
 
 
-class ValueRangeError(SandboxError):
+class MisuseError(SandboxError):
+    """What cannot be done as it was asked for: wrong usage of a command."""
+
+    exit_status = 2
+
+
+class ValueRangeError(MisuseError):
     """A parameter that the level does not have, or a value that it cannot have."""
 
 

@@ -1,24 +1,27 @@
 """Reading and writing files atomically."""
 
+import errno
 import os
 import platform
 import re
 import stat
-from contextlib import suppress
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
 from hashlib import sha256
 from pathlib import Path
 from uuid import uuid4
 
 import platformdirs
 
-from sandbox.model.errors import SandboxError
+from sandbox.model.errors import MisuseError, SandboxError
 from sandbox.model.message import Message
 
 
-class TakenError(SandboxError):
+class TakenError(MisuseError):
     """The path for a new file already exists."""
 
 
+_FULL = (errno.ENOSPC, errno.EDQUOT)
 _PART = re.compile(r"\.([0-9a-f]{8})-(\d+)-[0-9a-f]{32}\.part")
 """The name of an unfinished file: the machine, the process, and a number."""
 
@@ -71,7 +74,7 @@ def write_atomically(
         if new and isinstance(error, FileExistsError):
             raise _taken(path) from None
         if isinstance(error, OSError):
-            raise _refusal(path, error.strerror or str(error)) from error
+            raise SandboxError(_unwritable(path, error.strerror or str(error))) from error
         raise
 
 
@@ -166,7 +169,7 @@ def check_writable(path: Path) -> None:
 
     Raises
     ------
-    SandboxError
+    MisuseError
         If the path is not a file, or its folder is missing or read-only.
     """
     try:
@@ -194,25 +197,51 @@ def make_folder(folder: Path) -> None:
 
     Raises
     ------
+    MisuseError
+        If there cannot be such a folder, or it is read-only.
     SandboxError
-        If it cannot be made, or is read-only.
+        If there is no space for it.
     """
     try:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         reason = Message("it is a file") if folder.is_file() else error.strerror
-        raise SandboxError(
+        kind = SandboxError if error.errno in _FULL else MisuseError
+        raise kind(
             Message("cannot make the folder {folder}: {reason}", folder=folder, reason=reason)
         ) from error
     if not os.access(folder, os.W_OK | os.X_OK):
-        raise SandboxError(
+        raise MisuseError(
             Message("cannot write into the folder {folder}: it is read-only", folder=folder)
         )
+
+
+@contextmanager
+def folder_of_files(folder: Path) -> Iterator[None]:
+    """Make a folder for the files that are written within; remove it if it is still empty then.
+
+    Raises
+    ------
+    MisuseError, SandboxError
+        As by `make_folder`.
+    """
+    made = [each for each in (folder, *folder.parents) if not each.exists()]
+    try:
+        make_folder(folder)
+        yield
+    finally:
+        with suppress(OSError):  # it holds files
+            for each in made:
+                each.rmdir()
 
 
 def _taken(path: Path) -> TakenError:
     return TakenError(Message("{path} is there already; nothing is overwritten", path=path))
 
 
-def _refusal(path: Path, reason: str) -> SandboxError:
-    return SandboxError(Message("cannot write {path}: {reason}", path=path, reason=reason))
+def _refusal(path: Path, reason: str) -> MisuseError:
+    return MisuseError(_unwritable(path, reason))
+
+
+def _unwritable(path: Path, reason: str) -> Message:
+    return Message("cannot write {path}: {reason}", path=path, reason=reason)

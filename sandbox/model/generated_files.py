@@ -6,8 +6,6 @@ from pathlib import Path
 
 from sandbox.model.errors import SandboxError
 
-FAILED = 2
-
 
 def generate(write: Callable[[], Iterable[Path]]) -> int:
     """Generate files, print their paths, and return the exit status."""
@@ -16,5 +14,5 @@ def generate(write: Callable[[], Iterable[Path]]) -> int:
             sys.stdout.write(f"{path}\n")
     except SandboxError as error:
         sys.stderr.write(f"{error}\n")
-        return FAILED
+        return error.exit_status
     return 0

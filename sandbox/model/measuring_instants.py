@@ -31,6 +31,7 @@ class ContactEvent(Model):
 
     event: Literal["contact"]
     bodies: Couple
+    """the two bodies"""
     nth: Nth = 1
     """how many times they have come to touch by then; those that touch at the start part before"""
 
@@ -40,6 +41,7 @@ class SeparationEvent(Model):
 
     event: Literal["separation"]
     bodies: Couple
+    """the two bodies"""
     nth: Nth = 1
     """how many times they have parted by then"""
 
@@ -49,8 +51,11 @@ class CrossingEvent(Model):
 
     event: Literal["crossing"]
     quantity: QuantityName
+    """what crosses it, such as `ball.speed`"""
     value: Expression = Expression(0)
+    """in the unit of the quantity"""
     direction: Literal["up", "down", "either"] = "either"
+    """whether it has to grow or to fall there"""
 
 
 class ApexEvent(Model):
@@ -58,6 +63,7 @@ class ApexEvent(Model):
 
     event: Literal["apex"]
     body: BodyName
+    """the body that rises or falls"""
 
 
 class LandingEvent(Model):
@@ -65,6 +71,7 @@ class LandingEvent(Model):
 
     event: Literal["landing"]
     body: BodyName
+    """the body that rises or falls"""
     height: Coordinate = Coordinate(0)
     """m"""
 

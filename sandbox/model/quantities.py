@@ -7,8 +7,8 @@ component; a vector without a component stands for its magnitude. The subject is
 
 Two bodies, or a body and one of its points, have quantities of their own, named after both:
 `block.contact.table.normal`, `moon.relative.planet.velocity.x`, `stick.tip.position.y`; a body has
-`ball.within.gate` for every sensor. Most quantities can also be aggregated over time, such as
-`string.tension.max`.
+`ball.within.gate` for every sensor, which has `gate.count` itself. Most quantities can also be
+aggregated over time, such as `string.tension.max`.
 """
 
 from collections.abc import Iterator, Mapping
@@ -18,7 +18,7 @@ from typing import Literal
 
 from sandbox.model import ledger_accounts
 from sandbox.model.did_you_mean import closest, suggestion
-from sandbox.model.errors import SandboxError, brief
+from sandbox.model.errors import MisuseError, brief
 from sandbox.model.level import Level
 from sandbox.model.message import Message
 
@@ -62,6 +62,9 @@ MOST_MUTUAL = 6
 
 WITHIN = "within"
 """The depth of a body's centre in a sensor, from its outline; negative outside."""
+
+COUNT = "count"
+"""The number of moving bodies whose centre is in a sensor."""
 
 _OF_POINTS = {"position": "m", "velocity": "m/s"}
 """The quantities of a point of a body."""
@@ -146,7 +149,7 @@ class Quantity:
 TIME = Quantity("t", "time", "t", "t", None, "s")
 
 
-class QuantityError(SandboxError, ValueError):
+class QuantityError(MisuseError, ValueError):
     """A name that is not a quantity of the level."""
 
 
@@ -204,6 +207,11 @@ def quantity(name: str, level: Level) -> Quantity:
             Message("'{name}' is not a quantity of this level{hint}", name=brief(name), hint=hint)
         )
     return known[name]
+
+
+def headed(name: str, unit: str) -> str:
+    """Return the heading of a quantity's column: its name, with its unit if it has one."""
+    return f"{name} [{unit}]" if unit else name
 
 
 def base(quantity: Quantity) -> str:
@@ -328,6 +336,8 @@ def _of(owner: Owner, subject: str, level: Level) -> Iterator[Quantity]:
         yield Quantity(f"{subject}.{attribute}", owner, subject, attribute, None, unit)
     if owner == "body":
         yield from _of_points(subject, level)
+        if level.bodies[subject].sensor:
+            yield Quantity(f"{subject}.{COUNT}", owner, subject, COUNT, None, "")
 
 
 ATTRIBUTES_OF_BODIES = frozenset(

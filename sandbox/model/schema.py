@@ -14,7 +14,9 @@ from sandbox.model.expressions import Expression
 from sandbox.model.files import write_atomically
 from sandbox.model.generated_files import generate
 from sandbox.model.level import Level
+from sandbox.model.loading import read
 from sandbox.model.reference_fields import NAMES
+from sandbox.model.schema_examples import add_examples
 from sandbox.model.shorthand.schema import Each, Typed, with_repeats
 
 DIALECT = "https://json-schema.org/draft/2020-12/schema"
@@ -70,8 +72,11 @@ def _described(made: dict[str, Any]) -> dict[str, Any]:
 
 
 def text() -> str:
-    """Return the content of the schema file."""
-    return json.dumps(schema(), indent=2, ensure_ascii=False) + "\n"
+    """Return the content of the schema file: the schema, with examples from the levels."""
+    made = schema()
+    levels = (read(catalog.find(name)) for name in catalog.names())
+    add_examples(made, map(json.loads, levels))
+    return json.dumps(made, indent=2, ensure_ascii=False) + "\n"
 
 
 def write() -> Path:

@@ -1,5 +1,7 @@
 """The keyboard's way through the widgets, by real events."""
 
+import gc
+import weakref
 from pathlib import Path
 
 import pygame
@@ -96,6 +98,31 @@ def test_the_focus_stays_where_it_was_when_all_is_built_anew(
     assert after.text == "Graph"
     assert after is not before
     assert person.window.panels.page == "graph page"
+
+
+def test_the_focus_stays_where_it_was_in_another_theme(person: Person, tmp_path: Path) -> None:
+    person.open(tmp_path, falling())
+    tab_to(person, "Graph")
+    person.window.comfort.choose(theme="light")
+    person.wait(0.05)
+    after = focused(person)
+
+    assert isinstance(after, UIButton)
+    assert after.text == "Graph"
+    assert after.ui_manager is person.window.panels.manager
+
+
+def test_nothing_keeps_the_widgets_of_another_theme(person: Person, tmp_path: Path) -> None:
+    person.open(tmp_path, falling())
+    while not person.window.panels.focus._around:  # it goes to what scrolls
+        tab(person)
+    before = weakref.ref(person.window.panels.manager)
+    person.click((600, 300))
+    person.window.comfort.choose(theme="light")
+    person.wait(0.05)
+    gc.collect()
+
+    assert before() is None
 
 
 @pytest.mark.all_levels

@@ -48,6 +48,24 @@ def test_words_lie_over_a_line_only_if_nothing_else_is_left() -> None:
     assert labels.find([BEST, SECOND]) == BEST
 
 
+def test_a_label_stays_where_it_was_while_no_other_place_is_better() -> None:
+    """It went to and fro with each picture when an arrow moved along its best place."""
+    kept: dict[str, int] = {}
+    labels = Labels(BOUNDS, kept)
+    labels.mark((0, 0), (60, 30))
+    assert labels.find([BEST, SECOND], name="weight") == SECOND
+
+    assert Labels(BOUNDS, kept).find([BEST, SECOND], name="weight") == SECOND
+    assert Labels(BOUNDS, kept).find([BEST, SECOND], name="other") == BEST
+    labels = Labels(BOUNDS, kept)
+    labels.mark((0, 45), (60, 45))
+    assert labels.find([BEST, SECOND], name="weight") == BEST
+
+
+def test_a_strict_label_is_left_out_rather_than_cover_what_it_should_avoid() -> None:
+    assert Labels(BOUNDS).find([BEST], avoid=[BEST], strict=True) is None
+
+
 def test_events_at_one_place_are_written_apart(pen: Pen) -> None:
     session = play(Session(load(catalog.find("lagrange/bead-on-a-wire"))))
     written: list[pygame.Rect] = []
@@ -160,3 +178,20 @@ def test_a_line_that_ends_anywhere_is_looked_at_in_no_time() -> None:
     labels.mark((5, -1e30), (1e10, 1e39))
 
     assert labels.find([BEST, SECOND]) == SECOND
+
+
+def test_no_label_lies_over_a_ruler(pen: Pen, monkeypatch: pytest.MonkeyPatch) -> None:
+    session = Session(load(catalog.find("machines/trebuchet")))
+    for _ in range(60):
+        session.step()
+    stage = Stage(pen, (400, 400))
+    stage.use(session.world)
+    stage.fit()
+    places, _ = placed(monkeypatch)
+    stage.camera.pan(-60, 0)
+    stage.view.looking, stage.asked = session.looking, "forces"
+    stage.draw(pygame.Surface((400, 400)), session.trail)
+
+    assert len(places) >= 3
+    assert min(place.left for place in places) >= stage.view.labels.bounds.left > 12
+    assert max(place.bottom for place in places) <= stage.view.labels.bounds.bottom < 400

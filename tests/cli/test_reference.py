@@ -10,7 +10,7 @@ from sandbox.cli.commands import COMMANDS
 from sandbox.cli.reference import FOLDER, PAGES
 from sandbox.model import catalog, joints
 from sandbox.model.effects import EFFECTS
-from sandbox.model.errors import SandboxError
+from sandbox.model.errors import MisuseError
 from sandbox.model.message import Message
 from sandbox.model.schema import schema
 
@@ -60,7 +60,7 @@ def test_an_installed_package_writes_no_reference(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     def sources() -> None:
-        raise SandboxError(Message("this is written in a checkout of the project"))
+        raise MisuseError(Message("this is written in a checkout of the project"))
 
     monkeypatch.setattr(catalog, "sources", sources)
 

@@ -155,6 +155,21 @@ def test_a_check_that_fails_is_an_exit_status_of_1_and_a_whole_file(
     assert len(table(tmp_path / "out.csv")[1]) == 61
 
 
+@pytest.mark.parametrize(("contact", "time"), [({}, "1.387"), ({"located": ["ball"]}, "1.384")])
+def test_a_contact_in_the_last_step_is_not_said_never_to_have_come(
+    run: Run, write: Write, tmp_path: Path, contact: dict[str, object], time: str
+) -> None:
+    """The ball strikes the floor after 1.384 s, and the run ends with the step to 1.387 s."""
+    effects = {"gravity": {"acceleration": [0, "-g"]}, "contact": contact}
+    check = height(at={"event": "contact", "bodies": ["ball", "floor"]})
+    path = write(effects=effects, checks=[check], duration=1.385, stepping={"rate": 300})
+
+    outcome = run("simulate", path, "--output", tmp_path / "out.csv")
+
+    assert outcome.status == 1
+    assert f"failed: came at {time} s, too near the end to be measured" in outcome.out
+
+
 def test_a_longer_run_is_graded_up_to_the_levels_duration(
     run: Run, write: Write, tmp_path: Path
 ) -> None:

@@ -36,6 +36,18 @@ def test_a_full_disk_under_what_is_said_is_told_in_a_sentence(command: str) -> N
 
 
 @pytest.mark.sweep
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="no such device there")
+def test_a_full_disk_under_remarks_costs_no_work(write: Write, tmp_path: Path) -> None:
+    """Nor does a reader of them that has gone."""
+    for nowhere in ("2> /dev/full", "2> >(true)"):
+        done = shell(f"SANDBOX simulate {write()} --output out.csv {nowhere}", tmp_path)
+
+        assert (done.returncode, done.stderr) == (0, "")
+        assert (tmp_path / "out.csv").stat().st_size > 0
+        (tmp_path / "out.csv").unlink()
+
+
+@pytest.mark.sweep
 def test_whoever_stops_reading_ends_the_program_without_a_word(
     write: Write, tmp_path: Path
 ) -> None:
@@ -47,6 +59,27 @@ def test_whoever_stops_reading_ends_the_program_without_a_word(
 
     assert (done.returncode, done.stderr) == (141, "")
     assert (tmp_path / "out.csv").stat().st_size > 0
+
+
+@pytest.mark.sweep
+@pytest.mark.parametrize(
+    ("line", "file"),
+    [
+        ("VALIDATION pace kinematics/free-fall --json made.json", "made.json"),
+        ("SANDBOX bench kinematics/free-fall --seconds 0.1 --json made.json", "made.json"),
+        (
+            "SANDBOX experiment newton/atwood --vary m1=1,2 --measure t@end --jobs 1 --output made",
+            "made/report.html",
+        ),
+    ],
+)
+def test_what_was_measured_is_written_even_if_nobody_reads_of_it(
+    tmp_path: Path, line: str, file: str
+) -> None:
+    done = shell(f"{line} | true; exit ${{PIPESTATUS[0]}}", tmp_path)
+
+    assert done.returncode == 141
+    assert (tmp_path / file).stat().st_size > 0
 
 
 @pytest.mark.sweep

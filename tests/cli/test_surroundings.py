@@ -44,6 +44,27 @@ def test_what_cannot_be_kept_for_want_of_a_home_is_found_all_the_same(
 
 
 @pytest.mark.sweep
+@pytest.mark.parametrize(
+    "line",
+    [
+        "SANDBOX generate pile --bodies 20 --output pile.json",
+        "SANDBOX experiment newton/atwood --vary m1=1,2 --measure t@end --jobs 1 --output made",
+        "VALIDATION compose --count 1 --jobs 1 --json made.json",
+        "VALIDATION cost kinematics/free-fall --quick --output made/here",
+    ],
+)
+def test_without_space_for_a_file_both_programs_end_alike_and_leave_nothing(
+    tmp_path: Path, line: str
+) -> None:
+    """No file may grow beyond 1 kB here."""
+    done = shell(f"ulimit -f 1; {line}", tmp_path)
+
+    assert (done.returncode, "Traceback" in done.stderr) == (1, False)
+    assert "cannot write" in done.stderr
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.sweep
 def test_an_end_that_is_asked_for_leaves_no_file(write: Write, tmp_path: Path) -> None:
     path = write(duration=1e5, checks=[])
     out = tmp_path / "out.csv"

@@ -158,6 +158,37 @@ def test_a_full_disk_is_a_sentence(tmp_path: Path, monkeypatch: pytest.MonkeyPat
     assert store.complete
 
 
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="pipes as on Unix")
+def test_a_pipe_in_the_place_of_a_description_is_not_waited_for(tmp_path: Path) -> None:
+    os.mkfifo(tmp_path / "experiment.json")
+
+    with pytest.raises(SandboxError, match=r"its experiment\.json cannot be read"):
+        Store(tmp_path, throws(2))
+
+
+@pytest.mark.parametrize("damage", ["cut off", "of another experiment"])
+def test_a_damaged_part_is_named_and_made_again_once_it_is_removed(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, damage: str
+) -> None:
+    found = throws(2)
+    store = Store(tmp_path, found)
+    with monkeypatch.context() as patch:
+        patch.setattr(store, "finish", lambda: None)
+        conduct(found, store, Here(), lambda _: None)
+    part = next((tmp_path / PARTS).iterdir())
+    other = plan(THROW, {"angle": "6:85:3"}, RANGE, duration=6)
+    table(other, tmp_path / "other")
+    foreign = (tmp_path / "other" / RESULTS).read_bytes()
+    part.write_bytes(part.read_bytes()[:50] if damage == "cut off" else foreign)
+
+    with pytest.raises(SandboxError, match=rf"cannot read .*{part.name}: .*; remove it"):
+        conduct(found, store, Here(), lambda _: None)
+    assert not list(tmp_path.glob(".*.part"))
+    part.unlink()
+    conduct(found, store, Here(), lambda _: None)
+    assert store.complete
+
+
 def test_a_folder_holds_one_experiment(tmp_path: Path) -> None:
     table(throws(2), tmp_path)
     with pytest.raises(SandboxError, match="holds another experiment"):

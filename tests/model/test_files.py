@@ -1,17 +1,20 @@
+import errno
 import os
 from pathlib import Path
 
 import pytest
 
 from sandbox.model import files
-from sandbox.model.errors import SandboxError
+from sandbox.model.errors import MisuseError, SandboxError
 from sandbox.model.files import (
     TakenError,
     check_writable,
+    folder_of_files,
     make_folder,
     read_ordinary,
     write_atomically,
 )
+from sandbox.model.message import Message
 from tests.elsewhere import python
 
 
@@ -142,6 +145,33 @@ def test_a_folder_in_which_no_file_can_be_written_is_named(
 
     with pytest.raises(SandboxError, match=f"into the folder {tmp_path}: it is read-only"):
         make_folder(tmp_path)
+
+
+def test_a_folder_without_space_is_no_wrong_usage(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def fail(*_: object, **__: object) -> None:
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    monkeypatch.setattr(Path, "mkdir", fail)
+
+    with pytest.raises(SandboxError, match="No space left on device") as caught:
+        make_folder(tmp_path / "new")
+
+    assert not isinstance(caught.value, MisuseError)
+
+
+def test_a_folder_stays_only_for_the_files_in_it(tmp_path: Path) -> None:
+    """Those that were made for nothing go, with their parents; what was there stays."""
+    (tmp_path / "old").mkdir()
+    for name in ("a/b", "old", "old/c"):
+        with pytest.raises(SandboxError), folder_of_files(tmp_path / name):
+            raise SandboxError(Message("no space"))
+    with folder_of_files(tmp_path / "d" / "e"):
+        (tmp_path / "d" / "e" / "file").touch()
+
+    left = {str(path.relative_to(tmp_path)) for path in tmp_path.rglob("*")}
+    assert left == {"old", "d", "d/e", "d/e/file"}
 
 
 @pytest.mark.skipif(not os.path.exists("/dev/null"), reason="there are no devices there")

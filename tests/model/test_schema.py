@@ -1,5 +1,6 @@
 """The JSON Schema says what the models say, and editors have the latest."""
 
+import json
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -9,7 +10,9 @@ import pytest
 from sandbox.model import catalog
 from sandbox.model.effects import Effects
 from sandbox.model.level import Level
+from sandbox.model.loading import read
 from sandbox.model.schema import main, schema, text, write
+from sandbox.model.schema_examples import UNUSED, add_examples, fields
 from sandbox.model.shorthand.schema import TEMPLATE
 
 SCHEMA = schema()
@@ -27,6 +30,33 @@ def _parts(part: object) -> Iterator[dict[str, Any]]:
 def test_the_file_is_what_the_models_say() -> None:
     """If not: `python -m sandbox.model.schema` writes it."""
     assert (catalog.root() / "level.schema.json").read_text(encoding="utf-8") == text()
+
+
+def test_every_field_that_names_no_values_itself_has_examples() -> None:
+    """They are what editors offer while one types."""
+    made = json.loads(text())
+    bare = [f"{part}.{key}" for part, key, field in fields(made) if "examples" not in field]
+
+    assert not bare
+    assert made["$defs"]["Spring"]["properties"]["stiffness"]["examples"] == ["k", 50]
+
+
+def test_every_field_but_those_that_name_a_kind_is_described() -> None:
+    parts = {"Level": SCHEMA, **SCHEMA["$defs"]}
+    assert not [
+        f"{part}.{key}"
+        for part, node in parts.items()
+        for key, field in node.get("properties", {}).items()
+        if not field.keys() & {"description", "const", "$ref"}  # a reference is described there
+    ]
+
+
+def test_only_what_levels_do_not_have_gets_examples_of_its_own() -> None:
+    made = schema()
+    add_examples(made, (json.loads(read(catalog.find(name))) for name in catalog.names()))
+    given = {f"{part}.{key}": field.get("examples") for part, key, field in fields(made)}
+
+    assert {name: given.get(name) for name in UNUSED} == {name: [it] for name, it in UNUSED.items()}
 
 
 def test_it_is_written_whole(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -61,6 +91,13 @@ def test_every_part_is_described_and_refuses_unknown_keys(name: str) -> None:
 
     assert part["description"]
     assert part["additionalProperties"] is False
+
+
+def test_no_part_refuses_every_key() -> None:
+    """An editor would mark whatever is typed there."""
+    closed = [part for part in _parts(SCHEMA) if part.get("additionalProperties") is False]
+
+    assert [part for part in closed if not {"properties", "patternProperties"} & part.keys()] == []
 
 
 @pytest.mark.parametrize("name", sorted(Level.model_fields.keys() - {"schema_"}))

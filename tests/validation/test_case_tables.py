@@ -117,6 +117,6 @@ def test_a_mistake_in_a_table_is_told_without_a_traceback(
 
     result = CliRunner().invoke(cli.app, ["run"])
 
-    assert result.exit_code == 2
+    assert result.exit_code == 1
     assert "unknown name: math" in result.stderr
     assert "Traceback" not in result.stderr

@@ -15,6 +15,7 @@ from typer.testing import CliRunner
 from sandbox.model.effects import Effects
 from sandbox.model.errors import SandboxError
 from sandbox.model.joints import Joint
+from sandbox.model.level import Level
 from tests.model.levels import bare, hanging
 from validation.cli import app
 from validation.fuzz import command, trial
@@ -54,6 +55,15 @@ def test_every_effect_and_joint_that_the_schema_declares_is_tried() -> None:
 
     assert effects >= Effects.model_fields.keys()
     assert joints >= {name for kind in JOINTS for name in get_args(kind)}
+
+
+def test_every_part_of_a_level_is_tried() -> None:
+    drawn = list(levels(120))
+    events = [event for level in drawn for event in level.get("events", {}).values()]
+
+    assert set().union(*drawn) == Level.model_fields.keys() - {"schema_"}
+    assert {"j1", "j2"} <= {joint for event in events for joint in event.get("cut", ())}
+    assert Effects.model_fields.keys() & {name for event in events for name in event.get("off", ())}
 
 
 def test_the_same_number_is_the_same_level() -> None:

@@ -1,6 +1,7 @@
 """The report: one page that holds everything, is valid, and tells what is missing."""
 
 import json
+import os
 import re
 from collections.abc import Iterator
 from html.parser import HTMLParser
@@ -178,6 +179,18 @@ def test_a_report_is_drawn_anew_from_its_own_figures(
     stamp = re.compile(r"on [-\d]+ at [\d:]+ UTC|<svg.*?</svg>", re.S)  # the layout may shift
     again = (tmp_path / "report.html").read_text(encoding="utf-8")
     assert stamp.sub("", again) == stamp.sub("", text)
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="pipes as on Unix")
+def test_a_pipe_in_the_place_of_a_part_is_not_waited_for(folder: Path, tmp_path: Path) -> None:
+    source = broken(folder, tmp_path, "{}")
+    (source / "cost.json").unlink()
+    os.mkfifo(source / "cost.json")
+
+    done = write("--quick", "--from", source, "--output", tmp_path / "out")
+
+    assert done.exit_code == 1
+    assert "missing: cost" in done.stderr
 
 
 @pytest.mark.parametrize(

@@ -7,8 +7,7 @@ from typing import Annotated
 
 import typer
 
-from sandbox.model.errors import LevelError, SandboxError
-from sandbox.physics.state.errors import SimulationError
+from sandbox.model.errors import SandboxError
 
 JsonFile = Annotated[
     Path | None, typer.Option("--json", metavar="FILE", help="Also write the outcome to this file.")
@@ -22,15 +21,14 @@ Jobs = Annotated[
 ]
 
 
-FAILED, MISUSED = 1, 2
+FAILED = 1
 
 
 @contextmanager
 def reported_errors() -> Iterator[None]:
-    """Print an error and exit: with 1 if a level failed, with 2 for wrong usage."""
+    """Print an error and exit with its status, as `sandbox` does."""
     try:
         yield
     except SandboxError as error:
         typer.echo(error, err=True)
-        failed = isinstance(error, LevelError | SimulationError)
-        raise typer.Exit(FAILED if failed else MISUSED) from None
+        raise typer.Exit(error.exit_status) from None

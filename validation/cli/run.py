@@ -30,9 +30,8 @@ def command(
             check_writable(json_file)
         cases = of_levels(levels or [])
         outcomes = suite.outcomes(cases, jobs)
-        output.show(suite.table(cases, outcomes))
-        if json_file:
-            output.write(suite.content(outcomes), json_file)
+        with output.written(suite.content(outcomes), json_file):
+            output.show(suite.table(cases, outcomes))
     failed = [suite.named(case) for case, o in zip(cases, outcomes, strict=True) if not o.passed]
     output.complain(failed)
     typer.echo(f"{len(cases) - len(failed)} of {len(cases)} cases hold.")

@@ -2,11 +2,12 @@
 
 import os
 from collections.abc import Sequence
+from contextlib import nullcontext
 from pathlib import Path
 
 import typer
 
-from sandbox.model.files import check_writable, make_folder, write_atomically
+from sandbox.model.files import check_writable, folder_of_files, write_atomically
 from sandbox.model.writing import text
 from sandbox.processes import spread
 from validation import output
@@ -43,16 +44,20 @@ def measure(
     """
     if json_file:
         check_writable(json_file)
-    found = outcomes(chosen, jobs)
+    with folder_of_files(folder) if folder else nullcontext():
+        found = outcomes(chosen, jobs)
+        with output.written(content(found), json_file):
+            _show(found)
+        if folder:
+            _save([o for o in found if o.failed], folder)
+    return not any(o.failed for o in found)
+
+
+def _show(found: Sequence[Outcome]) -> None:
     output.show(by_family(found))
     output.complain(complaints(found))
     refused = sum(o.refused for o in found)
     typer.echo(f"{sum(o.passed for o in found)} of {len(found)} scenes hold, {refused} refused.")
-    if json_file:
-        output.write(content(found), json_file)
-    if folder:
-        _save([o for o in found if o.failed], folder)
-    return not any(o.failed for o in found)
 
 
 def outcomes(chosen: Sequence[int], jobs: int | None = None) -> list[Outcome]:
@@ -69,7 +74,6 @@ def content(found: Sequence[Outcome]) -> dict[str, object]:
 
 def _save(failed: Sequence[Outcome], folder: Path) -> None:
     """Write the levels of failed scenes, so that they can be played."""
-    make_folder(folder)
     for outcome in failed:
         write_atomically(folder / f"{outcome.name}.json", text(playable(outcome)))
     typer.echo(f"{len(failed)} levels written to {folder}.")

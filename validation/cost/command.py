@@ -2,6 +2,7 @@
 
 import os
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import nullcontext
 from functools import partial
 from itertools import groupby
 from pathlib import Path
@@ -9,7 +10,7 @@ from pathlib import Path
 import typer
 
 from sandbox.model import catalog
-from sandbox.model.files import check_writable, make_folder
+from sandbox.model.files import check_writable, folder_of_files
 from sandbox.optional_packages import needed_for
 from sandbox.processes import spread
 from validation import output
@@ -36,26 +37,28 @@ def measure(
     """
     if json_file:
         check_writable(json_file)
-    if folder:
-        make_folder(folder)
-    draw = _drawer() if folder else None
-    for name in names:
-        catalog.find(name)
-    every = catalog.textbook()
-    found = sweep_all(list(names) or (sample(every) if quick else every), quick=quick)
+    with folder_of_files(folder) if folder else nullcontext():
+        draw = _drawer() if folder else None
+        for name in names:
+            catalog.find(name)
+        every = catalog.textbook()
+        found = sweep_all(list(names) or (sample(every) if quick else every), quick=quick)
+        with output.written(content(found), json_file):
+            _show(found)
+        if folder and draw:
+            for sweep in found:
+                draw(sweep, folder)
+            typer.echo(f"Drawn in {folder}.")
+    wrong = failed(found)
+    output.complain(wrong)
+    return wrong
+
+
+def _show(found: Sequence[Sweep]) -> None:
     output.show(table(found))
     if any(sweep.requests for sweep in found):
         output.show(asked_table(found))
         typer.echo(summed(found))
-    if json_file:
-        output.write(content(found), json_file)
-    if folder and draw:
-        for sweep in found:
-            draw(sweep, folder)
-        typer.echo(f"Drawn in {folder}.")
-    wrong = failed(found)
-    output.complain(wrong)
-    return wrong
 
 
 def sample(levels: Iterable[str]) -> list[str]:

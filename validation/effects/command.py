@@ -24,9 +24,8 @@ def measure(json_file: Path | None, *, quick: bool) -> None:
     if json_file:
         check_writable(json_file)
     levels, effects, growths = measured(quick=quick)
-    output.show(level_table(levels), effect_table(effects), growth_table(growths))
-    if json_file:
-        output.write(content(levels, effects, growths), json_file)
+    with output.written(content(levels, effects, growths), json_file):
+        output.show(level_table(levels), effect_table(effects), growth_table(growths))
 
 
 def measured(*, quick: bool) -> tuple[list[LevelCost], list[EffectCost], list[Growth]]:

@@ -14,7 +14,7 @@ from typing import Any
 
 import typer
 
-from sandbox.model.files import check_writable, make_folder, write_atomically
+from sandbox.model.files import check_writable, folder_of_files, write_atomically
 from validation import output
 from validation.environment import environment
 from validation.fuzz.grammar import Grammar
@@ -90,7 +90,7 @@ def fuzz(
     found, trial = Findings(guided=available()), Trial()
     try:
         source = guided(seed, trial) if found.guided else drawn(seed, trial)
-        with closing(source):
+        with folder_of_files(samples), closing(source):
             for tried in source:
                 late = minutes is not None and monotonic() - start > 60 * minutes
                 if late or tried.number == number:
@@ -106,15 +106,16 @@ def _report(found: Findings, seed: int, seconds: float, json_file: Path | None) 
     """Print the findings, and write them to a file if one is given."""
     answers = ", ".join(f"{times:,} {kind}" for kind, times in sorted(found.answers.items()))
     how = "led by Atheris" if found.guided else "drawn at random"
-    typer.echo(f"{found.answers.total():,} levels, {how}, in {seconds:.0f} s: {answers or 'none'}.")
-    output.complain(f"{one['number']}: {one['what']} ({one['sample']})" for one in found.failures)
-    if json_file:
-        content = {
-            "environment": environment(), "seed": seed, "guided": found.guided,
-            "count": found.answers.total(), "seconds": seconds, "answers": dict(found.answers),
-            "failures": found.failures, "passed": not found.failures,
-        }  # fmt: skip
-        output.write(content, json_file)
+    total = f"{found.answers.total():,} levels, {how}, in {seconds:.0f} s"
+    wrong = (f"{one['number']}: {one['what']} ({one['sample']})" for one in found.failures)
+    content = {
+        "environment": environment(), "seed": seed, "guided": found.guided,
+        "count": found.answers.total(), "seconds": seconds, "answers": dict(found.answers),
+        "failures": found.failures, "passed": not found.failures,
+    }  # fmt: skip
+    with output.written(content, json_file):
+        typer.echo(f"{total}: {answers or 'none'}.")
+        output.complain(wrong)
 
 
 def _note(tried: Tried, trial: Trial, found: Findings, samples: Path) -> None:
@@ -125,7 +126,6 @@ def _note(tried: Tried, trial: Trial, found: Findings, samples: Path) -> None:
         return
     least = shrunk(data, lambda smaller: trial.run(json.dumps(smaller)).kind == outcome.kind)
     text = json.dumps(least, indent=2) + "\n"
-    make_folder(samples)
     sample = (
         samples / f"{outcome.kind.replace(' ', '-')}-{sha256(text.encode()).hexdigest()[:8]}.json"
     )

@@ -28,6 +28,7 @@ RARE = 0.25
 """The probability of an optional field."""
 
 BODIES = ("a", "b", "c", "d", "e")
+JOINTS = ("j1", "j2", "j3", "j4")
 QUANTITIES = ("system.energy", "a.position.x", "b.speed", "system.loss.friction", "t", "j1.tension")
 
 
@@ -43,6 +44,14 @@ class Grammar:
         self._schema = _schema()
         self._random = random
         self._bodies = BODIES[: random.choice((1, 2, 2, 3, 5))]
+        self._joints = JOINTS[: random.choice((0, 0, 1, 1, 2, 4))]
+        self._names: Mapping[str, Sequence[str]] = {
+            "body": self._bodies,
+            "joints": self._joints or JOINTS,
+            "forces": tuple(self._schema["$defs"]["Effects"]["properties"]),
+            "parameter": ("p", "q"),
+            "quantity": QUANTITIES,
+        }
 
     def level(self) -> dict[str, Any]:
         """Return a level as in its file."""
@@ -55,11 +64,10 @@ class Grammar:
         }
         made["bodies"] = {name: self._of_mapping(fields["bodies"]) for name in self._bodies}
         made["effects"] = self.value(fields["effects"])
-        for i in range(random.choice((0, 0, 1, 1, 2, 4))):
-            made.setdefault("joints", {})[f"j{i + 1}"] = self._of_mapping(fields["joints"])
-        for name in ("stepping", "duration", "checks", "ghosts", "view"):
-            if random.random() < RARE:
-                made[name] = self.value(fields[name])
+        made["joints"] = {name: self._of_mapping(fields["joints"]) for name in self._joints}
+        for name, field in fields.items():
+            if name not in made and name != "$schema" and random.random() < RARE:
+                made[name] = self.value(field)
         return made
 
     def value(self, part: Part) -> Any:  # noqa: ANN401 (whatever JSON holds)
@@ -85,13 +93,14 @@ class Grammar:
 
     def _object(self, part: Part) -> dict[str, Any]:
         if "patternProperties" in part:
-            names = self._bodies if NAMES in part else ("one", "two")
+            names = self._names.get(part.get(NAMES, ""), ("one", "two"))
             return {name: self._of_mapping(part) for name in names}
         needed = part.get("required", ())
-        usual = RARE if len(part["properties"]) > 2 else 0.6
+        fields: Mapping[str, Part] = part.get("properties", {})
+        usual = RARE if len(fields) > 2 else 0.6
         return {
             name: self.value(inside)
-            for name, inside in part["properties"].items()
+            for name, inside in fields.items()
             if name in needed or self._random.random() < usual
         }
 
@@ -100,16 +109,13 @@ class Grammar:
             return [self.value(item) for item in part["prefixItems"]]
         least = part.get("minItems", 0)
         count = min(least + self._random.choice((0, 0, 1, 2, 5)), part.get("maxItems", 9))
-        return [self.value(part["items"]) for _ in range(count)]
+        item = {NAMES: part[NAMES], **part["items"]} if NAMES in part else part["items"]
+        return [self.value(item) for _ in range(count)]
 
     def _text(self, part: Part) -> str:
         random = self._random
-        if part.get(NAMES) == "body":
-            return random.choice(self._bodies if random.random() > WILD else ("nobody",))
-        if part.get(NAMES) == "parameter":
-            return random.choice(("p", "q") if random.random() > WILD else ("nobody",))
-        if part.get(NAMES) == "quantity":
-            return random.choice(QUANTITIES)
+        if names := self._names.get(part.get(NAMES, "")):
+            return random.choice(names if random.random() > WILD else ("nobody",))
         return "#4cc9f0" if "pattern" in part else random.choice(("", "text", "\u200b"))
 
     def _number(self, part: Part) -> float | str:

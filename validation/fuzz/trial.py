@@ -16,6 +16,7 @@ from sandbox.model.level import Stepping
 from sandbox.model.loading import parse
 from sandbox.physics.run import build
 from sandbox.physics.state.errors import BreakdownError
+from sandbox.processes import starting
 
 SECONDS = 2.0
 """The processor time that an answer may take [s]."""
@@ -154,7 +155,8 @@ class Trial:
             self._process = context.Process(
                 target=_serve, args=(theirs, self._seconds), daemon=True
             )
-            self._process.start()
+            with starting():
+                self._process.start()
             theirs.close()
             if self._line.poll(STARTS):  # imports are not part of an answer
                 with suppress(EOFError):

@@ -27,9 +27,8 @@ def measure(names: Sequence[str], json_file: Path | None) -> list[str]:
     for name in names:
         catalog.find(name)
     found = output.progress(map(pace, names), "Measuring what levels need", len(names))
-    output.show(table(found))
-    if json_file:
-        output.write(content(found), json_file)
+    with output.written(content(found), json_file):
+        output.show(table(found))
     slow = [each.level for each in found if not each.in_time]
     output.complain(slow)
     return slow

@@ -6,8 +6,8 @@ from pathlib import Path
 import typer
 from rich.console import Console
 
-from sandbox.model.errors import SandboxError
-from sandbox.model.files import make_folder, write_atomically
+from sandbox.model.errors import MisuseError, SandboxError
+from sandbox.model.files import folder_of_files, write_atomically
 from sandbox.model.message import Message
 from sandbox.reporting import plots
 from validation.output import save
@@ -37,16 +37,16 @@ def write(output: Path, source: Path | None, *, quick: bool, figures: bool) -> b
         If the folder cannot be written, or there is nothing to read.
     """
     if source and not source.is_dir():
-        raise SandboxError(Message("cannot read {source}: there is no such folder", source=source))
-    make_folder(output)
-    contents = {part.command: _collected(part, source, quick=quick) for part in parts.PARTS}
-    found = page.report(contents, quick=quick)
-    for command, content in contents.items():
-        if isinstance(content, Mapping):
-            save(content, output / f"{command}.json")
-    if figures:
-        _draw(found, output / FIGURES)
-    write_atomically(output / PAGE, page.html(found))
+        raise MisuseError(Message("cannot read {source}: there is no such folder", source=source))
+    with folder_of_files(output):
+        contents = {part.command: _collected(part, source, quick=quick) for part in parts.PARTS}
+        found = page.report(contents, quick=quick)
+        for command, content in contents.items():
+            if isinstance(content, Mapping):
+                save(content, output / f"{command}.json")
+        if figures:
+            _draw(found, output / FIGURES)
+        write_atomically(output / PAGE, page.html(found))
     typer.echo(f"Written to {output / PAGE}.")
     for command, reason in found.failures.items():
         typer.echo(f"missing: {command}: {reason}", err=True)
@@ -65,7 +65,7 @@ def _collected(
 
 
 def _draw(found: page.Report, folder: Path) -> None:
-    make_folder(folder)
-    for name, figure in found.figures.items():
-        for form in plots.FORMS:
-            write_atomically(folder / f"{name}.{form}", plots.written(figure, form))
+    with folder_of_files(folder):
+        for name, figure in found.figures.items():
+            for form in plots.FORMS:
+                write_atomically(folder / f"{name}.{form}", plots.written(figure, form))

@@ -11,6 +11,7 @@ from pydantic import TypeAdapter, ValidationError
 
 from sandbox.model import catalog
 from sandbox.model.errors import SandboxError
+from sandbox.model.files import read_ordinary
 from sandbox.model.message import Message
 from validation import suite
 from validation.case import Case, Outcome
@@ -36,6 +37,9 @@ SAMPLE = (
     "lagrange/double-pendulum",
 )
 """The levels for which a quick report shows the cost of accuracy."""
+
+LARGEST = 100_000_000
+"""The largest file that is read [bytes]; anything but an ordinary file may never end."""
 
 HARD = (
     "a cradle of five, 1 in, gap 0 m",
@@ -117,8 +121,9 @@ def collect(part: Part, source: Path | None, *, quick: bool) -> Content:
     if file is None or not file.exists():
         return part.measure(quick)
     try:
-        content = json.loads(file.read_text(encoding="utf-8"))
-    except (OSError, ValueError) as error:
+        text = read_ordinary(file.resolve(), LARGEST)
+        content = None if text is None else json.loads(text)
+    except (OSError, ValueError, RecursionError) as error:
         raise SandboxError(
             Message("cannot read {file}: {error}", file=file, error=str(error))
         ) from error

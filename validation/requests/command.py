@@ -38,10 +38,9 @@ def measure(count: int, seed: int, json_file: Path | None, jobs: int | None) -> 
         output.progress(spread(trial, seeds, jobs or os.cpu_count() or 1), "Asking", count)
     )
     trials = [found[number] for number in range(count)]
-    typer.echo(summary(trials))
-    output.complain(complaints(trials))
-    if json_file:
-        output.write(content(trials), json_file)
+    with output.written(content(trials), json_file):
+        typer.echo(summary(trials))
+        output.complain(complaints(trials))
     return all(each.kept and each.honest for each in trials if each.looked_at)
 
 

@@ -27,10 +27,9 @@ def measure(json_file: Path | None, *, quick: bool, update: bool) -> list[str]:
     if json_file:
         check_writable(json_file)
     found = measured(quick=quick)
-    output.show(*tables(found))
-    _tell(found)
-    if json_file:
-        output.write(content(found), json_file)
+    with output.written(content(found), json_file):
+        output.show(*tables(found))
+        _tell(found)
     if update:
         frontiers = {
             o.name: (o.frontier, o.naive_frontier or 0.0) for o in found if o.frontier is not None

@@ -88,13 +88,23 @@ class ModeSwitch:
             self._work.tell(say("Undone: the run; Ctrl Y comes back to it"))
 
     def redo(self, session: Session) -> None:
-        """Redo the last undone change of the run, the run itself, or a change of the level."""
-        if self.is_shown(session):
+        """Redo the last undone change of the run, the run itself, or a change of the level.
+
+        A change of the level is the next step of a run, too, which is left for it.
+        """
+        if self.is_shown(session) and self._level_is_next(session):
+            self.back(session)
+            self._work.redo()
+        elif self.is_shown(session):
             self._change_again(session)
         elif self._trial.is_undone(self._work.draft.text):
             self.come_back(session)
         else:
             self._work.redo()
+
+    def _level_is_next(self, session: Session) -> bool:
+        """Return whether what was undone last before a run is a change of the level."""
+        return not self._trial.is_taken_back(session) and self._work.draft.redoes is not None
 
     def _change_again(self, session: Session) -> None:
         """Redo a change of the run that was undone."""
@@ -117,7 +127,8 @@ class ModeSwitch:
     def redoes(self, session: Session) -> str | None:
         """Return the description of what would be redone next; None if nothing."""
         if self.is_shown(session):
-            return say("change the run") if self._trial.is_taken_back(session) else None
-        if self._trial.is_undone(self._work.draft.text):
+            if self._trial.is_taken_back(session):
+                return say("change the run")
+        elif self._trial.is_undone(self._work.draft.text):
             return say("the run")
         return self._work.draft.redoes

@@ -17,10 +17,10 @@ import pygame
 from pydantic import ConfigDict, TypeAdapter, ValidationError
 
 from sandbox.app.building.part_cache import Readings
-from sandbox.app.drawing import lines
+from sandbox.app.drawing import lines, shading
 from sandbox.app.drawing.camera import Camera
 from sandbox.app.drawing.text import Pen
-from sandbox.app.stage import bodies, grid, joints
+from sandbox.app.stage import bodies, grid, joints, surfaces
 from sandbox.app.stage.outline import Outline, outlined
 from sandbox.model.body import Body
 from sandbox.model.constants import let_use
@@ -114,12 +114,13 @@ class Sketch:
 
     def draw(self, surface: pygame.Surface, camera: Camera, pen: Pen) -> None:
         """Draw all of it, on a grid."""
+        shading.backdrop(surface)
         grid.draw_grid(surface, camera)
         middle = self._middle(camera)
         for body in self.bodies.values():
             if not body.outline.moves:
                 place = body.position, body.angle
-                bodies.draw_surface(surface, camera, body.outline, *place, middle)
+                surfaces.draw_surface(surface, camera, body.outline, *place, middle)
         self._draw_joints(surface, camera, in_front=False)
         few = len(self.bodies) <= bodies.FEW
         for body in self.bodies.values():

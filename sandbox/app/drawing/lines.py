@@ -85,6 +85,11 @@ def stroke(surface: pygame.Surface, color: Color, a: XY, b: XY, width: float) ->
     pygame.draw.aaline(surface, color, a, b, max(round(width), 1))
 
 
+def polygon(surface: pygame.Surface, color: tuple[int, ...], corners: Sequence[XY]) -> None:
+    """Fill a polygon near the picture; pygame would round its corners to the upper left."""
+    pygame.draw.polygon(surface, color, [(round(x), round(y)) for x, y in corners])
+
+
 def fill(
     surface: pygame.Surface, color: Color, corners: Sequence[XY], rim: Color | None = None
 ) -> None:
@@ -92,7 +97,7 @@ def fill(
     if not near(corners):
         corners = cut(corners)
     if len(corners) > 2:
-        pygame.draw.polygon(surface, color, corners)
+        polygon(surface, color, corners)
         pygame.draw.aalines(surface, rim or color, True, corners)
 
 

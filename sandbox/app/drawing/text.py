@@ -85,9 +85,9 @@ class Pen:
             x += part.width
         return line
 
-    def _outlined(self, text: str, size: int = 12) -> pygame.Surface:
+    def _outlined(self, text: str, size: int = 12, color: Color | None = None) -> pygame.Surface:
         """Return a line of text with an outline, legible on any background."""
-        inner, rim = self.write(text, size), self.write(text, size, theme.STAGE)
+        inner, rim = self.write(text, size, color), self.write(text, size, theme.STAGE)
         line = pygame.Surface((inner.width + 2, inner.height + 2), pygame.SRCALPHA)
         for place in ((0, 0), (2, 0), (0, 2), (2, 2), (1, 0), (0, 1), (2, 1), (1, 2)):
             line.blit(rim, place)

@@ -39,6 +39,8 @@ STRING: Color
 SPRING: Color
 SURFACE: Color
 SURFACE_EDGE: Color
+HIGHLIGHT: Color
+SHADOW: Color
 GHOST: Color
 ARROW: Color
 ACROSS: Color
@@ -54,6 +56,8 @@ ACTING: Mapping[str, Color]
 LANES: tuple[Color, ...]
 """The colours of companion runs and of earlier runs."""
 BODIES: tuple[Color, ...]
+SHADING: float
+"""How strongly shapes are shaded, from 0 to 1."""
 
 _used = DARK
 
@@ -102,6 +106,13 @@ def mix(a: Color, b: Color, share: float) -> Color:
     return red, green, blue
 
 
+def contrasting(color: Color) -> Color:
+    """Return the one of the colours of stage and text that is easier to see on a colour."""
+    now = palette(_used)
+    found: Color = max(now["stage"], now["text"], key=lambda each: abs(_luma(each) - _luma(color)))
+    return found
+
+
 def faded(color: Color, share: float) -> Color:
     """Return a colour faded into that of the stage, with some share of it left."""
     now = palette(_used)
@@ -112,6 +123,11 @@ def parse(text: str) -> Color:
     """Return the colour of a level's "#rrggbb"."""
     red, green, blue = bytes.fromhex(text[1:])
     return red, green, blue
+
+
+def _luma(color: Color) -> float:
+    red, green, blue = color
+    return 0.299 * red + 0.587 * green + 0.114 * blue
 
 
 _FOLDER = files("sandbox.app") / "themes"

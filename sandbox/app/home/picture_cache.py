@@ -25,6 +25,8 @@ from sandbox.version import __version__
 
 SIZE = 320, 200  # px
 DRAWN = 480, 300  # px, before scaling down, which makes lines thinner
+LOOK = 2
+"""A number to raise when the stage draws levels otherwise, so that no older picture is shown."""
 PATIENCE = 1.0  # s of computing, after which a run is drawn at its current step
 MOST = 1000
 """The largest number of pictures in the cache; older ones are removed."""
@@ -63,7 +65,7 @@ def key(path: Path) -> str:
     if content is None:
         raise OSError("not an ordinary file")
     spoken = language.used() if b'"labels"' in content else ""  # the picture contains text
-    about = f"{__version__} {DRAWN} {SIZE} {theme.used()} {spoken}".encode()
+    about = f"{__version__} {LOOK} {DRAWN} {SIZE} {theme.used()} {spoken}".encode()
     return hashlib.sha256(about + content).hexdigest()[:32]
 
 
@@ -109,7 +111,7 @@ def draw(path: Path, pen: Pen) -> pygame.Surface:
         If the level cannot be opened.
     """
     session = Session(load(path), patient=False)
-    stage, surface = Stage(pen, DRAWN), pygame.Surface(DRAWN)
+    stage, surface = Stage(pen, DRAWN, plain=True), pygame.Surface(DRAWN)
     stage.use(session.world)
     for overlay in stage.shown:
         stage.shown[overlay] = overlay == "trail"

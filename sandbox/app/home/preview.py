@@ -85,7 +85,7 @@ class Preview:
             self._dear.add(path)
             return
         self._session, session.playing = session, True
-        self._stage, self._drawn = Stage(Pen(), DRAWN), pygame.Surface(DRAWN)
+        self._stage, self._drawn = Stage(Pen(), DRAWN, plain=True), pygame.Surface(DRAWN)
         self._stage.use(session.world)
         for overlay in self._stage.shown:
             self._stage.shown[overlay] = overlay in ("trail", "flashes")

@@ -70,7 +70,7 @@ class Focus:
     def leave(self) -> bool:
         """Take the focus from a button or slider, and return whether one had it."""
         had = self._at is not None and not isinstance(self._at, Field)
-        self._at = None
+        self._at, self._around = None, []  # a container would keep all widgets of its time
         return had
 
     def key(self, manager: UIManager, layout: Layout, event: pygame.event.Event) -> bool:

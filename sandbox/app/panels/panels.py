@@ -80,10 +80,15 @@ class Panels:
         self.page = register.PAGES[0].command
         self.home = Home(pen)
         self.focus = Focus()
-        self.renew(size)
+        self._begin(size)
 
     def renew(self, size: tuple[int, int]) -> None:
         """Use the present theme, scale and language, from the next `build` on."""
+        # Else the focus would stay with a widget that nobody sees, and keep it with all others.
+        self._root().kill()  # type: ignore[no-untyped-call]
+        self._begin(size)
+
+    def _begin(self, size: tuple[int, int]) -> None:
         self._dialog: OpenDialog | None = None
         self._sought = self.sought
         self.list = None
@@ -153,11 +158,14 @@ class Panels:
             self._sought, self.list = self.list.sought, None
         self._listed = listed
         kept = self.list.column if self.list is not None else None
-        root = self.manager.get_root_container()
-        assert isinstance(root, UIContainer)
-        for element in list(root.elements):
+        for element in list(self._root().elements):
             if element is not kept:
                 element.kill()  # type: ignore[no-untyped-call]
+
+    def _root(self) -> UIContainer:
+        root = self.manager.get_root_container()
+        assert isinstance(root, UIContainer)
+        return root
 
     def update(self, seconds: float) -> None:
         """Update all widgets after some time [s]."""

@@ -7,7 +7,10 @@ from typing import Annotated, Any, Literal
 from pydantic import Field
 
 from sandbox.model.base import Model
+from sandbox.model.errors import SandboxError, brief
 from sandbox.model.loading import choose, parse
+from sandbox.model.message import Message
+from sandbox.model.rules.conditions.numbers import MAX_STEPS
 from sandbox.physics.stepping.branching import alter, branch
 from sandbox.physics.stepping.world import World
 
@@ -17,7 +20,7 @@ Finite = Annotated[float, Field(allow_inf_nan=False)]
 class Action(Model):
     """An action of the user between two steps."""
 
-    step: Annotated[int, Field(ge=0)]
+    step: Annotated[int, Field(ge=0, le=MAX_STEPS)]
     """the number of steps before it"""
     kind: Literal["grab", "drag", "release", "place", "branch", "alter"]
     """grab a body, pull the grabbed body, let go of it, move a body, continue the run with other
@@ -40,6 +43,8 @@ def perform(action: Action, world: World) -> World:
     SandboxError
         If the action is not possible. A branch or alteration then leaves the world unchanged.
     """
+    if action.kind in ("grab", "place") and action.body not in world.scene.bodies:
+        raise SandboxError(Message("there is no body '{name}' to move", name=brief(action.body)))
     match action.kind:
         case "grab":
             world.grab(action.body, action.point)

@@ -98,6 +98,7 @@ def session_of(run: Run, *, patient: bool = True) -> Session:
     """
     level = parse(json.dumps(run.level), "the level of the run")
     session = Session(level, choose(level, run.parameters), patient=patient)
+    session.repeats = True
     session.do_again(run.actions, 0)
     return session
 

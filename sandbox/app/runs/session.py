@@ -36,6 +36,8 @@ class Session(Playback):
         Whether a changed parameter acts from now on, instead of from the start.
     looking
         The body that the user has selected, and the forces on it.
+    repeats
+        Whether it repeats a run from a file, which earns no stars.
 
     Parameters
     ----------
@@ -65,6 +67,7 @@ class Session(Playback):
         self.changes = NONE
         self.branches = False
         self.looking = Looking()
+        self.repeats = False
         begun = self._built(self.begun_as, (), level.defaults if values is None else values)
         super().__init__(LiveRun(level, begun), watched=not patient)
         self._opened = self.level, self.values

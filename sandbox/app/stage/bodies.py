@@ -1,12 +1,12 @@
-"""Draws bodies and surfaces."""
+"""Draws moving bodies."""
 
 from collections.abc import Sequence
 from itertools import pairwise
-from math import ceil, cos, dist, sin
+from math import ceil, cos, dist, sin, tau
 
 import pygame
 
-from sandbox.app.drawing import lines, theme
+from sandbox.app.drawing import lines, shading, theme
 from sandbox.app.drawing.camera import Camera
 from sandbox.app.drawing.theme import Color
 from sandbox.app.stage.outline import RIM, Outline
@@ -16,7 +16,12 @@ FEW = 200
 """The largest number of bodies that are drawn with smooth rims."""
 
 LEAST = 3.0  # px, the least radius of a disc
-HATCH = 9  # px, between strokes
+BEVEL = 2  # px, the width of a lit or shaded edge
+SPOKES = 4
+"""The number of spokes of a wheel that is not small."""
+SMALL = 12.0  # px, the size below which bodies are drawn with less detail
+FAINT = 0.35
+"""The share of the colour of the bold spoke in fainter ones."""
 LET = 24.0  # px, the approximate distance between the arrowheads of a one-way surface
 WEDGE = 10.0, 2.0, 6.0  # px, of an arrowhead: from the surface to base and tip, half its width
 VEIL = 45
@@ -35,17 +40,41 @@ def draw_body(
     if outline.radius is not None:
         _disc(surface, camera, outline, position, rim)
         if spoke:
-            x, y = outline.radius * cos(angle), outline.radius * sin(angle)
-            start, end = camera.path((position, (position[0] + x, position[1] + y)))
-            lines.stroke(surface, rim if outline.hollow else theme.STAGE, start, end, 2)
+            _spokes(surface, camera, outline, position, angle, rim)
         return
     corners = camera.path(outline.placed(position, angle))
     if not outline.closed:
         width = max(outline.thickness * camera.scale, 4)
         lines.path(surface, outline.color, corners, width)
-        _let(surface, outline, corners, width)
+        draw_heads(surface, outline, corners, width)
     else:
-        lines.fill(surface, outline.color, corners, rim)
+        _polygon(surface, outline.color, corners, rim)
+
+
+def _polygon(surface: pygame.Surface, color: Color, corners: Sequence[XY], rim: Color) -> None:
+    """Draw a polygon with lit and shaded edges, if it is large enough for those."""
+    xs, ys = zip(*corners, strict=True)
+    if min(max(xs) - min(xs), max(ys) - min(ys)) < SMALL or not lines.near(corners):
+        lines.fill(surface, color, corners, rim)
+        return
+    lines.polygon(surface, color, corners)
+    shading.bevel(surface, rim, corners, BEVEL)
+
+
+def _spokes(
+    surface: pygame.Surface, camera: Camera, outline: Outline, position: XY, angle: float,
+    rim: Color,
+) -> None:  # fmt: skip
+    """Draw the spoke that shows the angle of a wheel, and fainter ones."""
+    assert outline.radius is not None
+    bold = rim if outline.hollow else theme.contrasting(outline.color)
+    faint = theme.mix(outline.color, bold, FAINT)
+    center, radius = camera.to_screen(position), outline.radius * camera.scale
+    spokes = SPOKES if radius > SMALL else 1
+    for i in reversed(range(spokes)):
+        turn = angle + tau * i / spokes
+        end = center[0] + radius * cos(turn), center[1] - radius * sin(turn)
+        lines.stroke(surface, faint if i else bold, center, end, 1 if i else 2)
 
 
 def _disc(
@@ -56,9 +85,12 @@ def _disc(
     radius = max(outline.radius * camera.scale, LEAST)
     if not lines.near((center,)) or radius > lines.FAR:
         return
-    width = max(round(radius / RIM), 2) if outline.hollow else 0
-    pygame.draw.aacircle(surface, outline.color, center, radius, width)
-    if not outline.hollow and radius > 5:
+    if outline.hollow:
+        width = max(round(radius / RIM), 2)
+        pygame.draw.aacircle(surface, outline.color, center, radius, width)
+        return
+    shading.disc(surface, outline.color, center, radius)
+    if radius > 5:
         pygame.draw.aacircle(surface, rim, center, radius, 1)
 
 
@@ -97,45 +129,9 @@ def draw_crowd(
         pygame.draw.lines(surface, outline.color, False, corners, 2)
 
 
-def draw_surface(
-    surface: pygame.Surface, camera: Camera, outline: Outline, position: XY, angle: float,
-    inside: XY,
-) -> None:  # fmt: skip
-    """Draw a static body; a thin line is hatched on the side away from the moving bodies.
-
-    A one-way line has arrows instead, on the side from which it lets bodies through.
-
-    Parameters
-    ----------
-    inside
-        A point on the side of the moving bodies [m].
-    """
-    if outline.sensor:
-        draw_area(surface, camera, outline, position, angle)
-        return
-    corners = camera.path(outline.placed(position, angle))
-    edge = theme.SURFACE_EDGE
-    if outline.hollow:
-        corners.append(corners[0])
-    elif outline.closed:
-        lines.fill(surface, outline.color, corners)
-        if outline.radius is None:
-            lines.path(surface, edge, [*corners, corners[0]], 2)
-        return
-    width = max(outline.thickness * camera.scale, 3)
-    if outline.lets:
-        lines.path(surface, edge, corners, width)
-        _let(surface, outline, corners, width)
-        return
-    away, begun = camera.to_screen(inside), 0.0
-    nearest = min(pairwise(corners), key=lambda piece: dist(piece[0], away))
-    for a, b in pairwise(corners):
-        side = _side(*(nearest if outline.curved else (a, b)), away)
-        begun = _hatch(surface, a, b, side, begun)
-    lines.path(surface, edge, corners, width)
-
-
-def _let(surface: pygame.Surface, outline: Outline, corners: Sequence[XY], width: float) -> None:
+def draw_heads(
+    surface: pygame.Surface, outline: Outline, corners: Sequence[XY], width: float
+) -> None:
     """Draw arrowheads towards a one-way line, on the side from which it lets bodies through."""
     length = sum(dist(a, b) for a, b in pairwise(corners)) if outline.lets else 0.0
     apart = length / max(round(length / LET), 1)
@@ -164,29 +160,3 @@ def _wedge(surface: pygame.Surface, place: XY, way: XY) -> None:
         (base[0] - side[0], base[1] - side[1]),
     ]
     lines.fill(surface, theme.SURFACE_EDGE, corners)
-
-
-def _side(a: XY, b: XY, inside: XY) -> int:
-    """Return the side of a line on which a point is, 1 or −1."""
-    across = (b[0] - a[0]) * (inside[1] - a[1]) - (b[1] - a[1]) * (inside[0] - a[0])
-    return 1 if across > 0 else -1
-
-
-def _hatch(surface: pygame.Surface, a: XY, b: XY, side: int, begun: float) -> float:
-    """Hatch the opposite side of a line; return the distance from its end to the next stroke [px].
-
-    Parameters
-    ----------
-    begun
-        The distance from the start of the line to the first stroke [px].
-    """
-    length = dist(a, b)
-    if not length:
-        return begun
-    ux, uy = (b[0] - a[0]) / length, (b[1] - a[1]) / length
-    first, last = lines.seen(surface, a, b)
-    for i in range(ceil((first - begun) / HATCH), ceil((last - begun) / HATCH)):
-        x, y = a[0] + ux * (begun + i * HATCH), a[1] + uy * (begun + i * HATCH)
-        end = x + (uy + ux) * side * HATCH, y + (uy - ux) * side * HATCH
-        lines.stroke(surface, theme.SURFACE, (x, y), end, 1)
-    return (begun - length) % HATCH

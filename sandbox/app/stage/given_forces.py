@@ -11,6 +11,7 @@ import pygame
 from sandbox.app.drawing import lines, theme
 from sandbox.app.drawing.camera import Camera
 from sandbox.app.drawing.text import Pen
+from sandbox.app.drawing.theme import Color
 from sandbox.app.stage.labels import Labels
 from sandbox.app.words.formatting import MINUS, number
 from sandbox.app.words.language import say
@@ -129,7 +130,8 @@ class Forces:
                 lines.arrow(surface, color, start, end, WIDTH)
                 if arrow.handles and lines.near((end,)):
                     pygame.draw.aacircle(surface, theme.TEXT, end, HANDLE, 2)
-                write_beside(surface, pen, arrow.text, start, end, labels)
+                name = f"given {arrow.row} {i} {arrow.name}"
+                write_beside(surface, pen, arrow.text, start, end, labels, color, name)
 
 
 def _draw_sum(
@@ -147,7 +149,8 @@ def _draw_sum(
     x, y = (sum(arrow.newtons[axis] for arrow in arrows) for axis in (0, 1))
     lines.arrow(surface, theme.RESULTANT, start, at, WIDTH)
     message = say("sum {components}, {size} N", components=_pair(x, y), size=number(hypot(x, y), 3))
-    write_beside(surface, pen, message, start, at, labels)
+    name = f"sum {arrows[0].row} {arrows[0].tail}"
+    write_beside(surface, pen, message, start, at, labels, theme.RESULTANT, name)
 
 
 def _pair(x: float, y: float) -> str:
@@ -155,18 +158,19 @@ def _pair(x: float, y: float) -> str:
 
 
 def write_beside(
-    surface: pygame.Surface, pen: Pen, text: str, start: XY, end: XY, labels: Labels
-) -> None:
+    surface: pygame.Surface, pen: Pen, text: str, start: XY, end: XY, labels: Labels,
+    color: Color | None = None, name: str = "",
+) -> None:  # fmt: skip
     """Write text beside the tip of an arrow, or beyond the tip of a steep one.
 
     If labels or arrows are in the way, the text is placed around the tip or along the arrow; if
     there is no room, or the arrow is too short to be seen, it is left out.
     """
-    length, seen = hypot(end[0] - start[0], end[1] - start[1]), surface.get_rect()
-    if length < HANDLE or not seen.collidepoint(end):
+    length = hypot(end[0] - start[0], end[1] - start[1])
+    if length < HANDLE or not surface.get_rect().collidepoint(end):
         return
     ux, uy = (end[0] - start[0]) / length, (end[1] - start[1]) / length
-    image = pen.outlined(text)
+    image = pen.outlined(text, color=color)
     aside = copysign(HANDLE + 6 + image.width / 2, ux) if abs(ux) > STEEP else 0.0
     beyond = uy * (6 if aside else HANDLE + 4 + image.height / 2)
     place = image.get_rect(center=(end[0] + aside, end[1] + beyond))
@@ -188,8 +192,8 @@ def write_beside(
             (0, -2 * over),
         )
         around += [beside.move(move) for move in moves]
-    places = [each.clamp(seen) for each in around]
-    if found := labels.find(places):
+    places = [each.clamp(labels.bounds) for each in around]
+    if found := labels.find(places, name=name):
         surface.blit(image, found)
 
 

@@ -18,7 +18,6 @@ BAR = 130  # px, the greatest length of the scale bar
 
 def draw_grid(surface: pygame.Surface, camera: Camera) -> None:
     """Draw the lines of the grid, with brighter axes through the origin."""
-    surface.fill(theme.STAGE)
     minor, major = spacing(camera)
     for apart, color in ((minor, theme.GRID), (major, theme.GRID_STRONG)):
         for x in _marks(camera, apart, 0):
@@ -27,6 +26,12 @@ def draw_grid(surface: pygame.Surface, camera: Camera) -> None:
             _horizontal(surface, camera, y, color)
     _vertical(surface, camera, 0.0, theme.AXIS)
     _horizontal(surface, camera, 0.0, theme.AXIS)
+
+
+def inside(camera: Camera, pen: Pen) -> pygame.Rect:
+    """Return the area of the picture without its rulers [px]."""
+    side, (width, height) = _side(camera, spacing(camera)[1], pen), camera.size
+    return pygame.Rect(side, 0, width - side, height - pen.px(RULER))
 
 
 def draw_rulers(surface: pygame.Surface, camera: Camera, pen: Pen) -> None:

@@ -2,11 +2,12 @@
 
 from cmath import phase
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from math import acos, atan2, cos, hypot, pi, sin, tau
+from itertools import pairwise
+from math import acos, atan2, cos, dist, hypot, pi, sin, tau
 
 import pygame
 
-from sandbox.app.drawing import lines, theme
+from sandbox.app.drawing import lines, shading, theme
 from sandbox.app.drawing.camera import Camera
 from sandbox.app.stage import strings
 from sandbox.model.expressions import Values
@@ -40,6 +41,9 @@ RAY = 30.0  # px, the length of an angle stop from its pin
 BUFFER = 4.5  # px, the amplitude of an elastic stop's coil, and the distance between its turns
 HOOK = 7.0  # px, the radius of an open hook
 GAPE = 0.9  # rad, half the opening of a hook
+LONG = 40.0  # px, the length from which a rod shines
+GLOSS, BEHIND = 0.45, 0.4
+"""The share of white along a rod, and of black in the turns of a spring that lie behind."""
 SAG = 0.12
 """The sag of a slack rope, relative to the distance between its ends on the screen."""
 
@@ -76,6 +80,8 @@ def _plain(surface: pygame.Surface, corners: Sequence[XY], _: bool) -> None:
 
 def _rod(surface: pygame.Surface, corners: Sequence[XY], _: bool) -> None:
     lines.path(surface, theme.SURFACE_EDGE, corners, 6)
+    if dist(corners[0], corners[-1]) > LONG:
+        lines.path(surface, shading.lighter(theme.SURFACE_EDGE, GLOSS), corners, 2)
     _pins(surface, corners)
 
 
@@ -84,16 +90,19 @@ def _track(surface: pygame.Surface, corners: Sequence[XY], _: bool) -> None:
 
 
 def _spring(surface: pygame.Surface, corners: Sequence[XY], _: bool) -> None:
-    lines.path(surface, theme.SPRING, _coil(corners[0], corners[1]), 2)
+    coil = _coil(corners[0], corners[1])
+    behind = shading.darker(theme.SPRING, BEHIND)
+    turns = list(pairwise(coil))
+    for a, b in turns[1::2]:
+        lines.stroke(surface, behind, a, b, 2)
+    for a, b in turns[::2]:
+        lines.stroke(surface, theme.SPRING, a, b, 3)
     _pins(surface, corners)
 
 
 def _rope(surface: pygame.Surface, corners: Sequence[XY], slack: bool) -> None:
     a, b = corners
-    if slack:
-        lines.dashed(surface, theme.STRING, _sagging(a, b), 4, 4)
-    else:
-        lines.stroke(surface, theme.STRING, a, b, 2)
+    strings.draw_line(surface, _sagging(a, b) if slack else (a, b), slack)
     strings.eyes(surface, (a, b))
 
 
@@ -252,10 +261,7 @@ def _weld(surface: pygame.Surface, corners: Sequence[XY], _: bool) -> None:
 def _winding(surface: pygame.Surface, corners: Sequence[XY], slack: bool) -> None:
     """Draw a string from its end to a wheel, and around the wheel."""
     lines.path(surface, theme.STRING, corners[1:], 2)
-    if slack:
-        lines.dashed(surface, theme.STRING, corners[:2], 4, 4)
-    else:
-        lines.stroke(surface, theme.STRING, corners[0], corners[1], 2)
+    strings.draw_line(surface, corners[1::-1], slack)
     strings.eyes(surface, (corners[0], corners[0]))
 
 

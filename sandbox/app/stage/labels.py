@@ -1,6 +1,6 @@
 """Places labels so that none covers another."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from itertools import chain
 
 import pygame
@@ -9,10 +9,25 @@ from sandbox.model.shapes import XY
 
 
 class Labels:
-    """The areas of a picture that are occupied by labels and lines."""
+    """The areas of a picture that are occupied by labels and lines.
 
-    def __init__(self, bounds: pygame.Rect) -> None:
-        self._bounds = bounds
+    Attributes
+    ----------
+    bounds
+        The area for labels [px].
+
+    Parameters
+    ----------
+    bounds
+        The area for labels [px].
+    kept
+        The last place of each named label, as an index, updated by each new one: a label stays
+        there from picture to picture while no other place is better.
+    """
+
+    def __init__(self, bounds: pygame.Rect, kept: dict[str, int] | None = None) -> None:
+        self.bounds = bounds
+        self._kept = {} if kept is None else kept
         self._taken: list[pygame.Rect] = []
         self._crossed: list[tuple[XY, XY]] = []
 
@@ -25,9 +40,14 @@ class Labels:
         self._crossed.append((start, end))
 
     def find(
-        self, places: Iterable[pygame.Rect], avoid: Sequence[pygame.Rect] = ()
+        self,
+        places: Iterable[pygame.Rect],
+        avoid: Sequence[pygame.Rect] = (),
+        *,
+        name: str = "",
+        strict: bool = False,
     ) -> pygame.Rect | None:
-        """Return the first free place, and mark it as occupied; None if there is none.
+        """Return the best free place, and mark it as occupied; None if there is none.
 
         Parameters
         ----------
@@ -35,18 +55,32 @@ class Labels:
             The possible places of a label [px], the best first.
         avoid
             Areas to avoid if possible, with priority over lines [px].
+        name
+            The name by which a label is known in the next picture; empty if it may change places.
+        strict
+            Whether there is no place rather than one in an area to avoid.
         """
-        free = [
-            place
-            for place in places
-            if self._bounds.contains(place) and place.collidelist(self._taken) < 0
-        ]
-        clear = [place for place in free if place.collidelist(avoid) < 0]
-        apart = (place for place in clear if not self._crosses(place))
-        found = next(chain(apart, clear, free), None)
-        if found:
-            self.take(found)
-        return found
+        free = {
+            i: place
+            for i, place in enumerate(places)
+            if self.bounds.contains(place) and place.collidelist(self._taken) < 0
+        }
+        clear = {i: place for i, place in free.items() if place.collidelist(avoid) < 0}
+        first = self._kept.get(name, -1) if name else -1
+        best = self._choose(first, clear, {} if strict else free)
+        if best is None:
+            return None
+        self._kept[name] = best
+        self.take(free[best])
+        return free[best]
+
+    def _choose(
+        self, first: int, clear: Mapping[int, pygame.Rect], free: Mapping[int, pygame.Rect]
+    ) -> int | None:
+        """Return the best place: `first` if none is better, else the first one that is as good."""
+        apart = (i for i in (first, *clear) if i in clear and not self._crosses(clear[i]))
+        lesser = (i for pool in (clear, free) for i in (first, *pool) if i in pool)
+        return next(chain(apart, lesser), None)
 
     def _crosses(self, place: pygame.Rect) -> bool:
         """Whether a marked line crosses a place."""

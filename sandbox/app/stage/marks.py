@@ -24,7 +24,6 @@ from sandbox.physics.stepping.world import World
 LONGEST = 0.14
 """The longest arrow, as a fraction of the stage's width."""
 
-EDGE = 26  # px, kept free of text along the rulers
 LINE, FURTHER = 16, 4
 """The height of a line [px], and the number of offsets by lines at which a label may be placed."""
 
@@ -175,9 +174,9 @@ def write_milestones(
     for milestone, (x, y) in _seen(camera, milestones):
         texts = [pen.outlined(text) for text in milestone.texts(words)]
         size = max(t.width for t in texts), sum(t.height - 2 for t in texts)
-        inside = surface.get_rect().inflate(-2 * EDGE, -2 * EDGE)
         around = _around(round(x), round(y), size)
-        if place := labels.find((spot.clamp(inside) for spot in around), avoid):
+        spots, name = (spot.clamp(labels.bounds) for spot in around), f"at {milestone.place}"
+        if place := labels.find(spots, avoid, name=name):
             top = place.y
             for text in texts:
                 surface.blit(text, text.get_rect(midtop=(place.centerx, top)))
@@ -237,7 +236,8 @@ def draw_names(
                 place.move_to(topleft=(box.right + 4, box.bottom - 4)),
                 place.move_to(midtop=(box.centerx, box.bottom + 1)),
             )
-            if found := labels.find(places, boxes[:i] + boxes[i + 1 :]):
+            others, name = boxes[:i] + boxes[i + 1 :], f"name {outline.name}"
+            if found := labels.find(places, others, name=name, strict=True):
                 surface.blit(text, found)
 
 

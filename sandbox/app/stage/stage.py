@@ -6,13 +6,22 @@ from itertools import pairwise
 import numpy as np
 import pygame
 
-from sandbox.app.drawing import lines, theme
+from sandbox.app.drawing import lines, shading, theme
 from sandbox.app.drawing.camera import Camera
 from sandbox.app.drawing.text import Pen
 from sandbox.app.observing.milestones import Milestone
 from sandbox.app.observing.thinned_series import Trail
 from sandbox.app.runs.companions import Companion
-from sandbox.app.stage import belts_and_flames, bodies, grid, joints, liquid, marks, texts
+from sandbox.app.stage import (
+    belts_and_flames,
+    bodies,
+    grid,
+    joints,
+    liquid,
+    marks,
+    surfaces,
+    texts,
+)
 from sandbox.app.stage.given_forces import Arrow
 from sandbox.app.stage.labels import Labels
 from sandbox.app.stage.landscape import Relief
@@ -40,12 +49,14 @@ class Stage:
         The name of an overlay that is always drawn, or empty.
     view
         The view of the world, for overlays.
+    plain
+        Whether grid, rulers and scale bar are left out, as in a picture too small for them.
     """
 
     view: View
 
-    def __init__(self, pen: Pen, size: tuple[int, int]) -> None:
-        self.camera = Camera(size)
+    def __init__(self, pen: Pen, size: tuple[int, int], *, plain: bool = False) -> None:
+        self.camera, self.plain = Camera(size), plain
         self.shown, self.asked = at_first(), ""
         self._pen = pen
         self._base = pygame.Surface(size)
@@ -93,7 +104,8 @@ class Stage:
         Companions `beside` it are drawn over it; without any, the trails of `earlier` runs are.
         """
         view, world, outlines = self.view, self.view.world, self.view.outlines
-        view.trail, view.labels = trail, Labels(surface.get_rect())
+        area = surface.get_rect() if self.plain else grid.inside(self.camera, self._pen)
+        view.trail, view.labels = trail, Labels(area, view.kept)
         wide, high = self._pen.px(130), self._pen.px(90)
         view.labels.take(pygame.Rect(surface.width - wide, surface.height - high, wide, high))
         if view.few:
@@ -175,7 +187,9 @@ class Stage:
         if key == self._base_key:
             return
         self._base_key, self._trail_key = key, None
-        grid.draw_grid(self._base, camera)
+        shading.backdrop(self._base)
+        if not self.plain:
+            grid.draw_grid(self._base, camera)
         liquid.draw_liquid(self._base, camera, self.view.world)
         middle = self._middle()
         for outline in self.view.still:
@@ -186,12 +200,13 @@ class Stage:
             self._relief.draw_curve(self._base, camera, self._pen)
         for draw in below:
             draw(self._base, self.view)
-        grid.draw_rulers(self._base, camera, self._pen)
-        grid.draw_scale_bar(self._base, camera, self._pen)
+        if not self.plain:
+            grid.draw_rulers(self._base, camera, self._pen)
+            grid.draw_scale_bar(self._base, camera, self._pen)
 
     def _draw_surface(self, surface: pygame.Surface, outline: Outline, middle: XY) -> None:
         inside = self._nearest(outline) if outline.curved else middle
-        bodies.draw_surface(surface, self.camera, outline, *self.view.state(outline), inside)
+        surfaces.draw_surface(surface, self.camera, outline, *self.view.state(outline), inside)
 
     def _middle(self) -> XY:
         """Return the mean start position of the moving bodies [m], else the camera's centre."""
@@ -214,8 +229,13 @@ class Stage:
         """Mark the centres of attraction."""
         for attraction in self.view.world.level.effects.attraction or ():
             x, y = self.camera.to_screen(evaluate(attraction.center, self.view.world.values))
-            for a, b in (((x - 7, y), (x + 7, y)), ((x, y - 7), (x, y + 7))):
-                lines.stroke(self._base, theme.STAGE, a, b, 2)
+            if not self._base.get_rect().collidepoint(x, y):
+                continue
+            red, green, blue, _ = self._base.get_at((int(x), int(y)))
+            color = theme.contrasting((red, green, blue))
+            pygame.draw.aacircle(self._base, color, (x, y), 8, 2)
+            for a, b in (((x - 5, y), (x + 5, y)), ((x, y - 5), (x, y + 5))):
+                lines.stroke(self._base, color, a, b, 2)
 
     def _draw_trails(self, own: Trail | None, others: Sequence[tuple[Trail, theme.Color]]) -> None:
         """Update the trails on the canvas, starting from the base if necessary."""

@@ -1,14 +1,19 @@
 """Draws strings over pegs, with each peg as a small wheel inside the bend."""
 
 from collections.abc import Sequence
-from math import acos, atan2, cos, hypot, pi, sin, tan
+from itertools import pairwise
+from math import acos, atan2, copysign, cos, dist, hypot, pi, sin, tan, tau
 from typing import NamedTuple
 
 import pygame
 
-from sandbox.app.drawing import lines, theme
+from sandbox.app.drawing import lines, shading, theme
 from sandbox.model.shapes import XY
 
+LONG = 40.0  # px, the distance between the ends of a string from which its twist is drawn
+TWIST = 0.4
+"""The share of shadow between the strands of a string."""
+SPOKES = 3
 WHEEL = 13.0  # px, the largest radius
 SHARE = 0.24
 """The largest distance from a peg to the tangent points, as a fraction of the shorter side: two
@@ -28,16 +33,23 @@ def draw_string(surface: pygame.Surface, corners: Sequence[XY], slack: bool) -> 
     bends = [_bend(*corners[i - 1 : i + 2]) for i in range(1, len(corners) - 1)]
     way = [corners[0]]
     for peg, bend in zip(corners[1:-1], bends, strict=True):
+        if bend:
+            before = sum(dist(a, b) for a, b in pairwise([*way, bend.arc[0]]))
+            _wheel(surface, bend, before)
         way += bend.arc if bend else [peg]
     way.append(corners[-1])
-    for bend in bends:
-        if bend:
-            _wheel(surface, bend)
+    draw_line(surface, way, slack)
+    eyes(surface, corners)
+
+
+def draw_line(surface: pygame.Surface, way: Sequence[XY], slack: bool) -> None:
+    """Draw a string along a way [px]: dashed if slack, else twisted, which shows how it moves."""
     if slack:
         lines.dashed(surface, theme.STRING, way, 4, 4)
-    else:
-        lines.path(surface, theme.STRING, way, 2)
-    eyes(surface, corners)
+        return
+    lines.path(surface, theme.STRING, way, 2)
+    if theme.SHADING and dist(way[0], way[-1]) > LONG:
+        lines.dashed(surface, shading.darker(theme.STRING, TWIST), way, 4, 8)
 
 
 def eyes(surface: pygame.Surface, corners: Sequence[XY]) -> None:
@@ -47,8 +59,15 @@ def eyes(surface: pygame.Surface, corners: Sequence[XY]) -> None:
         pygame.draw.aacircle(surface, theme.STRING, (x, y), 2.5)
 
 
-def _wheel(surface: pygame.Surface, bend: Bend) -> None:
+def _wheel(surface: pygame.Surface, bend: Bend, before: float) -> None:
+    """Draw a wheel, turned as far as a length of string before it [px] tells."""
     pygame.draw.aacircle(surface, theme.RAISED, bend.center, bend.radius)
+    (ax, ay), (bx, by), (x, y) = bend.arc[0], bend.arc[1], bend.center
+    way = copysign(1.0, (ax - x) * (by - y) - (ay - y) * (bx - x))
+    for spoke in range(SPOKES):
+        turn = tau * spoke / SPOKES - way * before / bend.radius
+        rim = x + bend.radius * cos(turn), y + bend.radius * sin(turn)
+        lines.stroke(surface, theme.AXIS, (x, y), rim, 2)
     pygame.draw.aacircle(surface, theme.SURFACE_EDGE, bend.center, bend.radius, 2)
     pygame.draw.aacircle(surface, theme.SURFACE_EDGE, bend.center, 2.5)
 

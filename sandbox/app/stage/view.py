@@ -62,6 +62,8 @@ class View:
         The flashes of recent impacts.
     labels
         The places of labels in the current frame.
+    kept
+        The last place of each label, as an index.
     """
 
     def __init__(self, world: World, camera: Camera, pen: Pen, shown: Mapping[str, bool]) -> None:
@@ -78,7 +80,8 @@ class View:
         self.trail: Trail | None = None
         self.looking: Looking | None = None
         self.flashes: Sequence[Flash] = ()
-        self.labels = Labels(pygame.Rect((0, 0), camera.size))
+        self.kept: dict[str, int] = {}
+        self.labels = Labels(pygame.Rect((0, 0), camera.size), self.kept)
         self.starts: Array = np.array(
             [evaluate(world.level.bodies[o.name].position, world.values) for o in self.moving]
         )

@@ -20,7 +20,7 @@ class Buoyancy(Model):
         smooth=False,
         strength=("density",),
         twists=True,
-        trial={"density": 1, "gravity": 9.81},
+        trial={"density": 20, "gravity": 9.81},  # twice that of drawn bodies, which float
     )
 
     density: Density

@@ -32,6 +32,7 @@ class Friction(Model):
     )
 
     pairs: Annotated[tuple[FrictionPair, ...], Field(max_length=MOST_PAIRS)] = ()
+    """pairs of bodies with a coefficient of their own"""
     located: Annotated[ActedOnBodies, Field(min_length=1)] | None = None
     """the dynamic bodies whose slipping ends at its own time, located within the step; that of the
     others ends with the next kick"""

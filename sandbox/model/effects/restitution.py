@@ -29,6 +29,7 @@ class Restitution(Model):
     )
 
     pairs: Annotated[tuple[RestitutionPair, ...], Field(max_length=MOST_PAIRS)] = ()
+    """pairs of bodies with a coefficient of their own"""
     impacts: Literal["together", "sequence"] = "together"
     """of bodies that touch: pymunk solves them `together`; hard bodies collide in `sequence`, the
     fastest approach first"""

@@ -81,6 +81,6 @@ def _parts(said: Any, name: str, switches: Switches) -> Iterator[tuple[Any, Swit
 
 
 def _switched(law: Law | Turn, switch: Switch) -> Law | Turn:
-    if hasattr(law, "rate"):
+    if law.effect.turns:
         return SwitchedTurn(cast("Turn", law), switch)
-    return SwitchedLaw(law, switch)
+    return SwitchedLaw(cast("Law", law), switch)

@@ -18,6 +18,7 @@ from sandbox.physics.state.snapshot import Snapshot
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from sandbox.physics.forces.law import Law
     from sandbox.physics.forces.spring import SpringForce, SpringRows
 
 UNNOTICED = 1e-2
@@ -74,12 +75,14 @@ class Gains:
         energy, self._lowest = self.energies(start)
         self._before = self._level = energy
         self._last = start
-        acceleration = self._acceleration(start)
-        strength = np.hypot(*acceleration[:, :2].T)
+        strength = np.hypot(*self._acceleration(start, self._laws)[:, :2].T)
         rise = strength * UNNOTICED * thickness + (FALLS * strength * self._dt) ** 2 / 2
         self.least = float(scene.mass @ rise) + ROUNDING * abs(energy - self._lowest)
         shift = MOVED * (1 + np.abs(start.position).max(initial=0.0))  # the precision of joints
         self.least += float(scene.mass.sum()) * (shift * rate) ** 2 / 2
+        # of forces in balance each stores energy, which is known as well as positions are
+        alone = (np.hypot(*self._acceleration(start, [law])[:, :2].T) for law in self._laws)
+        self.least += float(scene.mass @ sum(alone, np.zeros_like(scene.mass))) * shift
         self._coarse = float(scene.mass @ strength) * _extent(scene, start, thickness)
         if scene.joints.own:  # pymunk's own joints drift, and their correction lifts bodies, too
             self.least += self._coarse
@@ -116,7 +119,7 @@ class Gains:
             return
         touching = np.zeros(len(self._scene.mass), dtype=bool)
         touching[contacts.bodies] = True
-        against = -np.sum(self._acceleration(now)[:, :2] * way, axis=1)
+        against = -np.sum(self._acceleration(now, self._laws)[:, :2] * way, axis=1)
         self.lifted += max(float(self._scene.mass @ np.where(touching, against, 0.0)), 0.0)
 
     def look(self, now: Snapshot) -> float:
@@ -134,11 +137,11 @@ class Gains:
         gained = had - self._level
         return 0.0 if gained <= there_was * self._swing else gained
 
-    def _acceleration(self, now: Snapshot) -> Array:
-        """Return the accelerations by gravity and laws: (n, 3) [m/s², rad/s²]."""
+    def _acceleration(self, now: Snapshot, laws: "Sequence[Law]") -> Array:
+        """Return the accelerations by some laws: (n, 3) [m/s², rad/s²]."""
         wrench = np.zeros((len(self._scene.mass), 3))
         motion = Instant.of(now)
-        for law in self._laws:
+        for law in laws:
             law.add(motion, wrench)
         return np.asarray(wrench * self._scene.inverse_mass)
 

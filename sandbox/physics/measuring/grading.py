@@ -17,7 +17,7 @@ from sandbox.model.level import (
     SeparationEvent,
 )
 from sandbox.physics.measuring.event_interpolation import crossing, value_at, value_before
-from sandbox.physics.measuring.recording import Trace
+from sandbox.physics.measuring.recording import Meeting, Trace
 
 Verdict = Literal["passed", "failed", "waiting", "not applicable"]
 
@@ -40,6 +40,7 @@ class Result:
         The unit of the measured and the expected value.
     t
         The time at which the two differed most, or the time of the event [s]; None without either.
+        A contact so late in the run that nothing could be measured after it has a time alone.
     measured, expected
         The two values at that time; None if there are none.
     error
@@ -86,7 +87,7 @@ def grade_check(check: Check, trace: Trace) -> Result:
         return Result(check, unit, None, None, None, None, "not applicable")
     found = samples(trace, check.quantity, check.at)
     if found is None:
-        return Result(check, unit, None, None, None, None, "waiting")
+        return Result(check, unit, _began(trace, check.at), None, None, None, "waiting")
     t, measured = found
     try:
         expected = check.formula.over(trace.values, t)
@@ -147,12 +148,25 @@ def samples(trace: Trace, quantity: str, at: Instant | None) -> tuple[Array, Arr
     return np.array([time]), np.array([value])
 
 
+def _began(trace: Trace, at: Instant | None) -> float | None:
+    """Return when a contact began [s]; None if it has not, or for anything else."""
+    meeting = _meeting(trace, at) if isinstance(at, ContactEvent) else None
+    if meeting is None:
+        return None
+    return float(trace.t[meeting.step]) if meeting.time is None else meeting.time
+
+
+def _meeting(trace: Trace, at: ContactEvent) -> Meeting | None:
+    met = trace.meetings.get(frozenset(at.bodies), ())
+    return met[at.nth - 1] if len(met) >= at.nth else None
+
+
 def _after_contact(trace: Trace, column: Array, at: ContactEvent) -> tuple[Array, Array] | None:
     """Return when two bodies touch and the value then; just after the impact if located."""
-    met = trace.meetings.get(frozenset(at.bodies), ())
-    if len(met) < at.nth:
+    meeting = _meeting(trace, at)
+    if meeting is None:
         return None
-    touched, time = met[at.nth - 1]
+    touched, time = meeting
     if time is not None and touched + 3 < len(trace.t):
         return np.array([time]), np.array([value_before(trace.t, column, time, touched)])
     after = slice(touched + 1, touched + 2)

@@ -10,7 +10,7 @@ import numpy as np
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level
 from sandbox.model.message import Message
-from sandbox.model.quantities import WITHIN, Component, Quantity, QuantityError, quantity
+from sandbox.model.quantities import COUNT, WITHIN, Component, Quantity, QuantityError, quantity
 from sandbox.model.shapes import evaluate
 from sandbox.physics.scene.scene import Scene
 from sandbox.physics.state.anchor import Anchor
@@ -82,16 +82,19 @@ class Meter:
                 return lambda s: s.t
             case "joint":
                 return self._of_joint(quantity.subject, quantity.attribute)
-            case "body" if quantity.other:
-                return self._of_two(quantity)
             case "body":
-                row = self._rows[quantity.subject]
-                if vectors := self._vectors_of_bodies.get(quantity.attribute):
-                    return _component(lambda s: vectors(s)[..., row, :], quantity.component)
-                scalars = self._scalars_of_bodies[quantity.attribute]
-                return lambda s: scalars(s)[..., row]
+                return self._of_two(quantity) if quantity.other else self._of_body(quantity)
             case "system":
                 return self._of_system(quantity)
+
+    def _of_body(self, quantity: Quantity) -> Measurement:
+        if quantity.attribute == COUNT:
+            return self._count(quantity.subject)
+        row = self._rows[quantity.subject]
+        if vectors := self._vectors_of_bodies.get(quantity.attribute):
+            return _component(lambda s: vectors(s)[..., row, :], quantity.component)
+        scalars = self._scalars_of_bodies[quantity.attribute]
+        return lambda s: scalars(s)[..., row]
 
     def _of_joint(self, name: str, attribute: str) -> Measurement:
         if attribute == "length":
@@ -110,11 +113,7 @@ class Meter:
         """Measure a point of a body, or a body relative to another, or in a sensor."""
         row, (kind, _, attribute) = self._rows[quantity.subject], quantity.attribute.partition(".")
         if kind == WITHIN:
-            from sandbox.physics.quantities.sensor_depth import sensing
-
-            return sensing(
-                row, self._rows[quantity.other], self._bodies[quantity.other], self._values
-            )
+            return self._sensing(row, quantity.other)
         if kind == "point":
             arm = complex(
                 *evaluate(self._bodies[quantity.subject].points[quantity.other], self._values)
@@ -123,6 +122,18 @@ class Meter:
         else:
             vector = partial(_relative, row, self._rows[quantity.other], attribute)
         return _component(vector, quantity.component)
+
+    def _sensing(self, row: int, sensor: str) -> Measurement:
+        """Measure the depth of a body in a sensor."""
+        from sandbox.physics.quantities.sensor_depth import sensing
+
+        return sensing(row, self._rows[sensor], self._bodies[sensor], self._values)
+
+    def _count(self, sensor: str) -> Measurement:
+        """Count the dynamic bodies whose centre is in a sensor."""
+        moving = [self._rows[name] for name, body in self._bodies.items() if body.type == "dynamic"]
+        depths = [self._sensing(row, sensor) for row in moving]
+        return lambda s: np.sum([depth(s) >= 0 for depth in depths], axis=0, dtype=float)
 
     def _of_system(self, quantity: Quantity) -> Measurement:
         if source := quantity.attribute.partition("potential_energy.")[2]:

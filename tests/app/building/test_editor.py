@@ -69,6 +69,30 @@ def test_undo_and_redo_take_back_everything_and_do_it_again(mine: Builder) -> No
     assert mine.editor.work.draft.text == last
 
 
+def test_redo_goes_through_a_run_to_what_was_drawn_after_it(mine: Builder) -> None:
+    """Drawn, run, drawn: redo brings back the first, the run, and then the second."""
+    mine.key(pygame.K_2, "2")
+    mine.drag((1.5, 2), (2, 2))
+    between = mine.editor.work.draft.text
+    mine.key(pygame.K_SPACE, " ")
+    mine.person.wait(0.3)
+    mine.key(pygame.K_ESCAPE)
+    mine.drag((-1.5, 2), (-1.3, 2))
+    last = mine.editor.work.draft.text
+    assert "disc2" in last
+    for _ in range(2):
+        mine.control("z")
+
+    mine.control("y")
+    assert mine.editor.work.draft.text == between
+    mine.control("y")
+    assert mine.editor.trying.is_shown(mine.person.session)
+    assert mine.editor.trying.redoes(mine.person.session) is not None
+    mine.control("y")
+    assert mine.editor.work.draft.text == last
+    assert not mine.editor.trying.is_shown(mine.person.session)
+
+
 def test_an_overlap_is_told_in_words_and_cannot_be_run(mine: Builder) -> None:
     mine.new()
     mine.key(pygame.K_3, "3")

@@ -2,6 +2,7 @@
 
 from typing import get_args
 
+import pygame
 import pytest
 
 from sandbox.app.building import fields
@@ -39,6 +40,20 @@ def test_one_click_makes_a_number_a_parameter(builder: Builder) -> None:
 
     assert builder.document["bodies"]["disc1"]["mass"] == "mass"
     assert "mass" in builder.person.session.level.parameters
+
+
+def test_no_slider_lies_on_its_field(builder: Builder) -> None:
+    """The time of a check may be an event, too, so its field was as wide as that of a text."""
+    builder.key(pygame.K_ESCAPE)
+    builder.act("Add a check")
+    last = len(builder.document["checks"]) - 1
+    for path in (("checks",), ("checks", last)):
+        builder.open(*path)
+    builder.fill("0.5", "checks", last, "at")
+    inspector = builder.page.inspector
+    button = inspector.parametrise_button("checks", last, "at")
+
+    assert not button.rect.colliderect(inspector.field("checks", last, "at").rect)
 
 
 def test_half_of_a_point_that_is_not_said_can_be_typed(builder: Builder) -> None:

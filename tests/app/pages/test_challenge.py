@@ -9,6 +9,7 @@ from sandbox.app.files.progress import Progress
 from sandbox.app.pages.challenge.card import NONE
 from sandbox.app.pages.challenge.panel import ChallengePage
 from sandbox.app.panels.levels import LevelList
+from sandbox.app.runs import runfile
 from sandbox.model import catalog
 from tests.app.person import Person
 
@@ -107,6 +108,23 @@ def test_a_hand_earns_no_stars(person: Person) -> None:
     assert person.session.attempt() is None
     play_to_the_end(person)
     assert Progress().stars("Stop dead") == 0
+
+
+def test_a_run_from_a_file_earns_no_stars(person: Person, tmp_path: Path) -> None:
+    """It may be somebody else's, and its level may be made for it."""
+    person.window.open_level(LEVEL)
+    person.session.restart({"m2": 2, "v1": 3})
+    path = tmp_path / f"won{runfile.SUFFIX}"
+    runfile.save(runfile.run_of(person.session), path)
+
+    person.window.open_level(str(path))
+    play_to_the_end(person)
+
+    attempt = person.session.attempt()
+    assert attempt is not None
+    assert attempt.stars == 3
+    assert Progress().stars("Stop dead") == 0
+    assert "earns none" in person.window.banner._note
 
 
 def test_hints_come_one_after_the_other_and_then_no_more(person: Person) -> None:

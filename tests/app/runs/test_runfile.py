@@ -5,6 +5,7 @@ from pathlib import Path
 import pytest
 
 from sandbox.app.runs import runfile
+from sandbox.app.runs.actions import Action
 from sandbox.app.runs.session import Session
 from sandbox.model import catalog
 from sandbox.model.effect_variants import without
@@ -90,6 +91,10 @@ RUN = b'{"format": 1, "level": {}, "parameters": {}, "state": "", %s}'
         (b'{"format": 1,\n "level": }', "2:11: is not JSON: "),
         (RUN % b'"steps": 1000000000000', "steps: must be at most 1e+07"),
         (RUN % b'"steps": 1, "actions": [{"kind": "drag"}]', "actions.0.step: 'step' is missing"),
+        (
+            RUN % b'"steps": 1, "actions": [{"step": 100000000, "kind": "release"}]',
+            "actions.0.step: must be at most 1e+07",
+        ),
         (RUN % b'"steps": 1, "acts": []', "unknown key 'acts'; did you mean 'actions'?"),
         (b"\xff", "is not the file of a run"),
     ],
@@ -104,6 +109,15 @@ def test_another_file_is_refused_with_what_is_wrong(
         runfile.read(path)
     assert told in str(refused.value)
     assert str(path) in str(refused.value)
+
+
+@pytest.mark.parametrize("kind", ["grab", "place"])
+def test_a_body_that_is_not_there_cannot_be_moved(kind: str) -> None:
+    run = runfile.run_of(Session(load(catalog.find("newton/atwood"))))
+    moved = Action.model_validate({"step": 0, "kind": kind, "body": "nobody"})
+
+    with pytest.raises(SandboxError, match="there is no body 'nobody' to move"):
+        runfile.replay(run.model_copy(update={"actions": (moved,), "steps": 1}))
 
 
 def test_a_level_that_asks_for_an_accuracy_is_saved_with_the_rate_it_was_played_at() -> None:

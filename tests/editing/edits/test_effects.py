@@ -5,14 +5,18 @@ from typing import Any
 
 import pytest
 
+from sandbox.editing.draft import Draft
+from sandbox.editing.edits.bodies import add_box
 from sandbox.editing.edits.effects import COEFFICIENT, cost, declare, drop
 from sandbox.editing.text_patches import value_at
 from sandbox.model import catalog
 from sandbox.model.effect_variants import DEFAULTS
 from sandbox.model.errors import SandboxError
 from sandbox.model.loading import parse, read
+from sandbox.physics.run import simulate
 
 ATWOOD = read(catalog.find("newton/atwood"))
+EMPTY = Draft.empty().text
 SETTINGS: dict[str, dict[str, Any]] = {
     "attraction": {"mu": 1, "center": [0, 5]},
     "force": {"body": "left", "force": [1, "sin(t)"]},
@@ -62,3 +66,14 @@ def test_what_is_not_declared_is_not_dropped() -> None:
 def test_a_cost_is_told_in_words(effect: str) -> None:
     told = cost(parse(ATWOOD), effect)
     assert re.fullmatch(r"[+−]\S+ µs a step, of \S+ µs with it", told)
+
+
+def test_what_is_drawn_floats_in_the_liquid_that_a_click_declares() -> None:
+    """A box of 2 m lies 1 m deep in a liquid of twice its density."""
+    text = add_box(EMPTY, parse(EMPTY), (-1, -1), (1, 1)).text
+    for effect in ("gravity", "buoyancy"):
+        level = parse(text)
+        text = text if effect in level.effects.declared else declare(text, level, effect)
+    moved = simulate(parse(text), duration=2, record=["box1.position.y"]).columns["box1.position.y"]
+
+    assert abs(moved).max() <= 1e-12

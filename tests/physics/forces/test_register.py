@@ -15,6 +15,7 @@ from sandbox.model.errors import LevelError
 from sandbox.model.expressions import Array
 from sandbox.model.level import Level
 from sandbox.model.quantities import quantities
+from sandbox.model.switches import switchable
 from sandbox.physics import forces
 from sandbox.physics.forces import declared_laws
 from sandbox.physics.forces.law import Law
@@ -149,6 +150,20 @@ def test_the_books_of_a_force_close(effect: Effect) -> None:
         assert effect.turns or any(effect.booked in found.name for found in every)
         assert max(np.abs(trace.columns["system.unexplained_energy"])) < 1e-5
         assert max(np.abs(trace.columns["system.unexplained_momentum"])) < 1e-12
+
+
+@named(FORCES)
+def test_what_an_event_has_switched_off_acts_no_more(effect: Effect) -> None:
+    for said in examples(effect.name, 1.5):
+        event = {"at": 0.05, "off": [effect.name]}
+        if effect.name not in switchable(scene({effect.name: said})):
+            continue
+        world = build(scene({effect.name: said}, stepping={"rate": 200}, events={"end": event}))
+        seen = (world.advance(steps) for steps in (9, 3, 8))
+        acted, free, later = (np.c_[one.velocity, one.angular_velocity] for one in seen)
+
+        assert np.abs(acted - free).max() > 0, said
+        assert later == pytest.approx(free, abs=1e-12), said
 
 
 def end(this: Level, rate: float, scheme: str = "fourth-order") -> Array:

@@ -123,6 +123,17 @@ def test_what_a_force_gives_is_not_from_nowhere() -> None:
     assert 0.01 < swing < 0.3
 
 
+@pytest.mark.parametrize(("height", "surface"), [(2, 0), (0.3, 1e3), (7, -0.1)])
+def test_what_floats_in_balance_has_no_energy_from_nowhere(height: float, surface: float) -> None:
+    """A box lies half deep in a liquid of twice its density: it trembles by rounding alone."""
+    afloat = box((0, surface), mass=10 * height, size=(1, height))
+    liquid = {"density": 20, "gravity": G, "surface": surface}
+    world = build(level({"box": afloat}, {**GRAVITY, "buoyancy": liquid}))
+    advance(world, 600)
+
+    assert abs(world.snapshot.position[0, 1] - surface) <= 1e-12 * (1 + abs(surface))
+
+
 def test_a_swing_that_is_only_coarse_goes_on() -> None:
     """A spring at ω dt = 1.9 has ten times its energy now and then, and gives it back."""
     spring = {"type": "spring", "ends": [[0, 0], "bob"], "stiffness": 12996, "length": 1}

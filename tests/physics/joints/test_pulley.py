@@ -216,6 +216,32 @@ def test_an_end_that_runs_into_its_peg_stops_the_run() -> None:
         world.step()
 
 
+@pytest.mark.parametrize("rate", [60, 1000])
+def test_a_movable_wheel_that_runs_into_its_peg_stops_the_run(rate: int) -> None:
+    """No rate is short enough for a wheel of 1 kg that a load of 4 kg pulls up to its peg.
+
+    It rises with g (2 · 4 − 1)/(4 · 4 + 1), and has 3 m to go.
+    """
+    world = build(
+        level(
+            {"wheel": disc((0, -3)), "load": disc((2, -5), mass=4)},
+            GRAVITY,
+            joints={
+                "string": {
+                    "type": "pulley",
+                    "ends": [[0, 0], "load"],
+                    "over": ["wheel", [0, 0], [2, 0]],
+                }
+            },
+            stepping={"rate": rate},
+        )
+    )
+    with pytest.raises(SimulationError, match="'string' has run into a peg") as caught:
+        run(world, 2 * rate)
+
+    assert caught.value.time == pytest.approx((6 / (G * 7 / 17)) ** 0.5, abs=2 / rate)
+
+
 def test_momentum_along_a_string_is_passed_on_without_loss() -> None:
     """Two pucks without gravity, one pulled along: m1 v1 - m2 v2 changes by no pull along it."""
     scene = level(

@@ -11,7 +11,7 @@ from sandbox.model.errors import LevelError
 from sandbox.model.level import Level
 from sandbox.physics.geometry.depth import depth
 from sandbox.physics.quantities.meter import Meter
-from sandbox.physics.run import build
+from sandbox.physics.run import build, simulate
 from tests.physics.scenes import GRAVITY, G, disc, floor, level
 
 ELL = [[0, 0], [2, 0], [2, 1], [1, 1], [1, 2], [0, 2]]
@@ -109,6 +109,34 @@ def test_a_sensor_that_moves_is_followed() -> None:
 
     deep = Meter(world, ["ball.within.gate"])(world.snapshot)["ball.within.gate"]
     assert float(deep) == pytest.approx(0.5, rel=1e-12)
+
+
+def test_a_sensor_counts_the_moving_bodies_whose_centre_is_in_it() -> None:
+    """Three discs of 0.5 m/s at 1.25, 1.75 and 2.25 m from a gate from -1 to 1 m, and a wall."""
+    balls = {f"ball{i}": disc((-1.25 - i / 2, 0), velocity=[0.5, 0]) for i in range(3)}
+    scene = level({**balls, "gate": gate(), "wall": floor(-1)}, {}, duration=4)
+    trace = simulate(scene, record=["gate.count"])
+
+    assert trace.units["gate.count"] == ""
+    for t, count in ((0.25, 0), (1, 1), (2, 2), (3, 3), (4, 3)):
+        assert trace.columns["gate.count"][round(60 * t)] == count
+
+
+def test_an_event_may_wait_until_so_many_are_in_a_sensor() -> None:
+    """The second of two balls of 1 m/s, 2 m behind the first, is in the gate after 2.5 s."""
+    balls = {f"ball{i}": disc((-1.5 - 2 * i, 2), velocity=[1, 0]) for i in range(2)}
+    box = {"type": "box", "width": 102, "height": 1}
+    bucket = {**gate(position=[50, 2]), "shape": box}
+    full = {"event": "crossing", "quantity": "gate.count", "value": 1.5}
+    scene = level(
+        {**balls, "gate": bucket, "held": disc((0, 5))},
+        {**GRAVITY, "field": [{"force": [0, G], "per": "mass", "bodies": ["ball0", "ball1"]}]},
+        joints={"hold": {"type": "weld", "ends": ["held", [0, 5]]}},
+        events={"let_go": {"at": full, "cut": ["hold"]}},
+    )
+    fallen = build(scene).advance(240).position[3, 1]
+
+    assert fallen == pytest.approx(5 - G * 1.5**2 / 2, abs=1e-9)
 
 
 @pytest.mark.parametrize(

@@ -134,13 +134,15 @@ class Inspector:
     def _put_field(self, line: Line) -> None:
         entry, column = line.entry, self._column
         px, left = self._sheet.px, self._sheet.px(LABEL)
-        room = self._sheet.width - left
+        room, adjustable = self._sheet.width - left, _adjustable(entry, self._numbers)
+        if adjustable:
+            room -= px(SLIDER) + px(GAP)
         if entry.sort == "number":
-            room -= px(UNIT) + px(SLIDER) + px(GAP)
+            room -= px(UNIT)
             column.label(entry.unit, left + room + px(GAP), px(UNIT) - px(GAP))
         line.field = column.field(left, room, entry.shown, entry.default, _tip(entry))
         line.shown = entry.shown
-        if _adjustable(entry, self._numbers):
+        if adjustable:
             place = pygame.Rect(self._sheet.width - px(SLIDER), 0, px(SLIDER), px(HEIGHT))
             tip = say(
                 "make this a parameter: {field} gets a slider on the level's page",

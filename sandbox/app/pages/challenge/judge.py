@@ -37,6 +37,9 @@ class Judge:
         title, before = session.original.title, self.stars(session)
         if not found.stars:
             return None
+        if session.repeats:
+            message = later("{stars} of {most} stars; a run from a file earns none of them")
+            return say(message, stars=found.stars, most=found.most)
         message = later("{stars} of {most} stars")
         if 0 < before < found.stars:
             message = later("{stars} of {most} stars, more than before")

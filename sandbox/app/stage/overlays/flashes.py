@@ -13,6 +13,10 @@ from sandbox.app.stage.view import View
 LARGEST, SMALLEST = 30, 6  # px, bounds of the radius for the hardest, about that of the body
 LEAST = 0.35
 """The radius of the faintest flash, relative to the hardest."""
+WAVE = 1.4
+"""How far the ring around a flash spreads, relative to the flash."""
+DYING = 0.25
+"""The brightness below which the ring is left out."""
 RINGS = 12
 """The number of concentric discs of a glow."""
 MOST = 24
@@ -28,6 +32,9 @@ def _draw(surface: pygame.Surface, view: View) -> None:
         reach = max(hypot(x, y) for x, y in view.outlines[names[blow.body]].points)
         full = min(max(reach * view.camera.scale, SMALLEST), LARGEST)
         radius = view.pen.px(round(full * (LEAST + (1 - LEAST) * sqrt(blow.share))))
+        if left > DYING:
+            wave = radius * (1 + WAVE * (1 - left))
+            pygame.draw.aacircle(surface, theme.faded(theme.FLAME, left), center, wave, 2)
         glow = _glow(theme.FLAME_CORE, theme.FLAME, max(radius, 2))
         glow.set_alpha(round(255 * left))
         surface.blit(glow, glow.get_rect(center=center))

@@ -35,13 +35,14 @@ def _draw(surface: pygame.Surface, view: View) -> None:
         share = min(scale, CUT * longest / acting.size)
         x, y = start = view.camera.to_screen(acting.at)
         end = x + acting.force[0] * share, y - acting.force[1] * share
-        lines.arrow(surface, selected_body.color(acting), start, end, WIDTH)
-        ends.append((text, start, end))
+        color = selected_body.color(acting)
+        lines.arrow(surface, color, start, end, WIDTH)
+        ends.append((text, start, end, color, f"force {acting.name} {acting.by}"))
         _mark(view, acting.name, start, end)
     if lines.near((center := view.camera.to_screen(found.center),)):
         pygame.draw.aacircle(surface, theme.TEXT, center, RING, 2)
-    for text, start, end in ends:  # texts last, so that nothing covers them
-        write_beside(surface, view.pen, text, start, end, view.labels)
+    for text, start, end, color, name in ends:  # texts last, so that nothing covers them
+        write_beside(surface, view.pen, text, start, end, view.labels, color, name)
 
 
 def _mark(view: View, name: str, start: XY, end: XY) -> None:

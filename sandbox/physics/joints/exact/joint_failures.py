@@ -1,6 +1,7 @@
 """Why exact joints fail: they are redundant or contradictory, or a step is too long."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -8,6 +9,8 @@ from sandbox.model.expressions import Array
 from sandbox.model.message import Message
 from sandbox.physics.engine.batch import Integers
 from sandbox.physics.joints.exact.constraints import Coordinates, Rows
+from sandbox.physics.joints.exact.distances import Row
+from sandbox.physics.joints.exact.equations import Equations
 from sandbox.physics.joints.exact.joint_system import JointSystem
 from sandbox.physics.joints.exact.solvability import independence, steps_needed
 from sandbox.physics.state.errors import JointFailure
@@ -90,6 +93,9 @@ def lost(
         The duration of a drift [s].
     """
     place, motion = joints.coordinates()
+    if _runs_up(joints, row, place, motion, drift):
+        name = joints.names[row]
+        return JointFailure(name, Message("an end of '{name}' has run into a peg", name=name))
     jacobian = joints.look(place).jacobian
     delassus = np.asarray(jacobian * joints.inverse @ jacobian.T)[np.ix_(taut, taut)]
     finer = _finer(joints, place, tension, drift)
@@ -105,6 +111,18 @@ def lost(
     name = joints.names[row]
     reason = Message("nothing keeps '{name}' as it is through the next step", name=name)
     return JointFailure(name, reason, finer)
+
+
+def _runs_up(
+    joints: JointSystem, row: int, place: Coordinates, motion: Coordinates, drift: float
+) -> bool:
+    """Return whether a string has no length left on one side of a peg within a drift."""
+    string = joints.equations.all[row]
+    if not isinstance(string, Row) or len(string.reaches) < 2:
+        return False
+    parts = [replace(string, reaches=[reach]) for reach in string.reaches]
+    here = Equations(parts, (), joints.inverse[2 * len(joints.inverse) // 3 :]).look(place)
+    return bool((here.total + drift * (here.jacobian @ motion.values) <= 0).any())
 
 
 def _finer(joints: JointSystem, place: Coordinates, tension: Array, drift: float) -> float:
