@@ -40,23 +40,23 @@ Number = float | int | str
 
 
 class Group(Model):
-    """Bodies and joints that are placed together; where they are is meant along its own axes."""
+    """Bodies and joints that are placed together, described in the group's own frame."""
 
     bodies: Annotated[Mapping[Name, Body], Field(min_length=1, max_length=MAX_BODIES)]
-    """what it consists of; the position of one is that from the origin of the group"""
+    """the bodies; their positions are relative to the group's origin"""
     joints: Annotated[Mapping[Name, Joint], Field(max_length=2000)] = {}
-    """what ties its bodies together, or to bodies and fixed points outside"""
+    """the joints between its bodies, or with bodies and fixed points outside"""
 
 
 class Copy(Model):
-    """A group that is placed: its bodies and joints, with the name of this one before theirs."""
+    """A copy of a group: its bodies and joints, with the name of the copy before theirs."""
 
     copy_: Annotated[str, Field(alias=COPY)]
-    """the group that is placed"""
+    """the name of the group"""
     position: Point = (Coordinate(0), Coordinate(0))
-    """[x, y] in m, where the origin of the group comes to lie"""
+    """[x, y] in m, the position of the group's origin"""
     angle: Angle = Angle(0)
-    """rad, counter-clockwise, by which the group is turned about its origin"""
+    """rad, counter-clockwise, the rotation of the group about its origin"""
 
 
 def placed(data: Any, notes: Notes) -> Any:  # noqa: ANN401 (whatever JSON holds)
