@@ -116,7 +116,7 @@ def _faulty_settings(plan: Plan) -> Iterator[Fault]:
         duration = experiment.duration or 0.0
         if duration * stepping.rate > MAX_STEPS:
             message = Message(
-                "that takes {steps:.1g} steps; {most:,} are allowed",
+                "that takes {steps:.1g} steps; at most {most:,} are allowed",
                 steps=duration * stepping.rate,
                 most=MAX_STEPS,
             )

@@ -186,13 +186,14 @@ def _arc_fault(arc: Arc, values: Values) -> Message | None:
         )
     if end - start > tau + ROUND_OFF:
         return Message(
-            "an arc goes round once at the most, but this one turns by {turn:.6g} rad",
+            "an arc spans at most a full circle, but this one spans {turn:.6g} rad",
             turn=end - start,
         )
     radius, thickness = arc.radius(values), arc.thickness(values)
     if thickness >= 2 * radius:
         return Message(
-            "'thickness' {thickness:.3g} m leaves nothing of a hollow of radius {radius:.3g} m",
+            "a 'thickness' of {thickness:.3g} m fills the whole inside of an arc of radius"
+            " {radius:.3g} m",
             thickness=thickness,
             radius=radius,
         )

@@ -95,7 +95,7 @@ def test_play_asks(run: Run, write: Write, monkeypatch: pytest.MonkeyPatch) -> N
         (["--accuracy", "1"], "--accuracy 1: ", 2),
         (["--accuracy", "nan"], "--accuracy nan: ", 2),
         (["--accuracy", "high"], "--accuracy", 2),
-        (["--accuracy", "1e-20"], "below rounding; 1e-14 is the least", 1),
+        (["--accuracy", "1e-20"], "below rounding; it must be at least 1e-14", 1),
     ],
 )
 def test_what_cannot_be_asked_for_is_said(

@@ -125,7 +125,9 @@ class _Placing:
         for name, value in items:
             if name in found:
                 path = followed((kind, name), self._notes.placed)
-                rule = Message("'{name}' comes out twice, once from a group", name=brief(name))
+                rule = Message(
+                    "there are two of '{name}', one of them from a group", name=brief(name)
+                )
                 self._refuse(path, rule)
             found[name] = value
         return found
@@ -153,7 +155,7 @@ class _Placing:
         for key in copy:
             if key not in known:
                 rule = Message(
-                    "unknown key '{name}' of a group that is placed{hint}",
+                    "unknown key '{name}' of a copy of a group{hint}",
                     name=brief(key),
                     hint=suggestion(key, known),
                 )
@@ -181,7 +183,7 @@ class _Placing:
         """Refuse groups that are never placed, since their members would not be checked."""
         for name in sorted(self._unused):
             rule = Message(
-                'nothing places this group; a body {{"{copy}": "{name}"}} does',
+                'this group is never placed; a body {{"{copy}": "{name}"}} places it',
                 copy=COPY,
                 name=brief(name),
             )

@@ -122,7 +122,7 @@ def _require_above_rounding(target: float) -> None:
     if not target >= FINEST:
         raise AccuracyError(
             Message(
-                "an accuracy of {target:g} is below rounding; {finest:g} is the least",
+                "an accuracy of {target:g} is below rounding; it must be at least {finest:g}",
                 target=target,
                 finest=FINEST,
             )

@@ -350,7 +350,7 @@ def test_what_sweeps_reach_at_less_cost_is_left_to_them() -> None:
 
 
 def test_an_accuracy_below_rounding_is_refused() -> None:
-    with pytest.raises(AccuracyError, match="1e-15 is below rounding; 1e-14 is the least"):
+    with pytest.raises(AccuracyError, match="1e-15 is below rounding; it must be at least 1e-14"):
         calibrate(oscillator(), target=1e-15)
 
 
@@ -452,7 +452,7 @@ def test_progress_is_told() -> None:
 
 @pytest.mark.parametrize("chosen", [{"rate": 60}, {"iterations": 4}, {"scheme": "leapfrog"}])
 def test_a_setting_is_chosen_or_asked_for(chosen: Spec) -> None:
-    with pytest.raises(LevelError, match="leave one of the two out") as refused:
+    with pytest.raises(LevelError, match="cannot be combined with 'accuracy'") as refused:
         oscillator(stepping={"accuracy": 1e-5, **chosen})
 
     [mistake] = refused.value.mistakes

@@ -431,7 +431,7 @@ def test_a_pairs_own_coefficient_counts_in_sequence() -> None:
 
 
 def test_impacts_in_sequence_do_not_rub() -> None:
-    with pytest.raises(LevelError, match="do not rub"):
+    with pytest.raises(LevelError, match="are frictionless"):
         level(
             {"a": disc(friction=1, restitution=1), "b": disc((3, 0), friction=1, restitution=1)},
             {**SEQUENCE, "friction": {}},

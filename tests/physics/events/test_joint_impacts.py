@@ -287,9 +287,9 @@ def test_eulers_schemes_catch_at_a_step_and_keep_the_momentum(scheme: str) -> No
 @pytest.mark.parametrize(
     ("joint", "told"),
     [
-        ({"type": "rod", "length": 2}, "is as long as it is found; leave out 'length'"),
+        ({"type": "rod", "length": 2}, "takes the distance that it finds; leave out 'length'"),
         ({"type": "rod", "exact": False}, "must be exact; leave out 'exact'"),
-        ({"type": "spring", "stiffness": 9}, "must say the 'length' at which it is slack"),
+        ({"type": "spring", "stiffness": 9}, "needs its natural 'length'"),
     ],
 )
 def test_what_does_not_fit_a_joint_that_is_tied_is_told(
@@ -303,7 +303,7 @@ def test_what_does_not_fit_a_joint_that_is_tied_is_told(
 
 
 def test_contacts_that_take_turns_are_refused() -> None:
-    with pytest.raises(LevelError, match="solved directly; leave it out"):
+    with pytest.raises(LevelError, match="needs the 'direct' solver; leave this out"):
         level(
             {"first": disc(), "second": disc((2, 0))},
             {**GRAVITY, "contact": {"solver": "iterative"}},
