@@ -219,7 +219,7 @@ class Draft:
         if target != self.path:
             if os.path.lexists(target):
                 raise SandboxError(
-                    Message("{target} is there already; choose another name", target=target)
+                    Message("{target} already exists; choose another name", target=target)
                 )
         elif self.changed_outside():
             message = Message(

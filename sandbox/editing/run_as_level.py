@@ -108,15 +108,13 @@ def _refuse(world: World) -> None:
     flows = [e for e, _, _ in level.effects.said if e.changes_mass]
     if flows:
         message = Message(
-            "'{name}' has made the masses what they are by now, and no level can begin with that",
+            "'{name}' has changed masses, and no level can start from that",
             name=flows[0].name,
         )
         raise SandboxError(message)
     welds = sum(isinstance(joint, Weld) for joint in level.joints.values())
     if len(world.scene.joints.joined) > welds:
-        raise SandboxError(
-            Message("bodies have stuck to each other, and no level can begin with that")
-        )
+        raise SandboxError(Message("bodies have stuck together, and no level can start from that"))
     for row, (name, joint) in enumerate(level.joints.items()):
         if isinstance(joint, Winding) and world.snapshot.tension[row] == 0 and world.steps:
             message = Message(

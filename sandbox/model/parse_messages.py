@@ -100,7 +100,7 @@ def _typical(kind: str, detail: ErrorDetails) -> Message:
         return Message("must be a number")
     if kind == "too_long" and context["actual_length"] is None:  # pydantic stopped counting
         return Message(
-            "has more than {most:,} entries; that is the most", most=context["max_length"]
+            "has more than {most:,} entries, the most allowed", most=context["max_length"]
         )
     return _BOUNDS[kind].filled(**context) if kind in _BOUNDS else _TYPES[kind]
 

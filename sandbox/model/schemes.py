@@ -74,7 +74,7 @@ def _unsmooth_joint(joint: Joint, name: str) -> Message | None:
         return Message("the {type} {name}, which can go slack", type=word(joint.type), name=name)
     if kind.drives:
         return Message(
-            "the {type} {name}, which drives what it holds", type=word(joint.type), name=name
+            "the {type} {name}, which drives its bodies", type=word(joint.type), name=name
         )
     if "t" in names_in(joint):
         return Message("{name}, whose length changes", name=name)

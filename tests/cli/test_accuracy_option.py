@@ -28,7 +28,7 @@ def test_simulate_says_what_was_found_and_runs_with_it(
 
     assert outcome.status == 0
     assert "accuracy 1e-06: leapfrog at 30 Hz, estimated error" in outcome.out
-    assert "ms of computing for a second of the scene, judged by its checks" in outcome.out
+    assert "ms of computing per second of the scene, judged by its checks" in outcome.out
     assert "# rate: 30.0 Hz" in output.read_text()
     assert len(list(cache.iterdir())) == 1
 

@@ -150,7 +150,7 @@ def test_what_was_changed_outside_is_read_again_and_that_can_be_undone(file: Pat
 
 
 def test_another_file_is_not_overwritten_unasked(file: Path) -> None:
-    with pytest.raises(SandboxError, match="is there already"):
+    with pytest.raises(SandboxError, match="already exists"):
         Draft.empty().save(file)
 
 

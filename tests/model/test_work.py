@@ -105,6 +105,6 @@ def test_more_formulas_than_can_be_read_are_refused_before_they_are() -> None:
     ]
     start = process_time()
 
-    assert "holds formulas of 34" in said(mistakes(data))[0]
+    assert "has formulas of 34" in said(mistakes(data))[0]
     assert process_time() - start < 1
     assert len(json.dumps(data)) < 5_000_000

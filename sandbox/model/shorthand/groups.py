@@ -105,7 +105,7 @@ class _Placing:
         if not group.get("bodies"):
             self._refuse(place, Message("'{last}' is missing", last="bodies"))
         elif COPY in (inside := _keys_within(group["bodies"])):
-            rule = Message("a group cannot hold another one")
+            rule = Message("a group cannot contain another one")
             self._refuse((*place, "bodies", inside[COPY]), rule)
         return len(self._notes.faults) == before
 

@@ -20,7 +20,7 @@ MOST_TIMES = 20_000
 _BRACES = re.compile(r"\{([^{}]*)\}")
 _NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
 
-HOW = Message('a count, {"i": 5} for 0 to 4, or the first and the last, {"i": [1, 5]}')
+HOW = Message('a count, {"i": 5} for 0 to 4, or the first and last value, {"i": [1, 5]}')
 
 
 class IndexFault(SandboxError):  # noqa: N818 (a fault of the text, as others are)
@@ -144,6 +144,8 @@ def _whole(said: Any, indices: Indices) -> int:  # noqa: ANN401 (whatever JSON h
         return _number(braces[1], indices)
     if isinstance(said, bool) or not isinstance(said, int):
         raise IndexFault(
-            Message("must be {how}; whole numbers, or in braces what other indices make", how=HOW)
+            Message(
+                "must be {how}: whole numbers, or expressions over other indices in braces", how=HOW
+            )
         )
     return said

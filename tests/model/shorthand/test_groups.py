@@ -112,7 +112,7 @@ def test_a_joint_of_a_group_may_hold_on_to_what_is_outside() -> None:
         ({"groups": 5, "bodies": {"ball": DISC}}, "must be an object"),
         ({"groups": {"pair": {}}}, "'bodies' is missing"),
         ({"groups": {"pair": DUMBBELL | {"checks": []}}}, "unknown key 'checks'; known: bodies"),
-        ({"groups": {"pair": {"bodies": {"a": {"copy": "pair"}}}}}, "cannot hold another one"),
+        ({"groups": {"pair": {"bodies": {"a": {"copy": "pair"}}}}}, "cannot contain another one"),
         ({"bodies": {"x_a": DISC, "x": {"copy": "pair"}}}, "there are two of 'x_a'"),
         ({"bodies": {"x": {"copy": "pair", "position": ["q", 0]}}}, "unknown parameter 'q'"),
     ],

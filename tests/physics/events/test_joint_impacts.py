@@ -205,7 +205,9 @@ def test_a_branch_knows_what_has_caught() -> None:
 
 def test_a_dog_that_is_leashed_beyond_its_leash_is_told() -> None:
     this = wagons(kind="rope", length=1)
-    with pytest.raises(SimulationError, match=r"'hook' is tied where what it holds is 0\.2 beyond"):
+    with pytest.raises(
+        SimulationError, match=r"'hook' is tied when its ends are already 0\.2 beyond"
+    ):
         booked(this, 1)
 
 
