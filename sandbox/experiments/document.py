@@ -94,7 +94,7 @@ def read(path: Path) -> tuple[Experiment, Document]:
             refuse(
                 source,
                 Message(
-                    "is no ordinary file, or larger than {most} kB",
+                    "is not an ordinary file, or larger than {most} kB",
                     most=MAX_BYTES // 1000,
                 ),
             )

@@ -155,7 +155,7 @@ def test_another_file_is_not_overwritten_unasked(file: Path) -> None:
 
 
 def test_a_new_level_needs_a_file() -> None:
-    with pytest.raises(SandboxError, match="say where"):
+    with pytest.raises(SandboxError, match="choose where"):
         Draft.empty().save()
     with pytest.raises(SandboxError, match="no file"):
         Draft.empty().reload()

@@ -119,7 +119,7 @@ def test_nothing_of_it_touches_the_physics() -> None:
 
 def test_one_body_is_no_group_and_none_is_taken_apart_that_is_not_there() -> None:
     text, level = grouped("ab")
-    with pytest.raises(SandboxError, match="two bodies at least"):
+    with pytest.raises(SandboxError, match="at least two bodies"):
         group(text, level, ["a"])
     with pytest.raises(SandboxError, match="in a group"):
         ungroup(text, level, ["d"])
