@@ -181,7 +181,7 @@ class Draft:
         """
         target = path or self.path
         if target is None:
-            raise SandboxError(Message("the level has no file yet; say where to save it"))
+            raise SandboxError(Message("the level has no file yet; choose where to save it"))
         if not overwrite:
             self._refuse_to_overwrite(target)
         mark = codecs.BOM_UTF8 if self._held.startswith(codecs.BOM_UTF8) else b""
@@ -219,7 +219,7 @@ class Draft:
         if target != self.path:
             if os.path.lexists(target):
                 raise SandboxError(
-                    Message("{target} is there already; choose another name", target=target)
+                    Message("{target} already exists; choose another name", target=target)
                 )
         elif self.changed_outside():
             message = Message(

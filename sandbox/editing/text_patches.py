@@ -121,7 +121,7 @@ def _read(text: str) -> Spans:
 
 def _at(found: Spans, path: Path) -> Span:
     if not path or path not in found:
-        raise PatchError(Message("nothing stands at {path}", path=shown(path)))
+        raise PatchError(Message("there is nothing at {path}", path=shown(path)))
     return found[path]
 
 
@@ -156,7 +156,7 @@ def spliced(text: str, pieces: Iterable[tuple[int, int, str]]) -> str:
     changed, end = [], 0
     for begin, over, new in sorted(pieces):
         if begin < end:
-            raise PatchError(Message("two values are put in one place"))
+            raise PatchError(Message("two values are put in the same place"))
         changed += [text[end:begin], new]
         end = over
     return "".join(changed) + text[end:]
@@ -172,7 +172,7 @@ def _inserted(text: str, path: Path, value: Json) -> str:
     parent, step = found[path[:-1]], path[-1]
     if parent.kind != ("object" if isinstance(step, str) else "list"):
         raise PatchError(
-            Message("{path} holds nothing of the name {step}", path=shown(parent.path), step=step)
+            Message("{path} has nothing named {step}", path=shown(parent.path), step=step)
         )
     if isinstance(step, int) and step != len(parent.members):
         raise PatchError(

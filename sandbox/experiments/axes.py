@@ -195,7 +195,7 @@ def _items(text: str) -> list[str]:
     if len(items) > MOST_LISTED:
         raise AxisError(
             Message(
-                "lists {count:,} values; {most:,} are the most",
+                "lists {count:,} values; at most {most:,} are allowed",
                 count=len(items),
                 most=MOST_LISTED,
             )
@@ -214,7 +214,7 @@ def _grid(parts: list[str]) -> Grid:
     if count < 1:
         raise AxisError(Message("is an empty grid: {count:g} values", count=count))
     if count == 1 and low != high:
-        raise AxisError(Message("has one value only, but two ends"))
+        raise AxisError(Message("has only one value, but two ends"))
     if count > 1 and low == high:
         raise AxisError(
             Message("has {count:g} values, which are all {low:g}", count=count, low=low)
@@ -246,7 +246,7 @@ def _scale(text: str) -> Scale:
         return "linear"
     if text.strip() == "log":
         return "log"
-    raise AxisError(Message("'{text}' is no scale; known: linear, log", text=brief(text)))
+    raise AxisError(Message("'{text}' is not a scale; known: linear, log", text=brief(text)))
 
 
 def _number(text: str) -> float:

@@ -282,7 +282,7 @@ def _crossing(of: str, rest: list[str], level: Level) -> CrossingEvent:
     if direction not in ("up", "down", "either"):
         hint = suggestion(direction, ("up", "down", "either"))
         raise MeasureError(
-            Message("'{direction}' is no direction{hint}", direction=brief(direction), hint=hint)
+            Message("'{direction}' is not a direction{hint}", direction=brief(direction), hint=hint)
         )
     value = _over_parameters(rest[0], level).source if rest else 0
     return CrossingEvent.model_validate(
@@ -294,7 +294,7 @@ def _time(text: str, level: Level) -> Expression:
     if re.fullmatch(r"[a-z]+", text) and text not in {*level.parameters, *level.constants}:
         hint = suggestion(text, {*_EVENTS, *level.parameters})
         raise MeasureError(
-            Message("'{text}' is no time and no event{hint}", text=brief(text), hint=hint)
+            Message("'{text}' is neither a time nor an event{hint}", text=brief(text), hint=hint)
         )
     return _over_parameters(text, level)
 
@@ -306,7 +306,9 @@ def _over_parameters(text: str, level: Level) -> Expression:
         hint = suggestion(unknown, level.parameters)
         raise MeasureError(
             Message(
-                "'{unknown}' is no parameter of the level{hint}", unknown=brief(unknown), hint=hint
+                "'{unknown}' is not a parameter of the level{hint}",
+                unknown=brief(unknown),
+                hint=hint,
             )
         )
     return found

@@ -63,7 +63,7 @@ class Observable:
             hint = suggestion(unknown, {*level.parameters, "t"})
             raise ExpressionError(
                 Message(
-                    "'{unknown}' is no parameter of the level{hint}",
+                    "'{unknown}' is not a parameter of the level{hint}",
                     unknown=brief(unknown),
                     hint=hint,
                 )

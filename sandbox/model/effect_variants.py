@@ -161,8 +161,8 @@ def including(level: Level, effect: str, settings: Settings) -> Level:
     if declared and not settings:
         raise EffectError(
             Message(
-                "the level declares '{effect}' already; a setting such as {effect}.{example}"
-                " changes it",
+                "the level already declares '{effect}'; change a setting of it, such as"
+                " {effect}.{example}",
                 effect=effect,
                 example=_example(effect),
             )

@@ -42,7 +42,7 @@ def add_challenge(text: str, level: Level, body: str, task: str, labels: Sequenc
             )
         )
     if level.challenge is not None:
-        raise SandboxError(Message("the level has a challenge already"))
+        raise SandboxError(Message("the level already has a challenge"))
     at, (across, upwards) = level.duration.source, _bounds(level, body)
     goals: list[Json] = [
         {"label": label, "quantity": f"{body}.position.{axis}", "at": at, **bounds}

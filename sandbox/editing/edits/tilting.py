@@ -95,7 +95,7 @@ def tilt(text: str, level: Level, name: str) -> str:
     """
     slope = slope_of(level, name)
     if slope is None:
-        raise SandboxError(Message("'{name}' is no slope, and lies on none", name=name))
+        raise SandboxError(Message("'{name}' is neither a slope nor on one", name=name))
     where = placed(level)
     moved = _lying_on(where, slope)
     for one in (slope, *moved):
@@ -141,7 +141,7 @@ def _refuse_formulas(level: Level, name: str) -> None:
     body = level.bodies[name]
     placing = (body.position, body.angle, body.velocity)
     if names_in(placing) or (isinstance(body.shape, Segment) and names_in((body.shape,))):
-        raise SandboxError(Message("a formula says already where '{name}' is", name=name))
+        raise SandboxError(Message("the position of '{name}' is already a formula", name=name))
 
 
 def _tilt(slope: Placed, name: str) -> _Tilt:

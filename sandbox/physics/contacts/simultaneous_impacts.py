@@ -48,8 +48,8 @@ LOST = 8
 between two heavy ones feels only the difference of their impulses."""
 
 WEDGED = Message(
-    "elastic bodies are wedged in, and would collide for ever: what presses them together does"
-    " not give way; let their 'restitution' be less than 1, or leave them room",
+    "elastic bodies are wedged in and would collide for ever, since what presses them together"
+    " does not yield; reduce their 'restitution' below 1, or give them room",
 )
 
 TINY = 1e-300

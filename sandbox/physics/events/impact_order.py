@@ -17,8 +17,8 @@ INSTANT = 1e-9
 """Impacts within this share of a step are simultaneous."""
 
 CRAMPED = Message(
-    "{body} would have more than {most} impacts in one step: it is too fast for the room that"
-    " it has; leave it more, or take a higher 'rate'",
+    "{body} would have more than {most} impacts in one step: it is too fast for its room; give"
+    " it more, or increase the 'rate'",
 )
 
 Restitution = Callable[[Hit], float]

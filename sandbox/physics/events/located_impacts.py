@@ -35,7 +35,7 @@ from sandbox.physics.scene.scene import Scene
 from sandbox.physics.state.cancellation import cancellation_point
 from sandbox.physics.state.motion import momentum
 
-SHUT_IN = Message("{body} is wedged in: what presses on it does not give way; leave it more room")
+SHUT_IN = Message("{body} is wedged in, since what presses on it does not yield; give it more room")
 
 
 class Cut(NamedTuple):

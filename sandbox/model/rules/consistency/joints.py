@@ -26,13 +26,9 @@ MAX_WIRES = 200
 of the ranges."""
 
 
-NO_WIRE = Message(
-    "a joint that an event ties cannot be a wire; tie a rail, or let a body start on its wire"
-)
-AS_FOUND = Message("a joint that an event ties is as long as it is found; leave out 'length'")
-SLACK_AT = Message(
-    "a joint that an event ties must say the 'length' at which it is slack, if it is a spring"
-)
+NO_WIRE = Message("an event cannot tie a wire; tie a rail, or let the body start on the wire")
+AS_FOUND = Message("a rod that an event ties takes the distance that it finds; leave out 'length'")
+SLACK_AT = Message("a spring that an event ties needs its natural 'length'")
 """The reasons why an event cannot tie a joint."""
 
 
@@ -49,7 +45,8 @@ def something_to_hold(level: Level) -> Iterator[Fault]:
             yield Fault(
                 path,
                 Message(
-                    "'{same}' is tied to itself; two different bodies are needed", same=brief(same)
+                    "'{same}' is connected to itself; two different bodies are needed",
+                    same=brief(same),
                 ),
             )
         elif not moves:
@@ -57,7 +54,7 @@ def something_to_hold(level: Level) -> Iterator[Fault]:
     wires, curves = _wires_and_curves(level)
     if "s" in level.parameters and (wires or curves):
         what = Message("wires") if wires else Message("curves")
-        rule = Message("'s' runs along the {what}; choose another name", what=what)
+        rule = Message("'s' is the parameter along the {what}; choose another name", what=what)
         yield Fault(("parameters", "s"), rule)
 
 
@@ -77,7 +74,8 @@ def own_apart(level: Level) -> Iterator[Fault]:
             )
         for body in moving.intersection(bodies_of(joint)) & exact:
             rule = Message(
-                "'{body}' is held exactly, too; let all that holds it be exact, or none",
+                "'{body}' is also held exactly; what holds a body must be all exact, or all"
+                " pymunk's own",
                 body=brief(body),
             )
             yield Fault(path, rule)
@@ -93,9 +91,7 @@ def ties_fit(level: Level) -> Iterator[Fault]:
             yield Fault(("joints", name, field), rule)
     contact, exact = level.effects.contact, any(is_exact(level.joints[name]) for name in names)
     if contact and contact.solver == "iterative" and exact:
-        rule = Message(
-            "a joint that an event ties needs contacts that are solved directly; leave it out"
-        )
+        rule = Message("a joint that an event ties needs the 'direct' solver; leave this out")
         yield Fault(("effects", "contact", "solver"), rule)
 
 
@@ -105,7 +101,8 @@ def stops_bounce(level: Level) -> Iterator[Fault]:
     if contact and contact.solver == "iterative":
         for name, _ in bouncing(level.joints):
             rule = Message(
-                "needs contacts that are solved directly; leave one out, or their 'solver'"
+                "needs the 'direct' solver of contacts; leave this out, or the 'solver' of"
+                " 'contact'"
             )
             yield Fault(("joints", name, "restitution"), rule)
 
@@ -131,7 +128,7 @@ def not_too_many_wires(level: Level) -> Iterator[Fault]:
     if wires + curves > MAX_WIRES:
         have = Message("{count:,} wires and curves", count=wires + curves)
         rule = Message(
-            "have {have}; {most} are the most that can be looked at for crossings",
+            "have {have}; at most {most} can be checked for crossings",
             have=have if curves else Message("{count:,} wires", count=wires),
             most=MAX_WIRES,
         )
@@ -161,6 +158,6 @@ def constant_masses(level: Level) -> Iterator[Fault]:
         for body in changing.intersection(bodies_of(joint)):
             if not joint.kind.force:
                 rule = Message(
-                    "'{body}' changes its mass, so only a spring can hold it", body=brief(body)
+                    "the mass of '{body}' changes, so only a spring can hold it", body=brief(body)
                 )
                 yield Fault(("joints", name, "ends"), rule)

@@ -275,8 +275,8 @@ def _refuse_large(parts: Sequence[Island], touching: Touching) -> None:
     body = int(np.bincount(touching.bodies[touching.bodies >= 0]).argmax())
     most = max(len(part.rows) for part in parts)
     reason = Message(
-        "{count:,} conditions of contacts and joints hang together, and {most:,} can be solved"
-        " directly: let fewer touch each other, or leave out the 'solver' \"direct\"",
+        "{count:,} constraints of contacts and joints are coupled, but at most {most:,} can be"
+        " solved directly: let fewer bodies touch, or leave out the 'solver' \"direct\"",
         count=most,
         most=MOST_ROWS,
     )
