@@ -30,11 +30,13 @@ class Contact(Model):
     would stir, so that they never come to rest"""
     located: Annotated[ActedOnBodies, Field(min_length=1)] | None = None
     """the dynamic bodies whose impacts are located in time, within the step; those of the others
-    are found at the next step, or missed where a body passes through another in between"""
+    are found at the next step, or missed where a body passes through another in between. The direct
+    solver locates all impacts by itself"""
     solver: Literal["iterative", "direct"] | None = None
     """how the forces between bodies that touch are found: by sweeps of pymunk's solver
     (`iterative`), or all at once and together with the exact joints (`direct`), which takes longer
-    where many touch; if left out `direct` where the level has exact joints"""
+    where many touch; if left out `direct` where the level has exact joints, or bodies that stick
+    and impacts that are located"""
     apart: Annotated[
         tuple[Annotated[BodyNames, Field(min_length=2)], ...], Field(max_length=MOST_PAIRS)
     ] = ()

@@ -24,6 +24,7 @@ from sandbox.physics.contacts.direct.constraint_impulses import hold
 from sandbox.physics.contacts.direct.constraint_rows import Active
 from sandbox.physics.contacts.direct.convex_parts import Pair
 from sandbox.physics.contacts.direct.drift_parts import Part, concerned
+from sandbox.physics.contacts.direct.drifts import Struck
 from sandbox.physics.contacts.direct.kick_builder import KickBuilder
 from sandbox.physics.contacts.direct.kick_parts import Stage
 from sandbox.physics.contacts.direct.kick_system import Kick
@@ -104,6 +105,8 @@ class Landings:
         (n,), the sums of the sizes of their impulses on each body [N s].
     met
         The contacts of all landings, without impulses.
+    struck
+        Who collided in them, in turn.
     """
 
     def __init__(
@@ -118,21 +121,23 @@ class Landings:
         self._speculative, self._build = speculative, build
         self._laws, self._until, self._driven = laws, until, driven
         count = len(laws) // 3 - 1
-        self._order = order(count)
+        self._order, self._whole = order(count), 0.0
         self.reached: Booleans = np.zeros(count, dtype=bool)
         self.pushed: Array = np.zeros(count)
         self.met = NO_CONTACTS
+        self.struck: list[Struck] = []
 
     def follow(self, whole: Part) -> list[Part]:
         """Return the parts of the drift after a kick: the drift itself if nothing lands."""
-        parts = [whole]
+        parts, joints, self._whole = [whole], whole.kick.joints, whole.drift
+        kick = joints.kick
         try:
             while len(parts) <= MOST and (found := self._cut(parts[-1])):
                 parts[-1:] = found
             if len(parts) > 1:
                 parts[-1] = self._lasting(parts[-1], whole.drift)
         finally:
-            whole.kick.joints.time(whole.drift, whole.drift)
+            joints.time(kick, whole.drift)
         return parts
 
     def _lasting(self, last: Part, drift: float) -> Part:
@@ -254,7 +259,9 @@ class Landings:
         some = replace(part.kick, layout=part.kick.layout.around(mine))
         half = part.drift / 2
         came, to_it = impacts.come(some, part.moved + half * drive, struck, part.active)
-        begun, pushes = impacts.bounce(some, came, struck, part.active)
+        begun, pushes, pairs = impacts.bounce(some, came, struck, part.active)
+        time = self._whole - part.left + part.drift
+        self.struck += (Struck(pair, time) for pair in pairs)
         stages = (
             Stage.of(part.kick, half, came[self._order], to_it + half * others),
             Stage.of(part.kick, 0.0, begun[self._order], pushes),

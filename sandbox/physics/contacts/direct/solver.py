@@ -59,8 +59,6 @@ class Direct:
         The time step [s].
     query
         Finds the contacts of bodies that were moved.
-    strikes
-        Whether impacts are found here, and not by another stage.
 
     Attributes
     ----------
@@ -80,11 +78,8 @@ class Direct:
         inertia: Array,
         dt: float,
         query: Query,
-        *,
-        strikes: bool,
     ) -> None:
-        self._batch, self._joints = batch, joints
-        self._dt, self._strikes = dt, strikes
+        self._batch, self._joints, self._dt = batch, joints, dt
         self._moves: Booleans = inertia[:, 0] > 0
         self._fixed = np.flatnonzero(~self._moves)
         self._lands, self._runs = bool(surfaces.lands.any()), bool(surfaces.running.any())
@@ -126,6 +121,8 @@ class Direct:
         start
             Whether this is the first kick, which begins at its step.
         """
+        if start and self._starts:  # it is repeated
+            self.drifts.forget()
         self._begun, self._acceleration = self.velocity(), acceleration
         self._starts = start
         self._lead = 0.0 if start else self._joints.kick - self._dt / 2
@@ -263,7 +260,10 @@ class Direct:
     @property
     def _locates(self) -> bool:
         """Whether landings are located in the drift after this kick."""
-        return self._lands and self._is_whole
+        joints, dt = self._joints, self._dt
+        return (
+            self._lands and joints.drift == dt and joints.kick == (dt / 2 if self._starts else dt)
+        )
 
     def _divides(self, kick: Kick) -> bool:
         """Whether a drift can be taken in parts: it is a whole one, and nothing drives bodies."""
@@ -306,7 +306,7 @@ class Direct:
         ways = (divided.end - start) / self._dt
         mean = np.where(landed.reached[:, None], ways, divided.left)
         self.drifts.divide(divided, mean)
-        self.drifts.land(landings.met, landings.pushed)
+        self.drifts.land(landings.met, landings.pushed, landings.struck)
         self._batch.set_velocity(mean)
         self._known.note(last.kick, last.steady, last.active)
         return landed
@@ -318,13 +318,13 @@ class Direct:
             return Part.after(self._taken, dt, moved)
         begun, taut = self._spread(self._begun)[0], joints.expected()[1]
         held = Active(taut, np.zeros(0, dtype=np.intp))
-        return Part(self._build.at(place), dt, dt, begun, dt, joints.tension, held, moved)
+        lasts, kick = joints.kick, self._build.at(place)
+        return Part(kick, dt, dt, begun, lasts, joints.tension, held, moved)
 
     def _beginning(self) -> Beginning:
         """Return the state and the forces at the beginning of this kick."""
         begun, acts, change = self._spread(self._begun, self._acceleration, self._change)
-        lead, looks, driven = self._lead, self._strikes, self._driven()
-        return Beginning(begun, acts, change, lead, self._dt, looks, driven)
+        return Beginning(begun, acts, change, self._lead, self._dt, self._driven())
 
     def _spread(self, *rates: Array) -> Array:
         """Return s arrays of rates (n, 3) in the order of coordinates: (s, 3 N)."""
