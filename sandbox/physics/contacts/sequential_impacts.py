@@ -16,6 +16,7 @@ from typing import NamedTuple
 import numpy as np
 
 from sandbox.model.expressions import Array
+from sandbox.physics.contacts.impact_outcome import ImpactOutcome
 from sandbox.physics.contacts.kinematics import over_bodies, pair_jacobian
 from sandbox.physics.contacts.post_impact_velocity import reached
 from sandbox.physics.contacts.simultaneous_impacts import ROUNDING, Pile
@@ -24,34 +25,6 @@ from sandbox.physics.engine.batch import NO_CONTACTS, Batch, Booleans, Contacts,
 FAINTEST = 1e-290
 """m/s: slower approaches count as zero. The smallest numbers have few digits, so rounding is no
 fixed share of them."""
-
-
-class Impacts(NamedTuple):
-    """The outcome of the impacts of a step; n bodies.
-
-    Attributes
-    ----------
-    struck
-        (n,), the bodies that they reached.
-    jump
-        (n, 3), the changes of the velocities [m/s, rad/s].
-    velocity
-        (n, 3), the velocities at the step, right after the impacts [m/s, rad/s].
-    impulse
-        (n,), the sum of the magnitudes of the impulses on each body [N s].
-    """
-
-    struck: Booleans
-    jump: Array
-    velocity: Array
-    impulse: Array
-
-    @classmethod
-    def none(cls, count: int) -> "Impacts":
-        """Return the outcome without impacts, for a number of bodies."""
-        none: Array = np.zeros((count, 3))
-        none.setflags(write=False)
-        return cls(np.zeros(count, dtype=bool), none, none, none[:, 0])
 
 
 class Sequence:
@@ -77,7 +50,7 @@ class Sequence:
         self._begun = self._smooth = np.zeros_like(inverse_mass)  # velocities and accelerations
         self._lasted = dt
         self._before: partial[Array] | None = None  # constraint accelerations in the kick before
-        self.last = Impacts.none(len(inverse_mass))
+        self.last = ImpactOutcome.none(len(inverse_mass))
         self._asked, self._pushes = b"", np.zeros(0)  # the last pile-up, and its impulses
         self._places = _Places.of(NO_CONTACTS, self._turning)
 
@@ -111,7 +84,7 @@ class Sequence:
             self._exchange(contacts, state[:, :2], velocity, gives, jump, impulse)
             if impulse.any():
                 self._batch.set_velocity(begins + jump)
-        self.last = Impacts(np.asarray(jump.any(axis=1)), jump, velocity + jump, impulse)
+        self.last = ImpactOutcome(np.asarray(jump.any(axis=1)), jump, velocity + jump, impulse)
         self._before = (
             None if start else partial(_held, begins, self._begun, self._lasted, self._smooth)
         )

@@ -7,7 +7,7 @@ from sandbox.physics.contacts.direct.constraint_rows import Active
 from sandbox.physics.contacts.direct.convex_parts import Pair
 from sandbox.physics.contacts.direct.kick_system import Kick
 from sandbox.physics.contacts.direct.newton import solve_rows
-from sandbox.physics.contacts.sequential_impacts import Impacts
+from sandbox.physics.contacts.impact_outcome import ImpactOutcome
 from sandbox.physics.contacts.simultaneous_impacts import Pile
 from sandbox.physics.engine.batch import Booleans, Integers
 from sandbox.physics.joints.exact.constraints import QUADRATIC, angles, order, planes
@@ -203,7 +203,7 @@ class _Rebound:
         return impulse if work <= rounding * float(np.abs(impulse) @ np.abs(self._rates)) else None
 
 
-def recorded(kick: Kick, left: Array, pushes: Array) -> Impacts:
+def recorded(kick: Kick, left: Array, pushes: Array) -> ImpactOutcome:
     """Return the record of impacts, from the velocities after them, (3 N,), and impulses, (r,)."""
     places = order(kick.response.shape[1] // 3 - 1)
     jump = (pushes @ kick.response)[places]
@@ -212,7 +212,7 @@ def recorded(kick: Kick, left: Array, pushes: Array) -> Impacts:
         if pushes[rows].any():
             reached |= kick.response[rows][:, places].any(axis=(0, 2))
     jump = np.where(reached[:, None], jump, 0.0)
-    return Impacts(reached, jump, left[places], np.zeros(len(jump)))
+    return ImpactOutcome(reached, jump, left[places], np.zeros(len(jump)))
 
 
 def impulses(

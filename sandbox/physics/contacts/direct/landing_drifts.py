@@ -20,6 +20,7 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct import impacts
+from sandbox.physics.contacts.direct.closing_gaps import closed
 from sandbox.physics.contacts.direct.constraint_impulses import hold
 from sandbox.physics.contacts.direct.constraint_rows import Active
 from sandbox.physics.contacts.direct.convex_parts import Pair
@@ -29,7 +30,6 @@ from sandbox.physics.contacts.direct.kick_builder import KickBuilder
 from sandbox.physics.contacts.direct.kick_parts import Stage
 from sandbox.physics.contacts.direct.kick_system import Kick
 from sandbox.physics.contacts.direct.speculative_contacts import (
-    LOOKS,
     AnyCorner,
     SpeculativeContacts,
 )
@@ -309,26 +309,14 @@ class Landings:
         )
 
     def closed(self, part: Part) -> Part:
-        """Return a part in which the gaps of slow corners close, and go no further.
+        """Return a part in which slow corners have come down; see `closed`."""
+        return closed(part, self._speculative, self._build, self._laws, self._again)[0]
 
-        Corners that close faster than forces explain are located instead.
-        """
-        for _ in range(LOOKS):
-            corners = self._speculative.corners(part.kick, part.moved)
-            if not corners:
-                break
-            ahead = self._speculative.contacts(corners, part.kick.place, part.kick.joints.origin)
-            kick = self._build.with_ahead(part.kick, ahead)
-            if kick.strikes(part.moved, self._laws, part.pulls):
-                break
-            kick.before, kick.after = part.kick.before, part.kick.after
-            forces, active = recalled(part.kick, part.forces, part.active, kick)
-            more = part._replace(kick=kick, forces=forces, active=active)
-            try:
-                part = self._solved(more, part.drift, part.lasts)
-            except (JointFailure, NoForces):
-                break
-        return part
+    def _again(self, part: Part, kick: Kick) -> Part:
+        """Return a part, solved with more rows."""
+        forces, active = recalled(part.kick, part.forces, part.active, kick)
+        more = part._replace(kick=kick, forces=forces, active=active)
+        return self._solved(more, part.drift, part.lasts)
 
 
 def _secant(

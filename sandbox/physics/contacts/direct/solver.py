@@ -23,6 +23,7 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.contact_queries import Query
+from sandbox.physics.contacts.direct.closing_gaps import closed
 from sandbox.physics.contacts.direct.constraint_rows import Active
 from sandbox.physics.contacts.direct.drift_parts import Landed, Part
 from sandbox.physics.contacts.direct.drift_subdivision import through
@@ -32,10 +33,10 @@ from sandbox.physics.contacts.direct.kick_parts import Stage, Taken
 from sandbox.physics.contacts.direct.kick_system import Kick
 from sandbox.physics.contacts.direct.landing_drifts import Landings
 from sandbox.physics.contacts.direct.row_layout import Surfaces
-from sandbox.physics.contacts.direct.speculative_contacts import LOOKS, SpeculativeContacts
+from sandbox.physics.contacts.direct.speculative_contacts import SpeculativeContacts
 from sandbox.physics.contacts.direct.warm_start import WarmStart
 from sandbox.physics.contacts.direct.whole_kick import Beginning, take
-from sandbox.physics.contacts.sequential_impacts import Impacts
+from sandbox.physics.contacts.impact_outcome import ImpactOutcome
 from sandbox.physics.engine.batch import Batch, Booleans, Contacts
 from sandbox.physics.joints.exact.constraints import Coordinates, order
 from sandbox.physics.joints.exact.shake import ExactJoints
@@ -84,7 +85,7 @@ class Direct:
         self._fixed = np.flatnonzero(~self._moves)
         self._lands, self._runs = bool(surfaces.lands.any()), bool(surfaces.running.any())
         self._order = order(len(inertia))
-        self._calm = Impacts.none(len(inertia))
+        self._calm = ImpactOutcome.none(len(inertia))
         self._begun = self._acceleration = self._change = self._calm.jump
         self._lead, self._starts = 0.0, True
         self._until = 0.0  # s, the end of the drift that follows
@@ -237,25 +238,14 @@ class Direct:
         self._report(taken.kick, taken.total, taken.active)
 
     def _closed(self, taken: Taken, start: Beginning) -> Taken:
-        """Return a kick after which the gaps of slow corners close, and go no further.
+        """Return a kick after which slow corners have come down; see `closed`."""
+        look, build, laws = self._speculative, self._build, start.acceleration
 
-        Corners that close faster than forces explain are located in the drift: see `_land`.
-        """
-        for _ in range(LOOKS):
-            corners = self._speculative.corners(taken.kick, taken.moved)
-            if not corners:
-                return taken
-            origin = self._joints.origin
-            ahead = self._speculative.contacts(corners, taken.kick.place, origin)
-            kick = self._build.with_ahead(taken.kick, ahead)
-            pulls = taken.forces @ taken.kick.response
-            if self._locates and kick.strikes(taken.moved, start.acceleration, pulls):
-                return taken._replace(strikes=True)
-            try:
-                taken = take(kick, start, self._known)
-            except (JointFailure, NoForces):
-                break  # at the end of the drift it will be found as a contact
-        return taken
+        def again(_: Taken, kick: Kick) -> Taken:
+            return take(kick, start, self._known)
+
+        taken, strikes = closed(taken, look, build, laws, again, locates=self._locates)
+        return taken._replace(strikes=True) if strikes else taken
 
     @property
     def _locates(self) -> bool:
