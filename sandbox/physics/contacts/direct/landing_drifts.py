@@ -19,6 +19,7 @@ from typing import NamedTuple
 import numpy as np
 
 from sandbox.model.expressions import Array
+from sandbox.physics.contacts.contact_queries import pairs_of
 from sandbox.physics.contacts.direct import impacts
 from sandbox.physics.contacts.direct.closing_gaps import closed
 from sandbox.physics.contacts.direct.constraint_impulses import hold
@@ -35,7 +36,7 @@ from sandbox.physics.contacts.direct.speculative_contacts import (
 )
 from sandbox.physics.contacts.direct.warm_start import recalled
 from sandbox.physics.contacts.time_of_impact import TOUCH, Hit, Path
-from sandbox.physics.engine.batch import NO_CONTACTS, Booleans
+from sandbox.physics.engine.batch import NO_CONTACTS, Booleans, Contacts, Integers
 from sandbox.physics.geometry.roots import root
 from sandbox.physics.joints.exact.constraints import Coordinates, order
 from sandbox.physics.state.errors import JointFailure, NoForces
@@ -104,9 +105,11 @@ class Landings:
     pushed
         (n,), the sums of the sizes of their impulses on each body [N s].
     met
-        The contacts of all landings, without impulses.
+        The contacts that take part in them, without impulses.
     struck
         Who collided in them, in turn.
+    given
+        Their normal impulses, by pair, in turn [N s].
     """
 
     def __init__(
@@ -126,6 +129,7 @@ class Landings:
         self.pushed: Array = np.zeros(count)
         self.met = NO_CONTACTS
         self.struck: list[Struck] = []
+        self.given: dict[Pair, float] = {}
 
     def follow(self, whole: Part) -> list[Part]:
         """Return the parts of the drift after a kick: the drift itself if nothing lands."""
@@ -243,7 +247,6 @@ class Landings:
         kick = self._build.anew(place, shorter.kick.contacts_at(place).and_(down), lengths)
         forces, active = recalled(shorter.kick, shorter.forces, shorter.active, kick)
         self.reached = self.reached | self._around(kick, down.bodies.tolist())
-        self.met = self.met.and_(down)
         part = shorter._replace(kick=kick, forces=forces, active=active)
         struck = kick.layout.touching.pair >= len(kick.contacts.bodies) - len(down.bodies)
         begun, stages = self._struck(part, struck)
@@ -262,12 +265,24 @@ class Landings:
         begun, pushes, pairs = impacts.bounce(some, came, struck, part.active)
         time = self._whole - part.left + part.drift
         self.struck += (Struck(pair, time) for pair in pairs)
+        self.given |= {pair: self.given.get(pair, 0.0) for pair in pairs}
         stages = (
             Stage.of(part.kick, half, came[self._order], to_it + half * others),
             Stage.of(part.kick, 0.0, begun[self._order], pushes),
         )
         self.pushed = self.pushed + stages[1].normal(len(self.pushed))
+        self._note(stages[1].contacts, part.kick.layout.touching.pair[struck])
         return begun, stages
+
+    def _note(self, pushed: Contacts, landed: Integers) -> None:
+        """Note the contacts of an impact, with their impulses, of which some have landed."""
+        takes = pushed.normal > 0
+        takes[landed] = True
+        none = 0.0 * pushed.normal
+        calm = pushed._replace(normal=none, friction=none, impulse=0.0 * pushed.impulse)
+        self.met = self.met.and_(Contacts._make(field[takes] for field in calm))
+        for pair, push in zip(pairs_of(pushed), pushed.normal.tolist(), strict=True):
+            self.given[pair] = self.given.get(pair, 0.0) + push
 
     def _others(self, part: Part) -> tuple[Booleans, Array, Array]:
         """Return which rows act on `reached` bodies, and the forces of the others: (r,) each.

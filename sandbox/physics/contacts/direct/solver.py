@@ -296,7 +296,7 @@ class Direct:
         ways = (divided.end - start) / self._dt
         mean = np.where(landed.reached[:, None], ways, divided.left)
         self.drifts.divide(divided, mean)
-        self.drifts.land(landings.met, landings.pushed, landings.struck)
+        self.drifts.land(landings.met, landings.pushed, landings.struck, landings.given)
         self._batch.set_velocity(mean)
         self._known.note(last.kick, last.steady, last.active)
         return landed

@@ -53,8 +53,20 @@ def surfaces_of(level: Level, values: Values, bodies: Sequence[pymunk.Body]) -> 
         CORRECTION if contact.correction is None else contact.correction(values),
         SLOP if contact.slop is None else contact.slop(values),
         _left_to_it(level),
-        in_sequence=level.effects.in_sequence,
+        in_sequence=_in_sequence(level),
     )
+
+
+def _in_sequence(level: Level) -> bool:
+    """Return whether impacts at the same time come one after the other.
+
+    Those that a level locates do, too, so that a row passes a shot on, unless friction needs them
+    all at once.
+    """
+    effects = level.effects
+    located = effects.contact is not None and effects.contact.located is not None
+    alone = located and effects.restitution is not None and effects.friction is None
+    return effects.in_sequence or alone
 
 
 def _left_to_it(level: Level) -> Booleans:

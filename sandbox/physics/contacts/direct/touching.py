@@ -98,8 +98,8 @@ class Touching(NamedTuple):
         return found
 
     def pairs(self, points: Integers) -> list[tuple[int, int]]:
-        """Return the pairs of bodies that meet at some of the points, each once."""
-        return sorted({(a, b) for a, b in self.bodies.T[points].tolist()})
+        """Return the pairs of bodies at some of the points, each once, the lower index first."""
+        return sorted({(min(pair), max(pair)) for pair in self.bodies.T[points].tolist()})
 
     def rubbing_at(self, points: Integers) -> "Touching":
         """Return the same with friction at other points: (f,)."""
