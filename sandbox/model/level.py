@@ -226,16 +226,18 @@ class Level(Model):
 def is_direct(level: Level, stepping: Stepping | None = None) -> bool:
     """Whether contacts are solved directly, together with the exact joints.
 
-    If the effect `contact` leaves that open, they are if the level has exact joints or the stepping
-    (the level's own by default) asks for it, and if it is possible.
+    If the effect `contact` leaves that open, they are if the level has exact joints, or bodies that
+    stick and impacts that are located, or if the stepping (the level's own by default) asks for it,
+    and if it is possible.
     """
     contact = level.effects.contact
     if contact is None:
         return False
     if contact.solver is not None:
         return contact.solver == "direct"
-    wanted = (stepping or level.stepping).solver or any(map(is_exact, level.joints.values()))
-    return bool(wanted) and may_be_direct(level)
+    exact = any(map(is_exact, level.joints.values()))
+    sticks = contact.located and level.effects.sticking
+    return bool(exact or sticks or (stepping or level.stepping).solver) and may_be_direct(level)
 
 
 def may_be_direct(level: Level) -> bool:

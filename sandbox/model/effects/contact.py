@@ -31,11 +31,11 @@ class Contact(Model):
     located: Annotated[ActedOnBodies, Field(min_length=1)] | None = None
     """the dynamic bodies whose impacts are located at their exact time within a step; with the
     iterative solver, other impacts are found at the next step, or missed if a body passes through
-    another within a step"""
+    another within a step. The direct solver locates all impacts by itself"""
     solver: Literal["iterative", "direct"] | None = None
     """how contact forces are found: `iterative`, by sweeps of pymunk's solver, or `direct`, all at
     once together with the exact joints, which takes longer for many contacts; if left out, `direct`
-    if the level has exact joints"""
+    if the level has exact joints, or bodies that stick and impacts that are located"""
     apart: Annotated[
         tuple[Annotated[BodyNames, Field(min_length=2)], ...], Field(max_length=MOST_PAIRS)
     ] = ()

@@ -15,7 +15,7 @@ from sandbox.model.joints import (
     is_exact,
     points,
 )
-from sandbox.model.level import Level
+from sandbox.model.level import Level, is_direct
 from sandbox.model.level_parts import Fault, names_in
 from sandbox.model.message import Message
 from sandbox.model.rules.consistency.mentions import bodies_of_flows
@@ -105,6 +105,27 @@ def stops_bounce(level: Level) -> Iterator[Fault]:
                 " 'contact'"
             )
             yield Fault(("joints", name, "restitution"), rule)
+
+
+def pass_impacts_on(level: Level) -> Iterator[Fault]:
+    """Impacts that are located or in sequence reach exact joints only if contacts are direct."""
+    effects, contact, friction = level.effects, level.effects.contact, level.effects.friction
+    exact = any(map(is_exact, level.joints.values()))
+    if contact is None or is_direct(level) or not exact:
+        return
+    if not (contact.located or effects.in_sequence):
+        return
+    rule = Message(
+        "where joints are exact, impacts that are 'located' or in 'sequence' need contacts that are"
+        " solved directly; leave this out"
+    )
+    if contact.solver == "iterative":
+        yield Fault(("effects", "contact", "solver"), rule)
+    if friction and friction.located:
+        yield Fault(("effects", "friction", "located"), rule)
+    for name, joint in level.joints.items():
+        if isinstance(joint, Own) and not joint.exact:
+            yield Fault(("joints", name, "exact"), rule)
 
 
 def _untied(joint: Joint) -> Iterator[tuple[str, Message]]:
