@@ -26,7 +26,7 @@ HELD = 0.98
 slower."""
 
 _HEADER = (
-    *("level", "first picture", "switch", "a second of it", "a frame", "99 of 100 below"),
+    *("level", "first picture", "switch", "per second", "median frame", "99 % of frames below"),
     *("speed", ""),
 )
 

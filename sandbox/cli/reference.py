@@ -37,21 +37,21 @@ QUANTITIES = """\
 # Quantities
 
 Checks, `--record`, graphs and Python use these names. A vector has the components `.x` and `.y`;
-without one its name stands for its size. `ball` and `box` stand for any body, `ball.tip` for a
-point that the body declares, `gate` for a sensor, `joint` for any joint. This page is written by
+without one, its name stands for its magnitude. `ball` and `box` stand for any body, `ball.tip` for
+a point that the body declares, `gate` for a sensor, `joint` for any joint. This page is written by
 `make docs`."""
 
 OVER_TIME = """\
 ## Since the start
 
-What has become of a quantity since the start of the run, such as `string.tension.max`. Of `t` there
-is none."""
+A suffix gives a statistic of a quantity since the start of the run, such as `string.tension.max`.
+`t` has none."""
 
 ACCOUNTS = """\
 ## Accounts
 
-The ledger says where energy comes from and where it goes. What no account explains is
-`system.unexplained_energy`, `system.unexplained_momentum` (a vector) and
+The ledger accounts for where energy comes from and where it goes. The changes that no account
+explains are `system.unexplained_energy`, `system.unexplained_momentum` (a vector) and
 `system.unexplained_angular_momentum`."""
 
 COMMANDS = """\
@@ -177,7 +177,7 @@ def all_quantities() -> str:
         *("", "## Joints", ""),
         *_table(("joint", "quantities"), of_joints),
         *("", OVER_TIME, ""),
-        *_table(("behind the name", "unit"), over_time),
+        *_table(("suffix", "unit"), over_time),
         *("", ACCOUNTS, ""),
         *_table(("effect", "account"), accounts),
     )

@@ -180,7 +180,7 @@ class Draft:
         """
         target = path or self.path
         if target is None:
-            raise SandboxError("the level has no file yet; say where to save it")
+            raise SandboxError("the level has no file yet; choose where to save it")
         if not overwrite:
             self._refuse_to_overwrite(target)
         mark = codecs.BOM_UTF8 if self._held.startswith(codecs.BOM_UTF8) else b""
@@ -217,7 +217,7 @@ class Draft:
     def _refuse_to_overwrite(self, target: Path) -> None:
         if target != self.path:
             if os.path.lexists(target):
-                raise SandboxError("{target} is there already; choose another name", target=target)
+                raise SandboxError("{target} already exists; choose another name", target=target)
         elif self.changed_outside():
             raise SandboxError(
                 "{target} was changed outside since it was read; read it again, or overwrite it",

@@ -73,7 +73,8 @@ class Recovery:
                 write_atomically(folder() / self._name, _said(draft), follow=False)
             except SandboxError as error:
                 return Message(
-                    "what you draw is not kept should this window end: {error}",
+                    "unsaved changes cannot be stored, and are lost if this window crashes:"
+                    " {error}",
                     error=error.message,
                 )
             self._text = draft.text

@@ -58,7 +58,7 @@ def rename(text: str, path: Path, name: str) -> str:
 def _refuse_taken(level: Level, part: str, name: str) -> None:
     if not re.fullmatch(NAME, name):
         raise SandboxError(
-            "'{name}' is no name: a letter, then letters, digits or _", name=brief(name)
+            "'{name}' is not a name: a letter, then letters, digits or _", name=brief(name)
         )
     numbers = {**level.parameters, **level.constants}
     among = numbers if part == "parameters" else {**level.bodies, **level.joints}

@@ -53,7 +53,7 @@ def as_it_stands(world: World, *, anew: bool) -> str:
     """
     _refuse(world)
     if world.scene.happened or (anew and world.level.events):
-        raise SandboxError("events have their times, and no level can begin between them")
+        raise SandboxError("no level can start between its events")
     if not anew:
         _refuse_to_begin_late(world.level)
     level, values = world.level, world.values
@@ -104,17 +104,17 @@ def _refuse(world: World) -> None:
     flows = [e for e, _, _ in level.effects.said if e.changes_mass]
     if flows:
         raise SandboxError(
-            "'{name}' has made the masses what they are by now, and no level can begin with that",
+            "'{name}' has changed masses, and no level can start from that",
             name=flows[0].name,
         )
     welds = sum(isinstance(joint, Weld) for joint in level.joints.values())
     if len(world.scene.joints.joined) > welds:
-        raise SandboxError("bodies have stuck to each other, and no level can begin with that")
+        raise SandboxError("bodies have stuck together, and no level can start from that")
     for row, (name, joint) in enumerate(level.joints.items()):
         if isinstance(joint, Winding) and world.snapshot.tension[row] == 0 and world.steps:
             raise SandboxError(
-                "'{name}' is slack, and no level can say how much is off its wheel; wait until it"
-                " is taut",
+                "'{name}' is slack, and no level can give its unwound length then; wait until"
+                " it is taut",
                 name=name,
             )
 
@@ -124,8 +124,8 @@ def _refuse_to_begin_late(level: Level) -> None:
     for name, joint in level.joints.items():
         if isinstance(joint, Rod) and "t" in names_in(joint):
             raise SandboxError(
-                "'{name}' is as long as a formula of the time says; keep the run as a level, and go"
-                " on it",
+                "the length of '{name}' is a formula of time; keep the run as a level, and"
+                " continue there",
                 name=name,
             )
 

@@ -120,7 +120,7 @@ def _read(text: str) -> Spans:
 
 def _at(found: Spans, path: Path) -> Span:
     if not path or path not in found:
-        raise PatchError("nothing stands at {path}", path=shown(path))
+        raise PatchError("there is nothing at {path}", path=shown(path))
     return found[path]
 
 
@@ -155,7 +155,7 @@ def spliced(text: str, pieces: Iterable[tuple[int, int, str]]) -> str:
     changed, end = [], 0
     for begin, over, new in sorted(pieces):
         if begin < end:
-            raise PatchError("two values are put in one place")
+            raise PatchError("two values are put in the same place")
         changed += [text[end:begin], new]
         end = over
     return "".join(changed) + text[end:]
@@ -170,9 +170,7 @@ def _inserted(text: str, path: Path, value: Json) -> str:
         return spliced(text, [(found[path].begin, found[path].end, line(value))])
     parent, step = found[path[:-1]], path[-1]
     if parent.kind != ("object" if isinstance(step, str) else "list"):
-        raise PatchError(
-            "{path} holds nothing of the name {step}", path=shown(parent.path), step=step
-        )
+        raise PatchError("{path} has nothing named {step}", path=shown(parent.path), step=step)
     if isinstance(step, int) and step != len(parent.members):
         raise PatchError(
             "{path} has {count} items, so none at {step}",

@@ -91,7 +91,7 @@ def sensitivities(plan: Plan, path: Path) -> list[Sensitivity]:
     found = results.read(path, texts)
     if found.runs != len(found.numbers):
         raise SandboxError(
-            "Sobol's indices are computed of at most {most:,} runs", most=results.MOST
+            "Sobol indices are computed from at most {most:,} runs", most=results.MOST
         )
     return [sensitivity(text, found.number(text), names) for text in texts]
 

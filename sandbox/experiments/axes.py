@@ -194,7 +194,9 @@ def _items(text: str) -> list[str]:
         raise AxisError(Message("has nothing before a comma") if text else empty)
     if len(items) > MOST_LISTED:
         raise AxisError(
-            "lists {count:,} values; {most:,} are the most", count=len(items), most=MOST_LISTED
+            "lists {count:,} values; at most {most:,} are allowed",
+            count=len(items),
+            most=MOST_LISTED,
         )
     if twice := next((item for item in items if items.count(item) > 1), None):
         raise AxisError("lists '{twice}' twice", twice=brief(twice))
@@ -210,7 +212,7 @@ def _grid(parts: list[str]) -> Grid:
     if count < 1:
         raise AxisError("is an empty grid: {count:g} values", count=count)
     if count == 1 and low != high:
-        raise AxisError("has one value only, but two ends")
+        raise AxisError("has only one value, but two ends")
     if count > 1 and low == high:
         raise AxisError("has {count:g} values, which are all {low:g}", count=count, low=low)
     return _checked(Grid(low, high, int(count), _scale(parts[3] if len(parts) > 3 else "")))
@@ -237,7 +239,7 @@ def _scale(text: str) -> Scale:
         return "linear"
     if text.strip() == "log":
         return "log"
-    raise AxisError("'{text}' is no scale; known: linear, log", text=brief(text))
+    raise AxisError("'{text}' is not a scale; known: linear, log", text=brief(text))
 
 
 def _number(text: str) -> float:

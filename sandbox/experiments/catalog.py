@@ -41,7 +41,7 @@ def find(experiment: str) -> Path:
     if not experiment.endswith(".json"):
         refuse(
             brief(experiment),
-            Message("is no experiment{hint}", hint=suggestion(experiment, names(), most=20)),
+            Message("is not an experiment{hint}", hint=suggestion(experiment, names(), most=20)),
         )
     if not path.is_file():
         refuse(brief(experiment), Message("there is no such file"))

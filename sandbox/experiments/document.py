@@ -31,46 +31,47 @@ Text = Annotated[str, Field(min_length=1, max_length=MAX_LENGTH)]
 
 
 class Experiment(Model):
-    """Runs of a level over what is varied, and what is measured of each."""
+    """Runs of a level with varied parameters, and what is measured in each."""
 
     schema_: Annotated[str | None, Field(alias="$schema")] = None
     """where an editor finds the JSON Schema of the format"""
     format: Literal[1] = 1
     """the version of the format"""
     title: Annotated[str, Field(max_length=80)] = ""
-    """as it stands above the report; the level's own if left out"""
+    """the title of the report; the level's own if left out"""
     summary: Annotated[str, Field(max_length=2000)] = ""
-    """what it shows, in a few sentences"""
+    """a description, in a few sentences"""
     level: Text
-    """a level's name, such as `newton/atwood`, or the path of its file, from this one"""
+    """a level's name, such as `newton/atwood`, or the path of its file, relative to this file"""
     vary: Annotated[Mapping[Name, Annotated[str, Field(max_length=100_000)]], Field(max_length=20)]
-    """what is varied, and over what: a parameter of the level, `without` (names of effects, or
-    `none`, joined by +), `scheme` or `rate`. `0:90:91` is a grid from 0 to 90 of 91 values,
-    `1:1000:31:log` one with equal ratios, `1, 2, 5` lists values, `0..1` and `1..100:log` are drawn
-    from between, and `1.00±0.01` from a normal distribution"""
+    """the values of each varied parameter of the level, or of `without` (names of effects, or
+    `none`, joined by +), `scheme` or `rate`. `0:90:91` is a grid of 91 values from 0 to 90,
+    `1:1000:31:log` one with equal ratios, `1, 2, 5` a list. Random values are drawn uniformly or
+    log-uniformly with `0..1` and `1..100:log`, and from a normal distribution with `1.00±0.01`"""
     measure: Annotated[tuple[Text, ...], Field(min_length=1, max_length=50)]
-    """what is measured of each run: `QUANTITY@end`, `@TIME`, `@landing(BODY)`, `@apex(BODY)`,
+    """the measures of each run: `QUANTITY@end`, `@TIME`, `@landing(BODY)`, `@apex(BODY)`,
     `@contact(BODY, BODY)`, `@crossing(QUANTITY, VALUE, up)` or `@until`; `min`, `max`, `largest`,
-    `amplitude`, `mean` or `integral` of `(QUANTITY)`; `error(CHECK)`. A quantity may be arithmetic
-    over several"""
+    `amplitude`, `mean` or `integral` of `(QUANTITY)`; `error(CHECK)`. `QUANTITY` may be an
+    arithmetic expression over several quantities"""
     set: Mapping[Name, Finite] = {}
-    """parameters that have other values than the level's own"""
+    """the values of parameters that differ from the level's own"""
     draws: Annotated[int, Field(ge=1, le=10**9)] | None = None
-    """how many times is drawn at each point of the grid; of `sobol-indices` how many base points"""
+    """the number of random draws at each point of the grid; for `sobol-indices`, the number of base
+    points"""
     method: Method = "random"
-    """how is drawn: independently, as a Latin hypercube, from Sobol's sequence, or in the scheme
-    from which Sobol's indices of sensitivity are computed"""
+    """the sampling method: independent draws, a Latin hypercube, a Sobol sequence, or the design
+    from which Sobol sensitivity indices are computed"""
     seed: Annotated[int, Field(ge=0, le=2**32 - 1)] = 0
-    """another number, other draws"""
+    """the seed of the random draws"""
     duration: Annotated[float, Field(gt=0, allow_inf_nan=False)] | None = None
-    """s, how long each run lasts; as the level says if left out"""
+    """s, the duration of each run; the level's own if left out"""
     until: Text | None = None
-    """a condition over quantities, such as `ball.position.y < 0`: a run ends at the first step at
+    """a condition on quantities, such as `ball.position.y < 0`: a run ends at the first step at
     which it holds"""
     rate: Annotated[float, Field(ge=1, le=100_000)] | None = None
-    """Hz, steps a second; as the level says if left out"""
+    """Hz, steps per second; the level's own if left out"""
     scheme: Text | None = None
-    """how a step is taken; as the level says if left out"""
+    """the integration scheme; the level's own if left out"""
 
 
 def load(path: Path) -> Experiment:
@@ -93,7 +94,7 @@ def read(path: Path) -> tuple[Experiment, Document]:
             refuse(
                 source,
                 Message(
-                    "is no ordinary file, or larger than {most} kB",
+                    "is not an ordinary file, or larger than {most} kB",
                     most=MAX_BYTES // 1000,
                 ),
             )

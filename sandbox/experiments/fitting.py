@@ -129,11 +129,11 @@ def _check(level: Level, names: Sequence[str], data: Data) -> None:
         if name not in level.parameters:
             hint = suggestion(name, level.parameters, most=20)
             raise ValueRangeError(
-                "'{name}' is no parameter of the level{hint}", name=brief(name), hint=hint
+                "'{name}' is not a parameter of the level{hint}", name=brief(name), hint=hint
             )
     if data.count <= len(names):
         raise FitError(
-            "{count} numbers were measured; for {names} parameters more are needed",
+            "{count} numbers were measured; {names} parameters need more",
             count=data.count,
             names=len(names),
         )

@@ -82,7 +82,7 @@ def _lines(path: Path) -> list[str]:
         ) from error
     if content is None:
         raise DataError(
-            "{path}: is no ordinary file, or larger than {most} MB",
+            "{path}: is not an ordinary file, or larger than {most} MB",
             path=path,
             most=MAX_BYTES // 10**6,
         )

@@ -261,7 +261,7 @@ def _crossing(of: str, rest: list[str], level: Level) -> CrossingEvent:
     if direction not in ("up", "down", "either"):
         hint = suggestion(direction, ("up", "down", "either"))
         raise MeasureError(
-            "'{direction}' is no direction{hint}", direction=brief(direction), hint=hint
+            "'{direction}' is not a direction{hint}", direction=brief(direction), hint=hint
         )
     value = _over_parameters(rest[0], level).source if rest else 0
     return CrossingEvent.model_validate(
@@ -272,7 +272,9 @@ def _crossing(of: str, rest: list[str], level: Level) -> CrossingEvent:
 def _time(text: str, level: Level) -> Expression:
     if re.fullmatch(r"[a-z]+", text) and text not in {*level.parameters, *level.constants}:
         hint = suggestion(text, {*_EVENTS, *level.parameters})
-        raise MeasureError("'{text}' is no time and no event{hint}", text=brief(text), hint=hint)
+        raise MeasureError(
+            "'{text}' is neither a time nor an event{hint}", text=brief(text), hint=hint
+        )
     return _over_parameters(text, level)
 
 
@@ -282,7 +284,7 @@ def _over_parameters(text: str, level: Level) -> Expression:
     if unknown := next(iter(sorted(found.names - set(level.parameters))), None):
         hint = suggestion(unknown, level.parameters)
         raise MeasureError(
-            "'{unknown}' is no parameter of the level{hint}", unknown=brief(unknown), hint=hint
+            "'{unknown}' is not a parameter of the level{hint}", unknown=brief(unknown), hint=hint
         )
     return found
 

@@ -54,7 +54,9 @@ class Observable:
         if unknown := next(iter(sorted(formula.names - known)), None):
             hint = suggestion(unknown, {*level.parameters, "t"})
             raise ExpressionError(
-                "'{unknown}' is no parameter of the level{hint}", unknown=brief(unknown), hint=hint
+                "'{unknown}' is not a parameter of the level{hint}",
+                unknown=brief(unknown),
+                hint=hint,
             )
         if not names and "t" not in formula.names:
             raise ExpressionError(

@@ -47,11 +47,13 @@ def _faulty_axes(plan: Plan) -> Iterator[Fault]:
             hint = suggestion(name, known, most=len(known))
             yield Fault(
                 path,
-                Message("'{name}' is no parameter of the level{hint}", name=brief(name), hint=hint),
+                Message(
+                    "'{name}' is not a parameter of the level{hint}", name=brief(name), hint=hint
+                ),
             )
             continue
         if name in plan.experiment.set:
-            yield Fault(path, Message("'{name}' is set and varied, both", name=name))
+            yield Fault(path, Message("'{name}' is both set and varied", name=name))
         try:
             axis = axis_of(name, text, level)
         except AxisError as error:
@@ -88,7 +90,7 @@ def _unknown_names(name: str, values: list[str], plan: Plan) -> Iterator[Message
                 plan.variant(value)
             elif name == "scheme" and value not in get_args(Scheme):
                 hint = suggestion(value, get_args(Scheme))
-                yield Message("'{name}' is no scheme{hint}", name=brief(value), hint=hint)
+                yield Message("'{name}' is not a scheme{hint}", name=brief(value), hint=hint)
             elif name == "rate":
                 plan.stepping({"rate": float(value)})
         except (SandboxError, ValidationError) as error:
@@ -116,7 +118,7 @@ def _faulty_settings(plan: Plan) -> Iterator[Fault]:
         duration = experiment.duration or 0.0
         if duration * stepping.rate > MAX_STEPS:
             message = Message(
-                "that takes {steps:.1g} steps; {most:,} are allowed",
+                "that takes {steps:.1g} steps; at most {most:,} are allowed",
                 steps=duration * stepping.rate,
                 most=MAX_STEPS,
             )
@@ -162,7 +164,7 @@ def _faulty_runs(plan: Plan) -> Iterator[Fault]:
         yield Fault(
             ("vary",),
             Message(
-                "makes {product} = {runs:,} runs; {most:,} are the most",
+                "makes {product} = {runs:,} runs; at most {most:,} are allowed",
                 product=joined(parts, " × "),
                 runs=plan.runs,
                 most=MOST_RUNS,
@@ -184,10 +186,10 @@ def _faulty_draws(plan: Plan) -> Iterator[Fault]:
     if method == "sobol-indices":
         if plan.grids:
             yield Fault(
-                ("method",), Message("Sobol's indices need everything that is varied to be drawn")
+                ("method",), Message("for Sobol indices, everything that is varied must be drawn")
             )
         if base < 2 or base & (base - 1):
             yield Fault(
                 ("draws",),
-                Message("{base:,}: of Sobol's indices it must be a power of two", base=base),
+                Message("{base:,}: for Sobol indices it must be a power of two", base=base),
             )

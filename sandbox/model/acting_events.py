@@ -36,20 +36,20 @@ MOST_EVENTS = 200
 
 
 class Event(Model):
-    """Something that happens once, at its own time within a step, and changes what acts."""
+    """A change that happens once in a run, at its exact time within a step."""
 
     at: Trigger
-    """a time [s], or when a quantity crosses a value for the first time"""
+    """a time [s], or the first time that a quantity crosses a value"""
     cut: JointNames = ()
-    """the joints that let go"""
+    """the joints to cut"""
     tie: JointNames = ()
-    """the joints that catch, and hold what they find; they are open until then"""
+    """the joints to tie, which hold their ends as they are then; they are open before"""
     on: ForceNames = ()
-    """the effects, or the named forces, that set in; they are off until then"""
+    """the effects or named forces to switch on; they are off before"""
     off: ForceNames = ()
-    """the effects, or the named forces, that end"""
+    """the effects or named forces to switch off"""
     reverse: BodyNames = ()
-    """the one-way surfaces that let through the other way from then on; what is in one passes"""
+    """the one-way surfaces to reverse; a body that is in one at that time passes through"""
 
     @property
     def acts(self) -> bool:

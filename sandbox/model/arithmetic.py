@@ -55,7 +55,7 @@ _ARGUMENTS = {"atan2": 2, "hypot": 2, "max": 2, "min": 2, "where": 3}
 _OPERATORS = (ast.Add, ast.Sub, ast.Mult, ast.Div, ast.Mod, ast.Pow)
 _COMPARISONS = (ast.Lt, ast.LtE, ast.Gt, ast.GtE, ast.Eq, ast.NotEq)
 _REFUSED: Mapping[str, Message] = {
-    "Attribute": Message("a dot may stand in a number only"),
+    "Attribute": Message("a dot is allowed only in a number"),
     "List": Message("one number is needed, not a list"),
     "Set": Message("one number is needed, not a list"),
     "Starred": Message("* needs a number on both sides"),

@@ -32,53 +32,54 @@ Hand = Literal["left", "right"]
 
 
 class Motion(Model):
-    """How a kinematic body moves, whatever meets it: formulas of the time t, 0 at the start."""
+    """A prescribed motion of a kinematic body: functions of the time t that are 0 at the start."""
 
     displacement: tuple[LengthOverTime, LengthOverTime] = (LengthOverTime(0), LengthOverTime(0))
-    """[x, y] in m, from where it starts"""
+    """[x, y] in m, relative to the initial position"""
     turn: AngleOverTime = AngleOverTime(0)
-    """rad, counter-clockwise, from the angle at which it starts"""
+    """rad, counter-clockwise, relative to the initial angle"""
 
 
 class Body(Model):
-    """Something that moves, or that others move against."""
+    """A rigid body."""
 
     type: Literal["dynamic", "kinematic", "static"] = "dynamic"
-    """whether forces move it, it moves as the level says, or it stands still"""
+    """whether it moves under forces, as the level prescribes, or not at all"""
     shape: Shape
     """its outline, along its own axes"""
     mass: Mass | None = None
-    """kg; dynamic bodies have one, others do not"""
+    """kg; required for dynamic bodies, not allowed for others"""
     moment: Moment | None = None
-    """kg m², about the centre of mass; that of the uniform shape if left out"""
+    """kg m², the moment of inertia about the centre of mass; that of the uniform shape if left
+    out"""
     position: Point = (Coordinate(0), Coordinate(0))
-    """[x, y] in m, y up, at the start; of a dynamic body the position of its centre of mass"""
+    """[x, y] in m, the initial position, y up; for a dynamic body, that of its centre of mass"""
     angle: Angle = Angle(0)
-    """rad, counter-clockwise, at the start; from degrees with `"30*deg"`"""
+    """rad, the initial angle, counter-clockwise; `"30*deg"` for degrees"""
     velocity: Velocity = (Speed(0), Speed(0))
-    """[x, y] in m/s, at the start"""
+    """[x, y] in m/s, the initial velocity"""
     angular_velocity: Spin = Spin(0)
-    """rad/s, counter-clockwise, at the start"""
+    """rad/s, the initial angular velocity, counter-clockwise"""
     motion: Motion | None = None
-    """how a kinematic body moves, if not at a constant velocity"""
+    """the prescribed motion of a kinematic body, instead of a constant velocity"""
     friction: Coefficient | None = None
-    """coefficient; a pair's is the product of its bodies' own"""
+    """the coefficient of friction; a pair's is the product of its bodies' own"""
     static_friction: Coefficient | None = None
-    """coefficient while it sticks, not less than `friction`; the same as that if left out"""
+    """the coefficient of static friction, at least `friction`; equal to it if left out"""
     restitution: Fraction | None = None
-    """coefficient; a pair's is the product of its bodies' own"""
+    """the coefficient of restitution; a pair's is the product of its bodies' own"""
     sensor: bool = False
-    """whether it is an area that others pass through; it tells how deep they are in it"""
+    """whether it is an area that others pass through, which measures how deep they are inside"""
     one_way: Hand | None = None
-    """the side to which alone the line lets others through, as one goes along it from its start to
-    its end; there it holds them. An arc runs counter-clockwise, so its left is inside"""
+    """the only side to which a line lets others through, and on which it holds them, seen from its
+    start towards its end; an arc runs counter-clockwise, so its left is inside"""
     points: Annotated[Mapping[Name, Point], Field(max_length=MAX_POINTS)] = {}
-    """points of it whose position and velocity can be measured, such as `stick.tip.velocity`;
-    [x, y] in m, from its position, along its own axes"""
+    """named points whose position and velocity can be measured, as in `stick.tip.velocity`; [x, y]
+    in m, relative to its position, in its frame"""
     color: Annotated[str, Field(pattern=r"^#[0-9a-fA-F]{6}$")] | None = None
-    """as it is drawn, such as "#4cc9f0"; chosen from a palette if left out"""
+    """its colour, such as "#4cc9f0"; from a palette if left out"""
     hidden: bool = False
-    """whether it is left out of pictures; it takes part in everything else"""
+    """whether it is not drawn; it is simulated as usual"""
     layer: Annotated[int, Field(ge=-100, le=100)] = 0
-    """what has a higher one is drawn over what has a lower one; bodies that never move lie behind
-    all that do, unless theirs is above 0"""
+    """the drawing order: higher layers are drawn over lower ones; bodies that never move are behind
+    all others, unless their layer is above 0"""

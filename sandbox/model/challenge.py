@@ -16,39 +16,38 @@ Sentence = Annotated[Prose, Field(min_length=1, max_length=200)]
 
 
 class Goal(Model):
-    """A quantity that has to lie within bounds: at an instant, or at every step of the run."""
+    """Bounds that a quantity has to meet, at an instant or at every step of the run."""
 
     quantity: QuantityName
-    """such as `ball.position.x`"""
+    """the measured quantity, such as `ball.position.x`"""
     at: Instant | None = None
-    """a time [s] or an event, which then has to happen; every step of the run if left out"""
+    """the time [s], or an event, which then has to happen; every step of the run if left out"""
     above: Expression | None = None
-    """the least that the quantity may be, in its unit"""
+    """the lower bound, in the quantity's unit"""
     below: Expression | None = None
-    """the most that the quantity may be, in its unit"""
+    """the upper bound, in the quantity's unit"""
     label: Sentence
-    """what has to be reached, in a few words"""
+    """a short description of the goal"""
 
 
 class Challenge(Model):
-    """A task: some parameters may be changed, and the run has to reach its goals.
+    """A task: to reach goals in a run by changing some of the parameters.
 
-    Reaching all goals earns a star. Each further goal in `stars` that is reached, too, earns one
-    more.
+    Reaching all `goals` earns a star; then each goal in `stars` that is reached earns one more.
     """
 
     task: Sentence
-    """what is asked for, in one or two sentences"""
+    """the task, in one or two sentences"""
     free: Annotated[tuple[ParameterName, ...], Field(min_length=1, max_length=50)]
-    """the parameters that may be changed; all others are locked"""
+    """the parameters that the player may change; all others are locked"""
     goals: Annotated[tuple[Goal, ...], Field(min_length=1, max_length=10)]
-    """what has to be reached for the first star"""
+    """the goals for the first star"""
     stars: Annotated[tuple[Goal, ...], Field(max_length=2)] = ()
-    """what earns the second star, and the third"""
+    """the goals for the second and the third star"""
     hints: Annotated[tuple[Sentence, ...], Field(max_length=5)] = ()
-    """what helps, from a nudge to all but the answer"""
+    """hints, from a nudge to almost the answer"""
     solution: Mapping[Name, Annotated[float, Field(allow_inf_nan=False)]]
-    """values of free parameters that earn every star; shown to nobody"""
+    """values of the free parameters that earn every star; never shown"""
 
     @property
     def all_goals(self) -> tuple[Goal, ...]:

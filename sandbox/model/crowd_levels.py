@@ -183,7 +183,7 @@ def crowd(kind: str, bodies: int) -> Document:
     if not least <= bodies <= most:
         raise CrowdError(
             Message(
-                "a {kind} of {bodies} bodies: there must be between {least} and {most}",
+                "a {kind} must have between {least} and {most} bodies, not {bodies}",
                 kind=kind,
                 bodies=bodies,
                 least=least,

@@ -52,7 +52,7 @@ class Document(Origin):
             self.refuse_depth()
         except ValueError:
             at = json_positions.long_number(self.text, sys.get_int_max_str_digits())
-            self._refuse_at(at, Message("holds a whole number of thousands of digits"))
+            self._refuse_at(at, Message("has a whole number with thousands of digits"))
         suspected = suspects or _HALF.search(self.text)
         if suspected and (found := list(islice(self._suspects(), MAX_MISTAKES + 1))):
             self._raise(found)
@@ -69,9 +69,7 @@ class Document(Origin):
     def refuse_depth(self) -> NoReturn:
         """Refuse too deeply nested brackets, at the first of them."""
         at = json_positions.nested_beyond(self.text, DEEPEST)
-        rule = Message(
-            "is nested too deeply: more than {most} brackets in each other", most=DEEPEST
-        )
+        rule = Message("is nested too deeply: more than {most} levels of brackets", most=DEEPEST)
         self._refuse_at(at, rule)
 
     def _refuse_at(self, index: int, rule: Message) -> NoReturn:
@@ -93,7 +91,7 @@ class Document(Origin):
         for value in json_positions.values(self.text):
             if value.repeated:
                 key = brief(str(value.path[-1]))
-                rule = Message("the key '{key}' stands twice in one object", key=key)
+                rule = Message("the key '{key}' occurs twice in one object", key=key)
                 yield self._at(value, value.path, rule)
             if value.text in _NOT_FINITE:
                 rule = Message("{value} is not a number for a level", value=value.text)

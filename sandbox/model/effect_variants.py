@@ -156,8 +156,8 @@ def including(level: Level, effect: str, settings: Settings) -> Level:
     declared = effect in level.effects.declared
     if declared and not settings:
         raise EffectError(
-            "the level declares '{effect}' already; a setting such as {effect}.{example}"
-            " changes it",
+            "the level already declares '{effect}'; change a setting of it, such as"
+            " {effect}.{example}",
             effect=effect,
             example=_example(effect),
         )

@@ -145,12 +145,12 @@ class Expression:
             if value < 0:
                 bound = Message("at least {least:g}{unit}", least=-cls.most, unit=unit)
             return Message(
-                "but must be {bound}; what is computed from numbers beyond overflows", bound=bound
+                "but must be {bound}; numbers beyond that overflow in computations", bound=bound
             )
         if abs(value) < cls.least:
             bound = Message("at least {least:g}{unit}", least=cls.least, unit=unit)
             return Message(
-                "but must be {bound}; what is computed from smaller numbers underflows", bound=bound
+                "but must be {bound}; smaller numbers underflow in computations", bound=bound
             )
         return NOTHING
 

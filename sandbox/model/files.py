@@ -175,7 +175,7 @@ def check_writable(path: Path) -> None:
     try:
         target = os.path.realpath(path)
     except FileNotFoundError:  # part of the path is a file
-        raise _refusal(path, Message("the working folder is there no more")) from None
+        raise _refusal(path, Message("the working folder no longer exists")) from None
     folder = os.path.dirname(target)
     if os.path.isdir(target):
         raise _refusal(path, Message("it is a folder"))
@@ -189,7 +189,7 @@ def check_writable(path: Path) -> None:
     if not os.access(folder, os.W_OK | os.X_OK):
         raise _refusal(path, Message("the folder {folder} is read-only", folder=shown))
     if os.path.exists(target) and not os.access(target, os.W_OK):
-        raise _refusal(path, Message("it is there and read-only"))
+        raise _refusal(path, Message("it exists and is read-only"))
 
 
 def make_folder(folder: Path) -> None:
@@ -236,7 +236,7 @@ def folder_of_files(folder: Path) -> Iterator[None]:
 
 
 def _taken(path: Path) -> TakenError:
-    return TakenError(Message("{path} is there already; nothing is overwritten", path=path))
+    return TakenError(Message("{path} already exists; nothing is overwritten", path=path))
 
 
 def _refusal(path: Path, reason: str) -> MisuseError:

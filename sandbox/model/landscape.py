@@ -15,18 +15,18 @@ POINTS = 241
 class Landscape(Model):
     """A curve U(x) with the body's point on it, and a line at the body's energy.
 
-    Only the curve is the formula's. Point and line are what is measured of the body, so that a run
-    that goes wrong leaves the curve.
+    Only the curve comes from the formula. The point and the line are measured, so they leave the
+    curve if a run goes wrong.
     """
 
     body: BodyName
-    """whose potential energy it is"""
+    """the body with this potential energy"""
     potential: Profile
-    """J, over the parameters and the place x"""
+    """J, a function of the parameters and the position x"""
     x: Point
-    """[from, to] in m, the places between which the curve is drawn"""
+    """[from, to] in m, the range of x in which the curve is drawn"""
     y: Point
-    """[from, to] in m, between which heights of the plane it is drawn"""
+    """[from, to] in m, the range of heights in the plane in which it is drawn"""
 
     def curve(self, values: Values) -> tuple[Array, Array]:
         """Return places [m] and the potential there [J]; where there is none, it is not finite.

@@ -67,56 +67,58 @@ Scheme = Literal["leapfrog", "fourth-order", "symplectic-euler", "explicit-euler
 
 
 class Parameter(Model):
-    """A number that a person may change, within a range."""
+    """A number that the player can change within a range."""
 
     value: Finite
-    """the default"""
+    """the default value"""
     min: Finite
-    """the smallest value that it may be given"""
+    """the lower limit"""
     max: Finite
-    """the largest value that it may be given"""
+    """the upper limit"""
     unit: str = ""
-    """as it is shown; a parameter in degrees is used as `angle*deg`"""
+    """the displayed unit; values are not converted, so a parameter in degrees is used as
+    `angle*deg`"""
     label: Prose = ""
-    """what the number is, in a few words"""
+    """a short description of the parameter"""
 
 
 class Check(Model):
-    """A quantity, its closed form, and how far the two may differ."""
+    """A comparison of a quantity with its closed form, to a tolerance."""
 
     quantity: QuantityName
-    """such as `ball.position.x` or `string.tension`"""
+    """the measured quantity, such as `ball.position.x` or `string.tension`"""
     formula: Formula
-    """over the parameters and the time t"""
+    """the closed form, a function of the parameters and the time t"""
     tolerance: Annotated[float, Field(gt=0, allow_inf_nan=False)]
-    """relative to the largest expected value, absolute where that is zero"""
+    """the largest error allowed, relative to the largest expected value; absolute if that is
+    zero"""
     scale: Positive | None = None
-    """what the error is relative to where that is larger: the acceleration of gravity, say, where
-    but a small difference of two large pulls is expected"""
+    """the value that errors are relative to if the largest expected value is smaller: for example
+    g, if the expected acceleration is a small difference of large ones"""
     valid_if: Formula | None = None
-    """a condition over the parameters; where it is false the formula does not apply"""
+    """a condition on the parameters; if it is false, the formula does not apply"""
     at: Instant | None = None
-    """a time [s] or an event; every step if left out"""
+    """the time [s] or the event at which it is checked; every step if left out"""
     label: Prose = ""
-    """what is checked, in a few words"""
+    """a short description of the check"""
 
 
 class Stepping(Model):
-    """How time advances: chosen, or asked for by its accuracy."""
+    """The time integration: explicit settings, or a required accuracy."""
 
     accuracy: Annotated[float, Field(gt=0, lt=1)] | None = None
-    """the largest error that the level's checks may have, or without checks its places and
-    velocities; the cheapest setting that reaches it is searched for, instead of all others here"""
+    """the largest error allowed in the level's checks or, without checks, in its positions and
+    velocities; the cheapest setting that reaches it is searched for and replaces all others here"""
     rate: Annotated[float, Field(ge=1, le=HIGHEST_RATE)] = 60.0
-    """Hz, steps a second"""
+    """Hz, steps per second"""
     iterations: Annotated[int, Field(ge=1, le=1000)] = 10
-    """sweeps of the solver over contacts and joints, a step"""
+    """iterations of the solver over contacts and joints in each step"""
     solver: Literal["direct"] | None = None
-    """`direct` solves contacts directly where the effect `contact` leaves that open; found along
-    with an accuracy"""
+    """`direct` solves contacts directly, unless the effect `contact` chooses a solver; the search
+    for an `accuracy` may choose it"""
     scheme: Scheme = "leapfrog"
-    """`fourth-order` is for smooth forces that depend on places and time alone;
-    `symplectic-euler` is stock pymunk, `explicit-euler` deliberately bad"""
+    """the integration scheme; `fourth-order` is for smooth forces that depend only on positions and
+    time, `symplectic-euler` is stock pymunk, `explicit-euler` is deliberately bad"""
 
     def at(self, rate: float) -> "Stepping":
         """Return the stepping with a given rate [Hz], and without an accuracy.
@@ -147,42 +149,43 @@ class Stepping(Model):
 
 
 class Level(Model):
-    """A scene, its parameters, and the closed forms it is held against."""
+    """A scene, its parameters, and the closed forms that its runs are compared with."""
 
     schema_: Annotated[str | None, Field(alias="$schema")] = None
     """where an editor finds the JSON Schema of the format"""
     format: Annotated[Literal[1], BeforeValidator(_version)]
     """the version of the level format"""
     title: Annotated[Prose, Field(min_length=1, max_length=80)]
-    """as it stands in the list of levels"""
+    """the title in the list of levels"""
     summary: Prose = ""
-    """one or two sentences for the person who plays"""
+    """one or two sentences for the player"""
     reference: Prose = ""
-    """the part of the document that it comes from"""
+    """the section of the document that the level is taken from"""
     parameters: Annotated[Mapping[Name, Parameter], Field(max_length=50)] = {}
-    """the numbers that a person may change; any number of the scene may be a formula over them"""
+    """the numbers that the player can change; any number in the scene can be a formula over them"""
     constants: Annotated[Mapping[Name, Expression], Field(max_length=MAX_CONSTANTS)] = {}
-    """names for formulas over the parameters and over other constants; any formula may use them"""
+    """named formulas over the parameters and other constants; any formula can use them"""
     effects: Effects = Effects.model_construct()
-    """what acts; an effect that is not named here is not simulated"""
+    """the effects to simulate; an effect that is not listed is not simulated"""
     bodies: Annotated[Mapping[Name, Body], Field(min_length=1, max_length=MAX_BODIES)]
-    """what moves, and what others move against"""
+    """the bodies, by name"""
     joints: Annotated[Mapping[Name, Joint], Field(max_length=2000)] = {}
-    """what ties bodies together"""
+    """the joints between bodies, or between bodies and fixed points"""
     events: Annotated[Mapping[Name, Event], Field(max_length=MOST_EVENTS)] = {}
-    """what happens on the way and changes what acts: something is cut, tied, or switched"""
+    """changes during a run: joints are cut or tied, forces switched, one-way surfaces reversed"""
     stepping: Stepping = Stepping.model_construct()
-    """how time advances"""
+    """the time integration"""
     duration: Duration = Duration(10)
-    """s, how long the checks hold and a run lasts"""
+    """s, the duration of a run, over which its checks apply"""
     checks: Annotated[tuple[Check, ...], Field(max_length=200)] = ()
-    """the closed forms that a run is held against"""
+    """the closed forms with which a run is compared"""
     challenge: Challenge | None = None
-    """what the person who plays is asked to reach, and with which parameters"""
+    """a task for the player: the goals, and the parameters with which to reach them"""
     ghosts: Mapping[Annotated[Name, Mention("body")], tuple[Formula, Formula]] = {}
-    """where the closed form says that a body is: [x, y] over the parameters and t"""
+    """[x, y] in m, the positions of bodies by their closed forms, functions of the parameters and
+    t"""
     view: View = View.model_construct()
-    """what part of the plane is shown"""
+    """the visible part of the plane"""
     _origin: Origin | None = PrivateAttr(default=None)
 
     @model_validator(mode="after")
@@ -223,16 +226,18 @@ class Level(Model):
 def is_direct(level: Level, stepping: Stepping | None = None) -> bool:
     """Whether contacts are solved directly, together with the exact joints.
 
-    If the effect `contact` leaves that open, they are if the level has exact joints or the stepping
-    (the level's own by default) asks for it, and if it is possible.
+    If the effect `contact` leaves that open, they are if the level has exact joints, or bodies that
+    stick and impacts that are located, or if the stepping (the level's own by default) asks for it,
+    and if it is possible.
     """
     contact = level.effects.contact
     if contact is None:
         return False
     if contact.solver is not None:
         return contact.solver == "direct"
-    wanted = (stepping or level.stepping).solver or any(map(is_exact, level.joints.values()))
-    return bool(wanted) and may_be_direct(level)
+    exact = any(map(is_exact, level.joints.values()))
+    sticks = contact.located and level.effects.sticking
+    return bool(exact or sticks or (stepping or level.stepping).solver) and may_be_direct(level)
 
 
 def may_be_direct(level: Level) -> bool:

@@ -23,14 +23,14 @@ def obstacle(level: Level, changed: Collection[str]) -> Message | None:
     reasons = (
         (
             _shapes(level),
-            Message("is part of a shape, and bodies keep theirs while they move"),
+            Message("is part of a shape, which cannot change during a run"),
         ),
         (
             _fits(level),
-            Message("says how things were put together at the start, and joints keep that"),
+            Message("determines how joints were assembled at the start, which they keep"),
         ),
-        (_driven(level), Message("says where a body is moved to, which would jump")),
-        (_flows(level), Message("has made the masses what they are by now")),
+        (_driven(level), Message("determines where a body is moved to, which would jump")),
+        (_flows(level), Message("determines how masses have changed so far")),
     )
     for names, reason in reasons:
         for name in changed:
@@ -38,7 +38,7 @@ def obstacle(level: Level, changed: Collection[str]) -> Message | None:
                 return Message("'{name}' {reason}", name=name, reason=reason)
     if not _acting(level).intersection(changed):
         return Message(
-            "nothing that goes on depends on {listed}, only how the run starts or what is told",
+            "the motion does not depend on {listed}, only its start or what is displayed",
             listed=both(f"'{name}'" for name in changed),
         )
     return None

@@ -96,7 +96,7 @@ def decoded(held: bytes, source: str) -> str:
         return content.decode()
     except UnicodeDecodeError as error:
         before = content[: error.start].decode()
-        rule = Message("is not UTF-8 text: here is a byte that makes no character")
+        rule = Message("is not UTF-8 text: this byte is not part of a character")
         refuse(source, rule, position(before, len(before)))
 
 
@@ -121,9 +121,9 @@ def parse(text: str, source: str = "<text>") -> Level:
     except LevelError:
         raise
     except Exception as error:  # a defect, which is reported to the user as well
-        what = " ".join(f"{error}".split()) or Message("no more is known")
+        what = " ".join(f"{error}".split()) or Message("no details are known")
         rule = Message(
-            "its numbers lead where nothing can be computed ({name}: {what})",
+            "nothing can be computed with its numbers ({name}: {what})",
             name=type(error).__name__,
             what=what,
         )
@@ -142,7 +142,7 @@ def _parsed(text: str, source: str) -> Level:
     document.typed = made.place
     if (length := _formulas_length(data)) > MAX_FORMULAS:
         rule = Message(
-            "holds formulas of {length:,} characters, and {most:,} are the most",
+            "has formulas of {length:,} characters in all; at most {most:,} are allowed",
             length=length,
             most=MAX_FORMULAS,
         )

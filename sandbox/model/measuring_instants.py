@@ -24,26 +24,27 @@ Nth = Annotated[int, BeforeValidator(_counted), Field(ge=1, le=MOST_MEETINGS)]
 
 
 class ContactEvent(Model):
-    """Two bodies come to touch; measured one step later, when the impact is over.
+    """Two bodies begin to touch; measured one step later, when the impact is over.
 
-    Just after the impact itself where it is located in time.
+    An impact that is located in time is measured just after it.
     """
 
     event: Literal["contact"]
     bodies: Couple
     """the two bodies"""
     nth: Nth = 1
-    """how many times they have come to touch by then; those that touch at the start part before"""
+    """which contact of the two, counted from 1; bodies that touch at the start have to separate
+    first"""
 
 
 class SeparationEvent(Model):
-    """Two bodies that have touched do so no longer; measured at the first step at which they do."""
+    """Two bodies separate; measured at the first step at which they no longer touch."""
 
     event: Literal["separation"]
     bodies: Couple
     """the two bodies"""
     nth: Nth = 1
-    """how many times they have parted by then"""
+    """which separation of the two, counted from 1"""
 
 
 class CrossingEvent(Model):
@@ -53,9 +54,9 @@ class CrossingEvent(Model):
     quantity: QuantityName
     """what crosses it, such as `ball.speed`"""
     value: Expression = Expression(0)
-    """in the unit of the quantity"""
+    """the value, in the quantity's unit"""
     direction: Literal["up", "down", "either"] = "either"
-    """whether it has to grow or to fall there"""
+    """the direction of the crossing"""
 
 
 class ApexEvent(Model):
@@ -73,7 +74,7 @@ class LandingEvent(Model):
     body: BodyName
     """the body that rises or falls"""
     height: Coordinate = Coordinate(0)
-    """m"""
+    """m, the height"""
 
 
 def kind_of(at: object) -> str | None:

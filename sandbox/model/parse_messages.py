@@ -19,12 +19,12 @@ from sandbox.model.shorthand.repeating import GROUPS
 
 _SYNTAX: Mapping[str, Message] = {
     "Expecting property name enclosed in double quotes": Message(
-        "a name in double quotes must stand here, or the comma before it is one too many"
+        "a name in double quotes must follow here, or else remove the comma before it"
     ),
-    "Expecting value": Message("a value must stand here; text needs double quotes around it"),
+    "Expecting value": Message("a value is missing here; text needs double quotes around it"),
     "Expecting ',' delimiter": Message("a comma or a closing bracket is missing before this"),
     "Expecting ':' delimiter": Message("a colon is missing before this"),
-    "Extra data": Message("the level has ended before this; there is a bracket too many"),
+    "Extra data": Message("the level ends before this; there is one bracket too many"),
     "Unterminated string starting at": Message("the double quotes that end this text are missing"),
     "Invalid control character at": Message("a text must not run over the end of a line"),
     "Illegal trailing comma before end of object": Message("this comma is one too many"),
@@ -100,7 +100,7 @@ def _typical(kind: str, detail: ErrorDetails) -> Message:
         return Message("must be a number")
     if kind == "too_long" and context["actual_length"] is None:  # pydantic stopped counting
         return Message(
-            "has more than {most:,} entries; that is the most", most=context["max_length"]
+            "has more than {most:,} entries, the most allowed", most=context["max_length"]
         )
     return _BOUNDS[kind].filled(**context) if kind in _BOUNDS else _TYPES[kind]
 

@@ -21,11 +21,11 @@ def remarks(level: Level) -> Iterator[Fault]:
     yield from _without_strength(level)
     for index, check in enumerate(level.checks):
         if check.valid_if and not _ever_holds(check.valid_if, level):
-            rule = Message("the check never applies: it does not hold")
+            rule = Message("the check never applies: its condition is false")
             if check.valid_if.names:
                 rule = Message(
-                    "the check never applies: it does not hold with the default values, nor at the"
-                    " parameters' bounds"
+                    "the check never applies: its condition is false with the default values"
+                    " and at the parameters' bounds"
                 )
             yield Fault(("checks", index, "valid_if"), rule)
 
@@ -44,7 +44,7 @@ def _without_strength(level: Level) -> Iterator[Fault]:
         name = effect.name
         if effect.strength and _is_nothing(tuple(getattr(said, f) for f in effect.strength)):
             rule = Message(
-                "'{name}' has no strength: it changes nothing, and is paid for; leave it out",
+                "'{name}' has no strength: it changes nothing, but takes time; leave it out",
                 name=name,
             )
             yield Fault((*place, effect.strength[0]), rule)

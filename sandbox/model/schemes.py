@@ -26,8 +26,8 @@ def unsmooth(level: Level) -> Message | None:
     if found is None:
         return None
     return Message(
-        "'fourth-order' is for smooth forces that know no velocity, which rules out {found}; choose"
-        " 'leapfrog'",
+        "'fourth-order' needs smooth forces that do not depend on velocity, which rules out"
+        " {found}; choose 'leapfrog'",
         found=found,
     )
 
@@ -41,7 +41,7 @@ def _obstacles(level: Level) -> Iterator[Message]:
     for potential in level.effects.potential or ():
         if not potential.energy.is_smooth:
             yield Message(
-                "the effect 'potential', for '{source}' has corners",
+                "the effect 'potential', since '{source}' has corners",
                 source=brief(str(potential.energy.source)),
             )
     yield from (_motion(name) for name, body in level.bodies.items() if body.motion)
@@ -55,7 +55,7 @@ def _jump(event: str) -> Message:
 
 
 def _break(joint: str) -> Message:
-    return Message("that '{name}' may break", name=brief(joint))
+    return Message("'{name}', which may break", name=brief(joint))
 
 
 def _motion(body: str) -> Message:
@@ -67,17 +67,17 @@ def _unsmooth_joint(joint: Joint, name: str) -> Message | None:
     if isinstance(joint, Spring) and joint.damping.source != 0:
         return Message("the damping of {name}", name=name)
     if isinstance(joint, Spring) and joint.pushes_only:
-        return Message("that {name} lets go", name=name)
+        return Message("{name}, which lets go", name=name)
     if isinstance(joint, Spring) and joint.law and not joint.law.is_smooth:
-        return Message("that the law of {name} has corners", name=name)
+        return Message("{name}, whose law has corners", name=name)
     if kind.goes_slack:
         return Message("the {type} {name}, which can go slack", type=word(joint.type), name=name)
     if kind.drives:
         return Message(
-            "the {type} {name}, which drives what it holds", type=word(joint.type), name=name
+            "the {type} {name}, which drives its bodies", type=word(joint.type), name=name
         )
     if "t" in names_in(joint):
-        return Message("that {name} changes its length", name=name)
+        return Message("{name}, whose length changes", name=name)
     if not (kind.force or is_exact(joint)):
         return Message("the {type} {name}, which is pymunk's own", type=word(joint.type), name=name)
     return None

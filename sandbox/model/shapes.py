@@ -51,7 +51,7 @@ class Disc(Model):
 
 
 class Hoop(Model):
-    """A thin ring, touched from outside and, by what is within it, from inside: I = m r²."""
+    """A thin ring, hollow: bodies touch it from outside or, within it, from inside; I = m r²."""
 
     type: Literal["hoop"]
     radius: Extent
@@ -69,21 +69,21 @@ class Box(Model):
 
 
 class Polygon(Model):
-    """A uniform simple polygon, convex or not, its vertices in order around it."""
+    """A uniform simple polygon, convex or not."""
 
     type: Literal["polygon"]
     vertices: Annotated[tuple[Point, ...], Field(min_length=3, max_length=200)]
-    """m, relative to the body"""
+    """[x, y] in m, in the body's frame"""
 
 
 class Segment(Model):
-    """A straight line from one point to another: a thin rod, I = m L² / 12."""
+    """A straight line between two points: a thin rod, I = m L² / 12."""
 
     type: Literal["segment"]
     start: Point
-    """m, relative to the body"""
+    """[x, y] in m, in the body's frame"""
     end: Point
-    """m, relative to the body"""
+    """[x, y] in m, in the body's frame"""
     thickness: Width = Width(0)
     """m"""
 
@@ -93,41 +93,42 @@ class Polyline(Model):
 
     type: Literal["polyline"]
     points: Annotated[tuple[Point, ...], Field(min_length=2, max_length=2000)]
-    """m, relative to the body"""
+    """[x, y] in m, in the body's frame"""
     thickness: Width = Width(0)
     """m"""
 
 
 class Arc(Model):
-    """A part of a circle, touched from inside and outside: a loop, a half-pipe, a hollow.
+    """An arc of a circle, touched from inside and outside: a loop, a half-pipe, a hollow.
 
-    It is a thin wire, I = m (r² − c²), c the distance of its centre of mass from that of the
-    circle; which lies where the body is, unless that is dynamic.
+    It is a thin wire, I = m (r² − c²), where c is the distance of its centre of mass from the
+    centre of the circle. The body's position is the centre of the circle or, if the body is
+    dynamic, the centre of mass.
     """
 
     type: Literal["arc"]
     radius: Extent
-    """m, of the middle of its thickness"""
+    """m, to the middle of its thickness"""
     start: Expression
-    """rad, the direction of the one end from the centre; from degrees with `"180*deg"`"""
+    """rad, the direction of its start from the centre; `"180*deg"` for degrees"""
     end: Expression
-    """rad, that of the other end; the arc runs to it counter-clockwise, so it is the larger"""
+    """rad, the direction of its end; larger than `start`, since the arc runs counter-clockwise"""
     thickness: Width = Width(0)
     """m"""
 
 
 class Curve(Model):
-    """A line along any smooth curve, touched from both sides: a bowl, a slide, a row of hills.
+    """A smooth curve, touched from both sides: a bowl, a slide, a row of hills.
 
-    It is of a static or a kinematic body. What touches it meets the curve itself,
-    not pieces of it. A curve whose ends meet is closed.
+    Its body is static or kinematic. Bodies touch the curve itself, not a polyline along it. A curve
+    whose ends meet is closed.
     """
 
     type: Literal["curve"]
     curve: tuple[formulas.Curve, formulas.Curve]
-    """[x, y] in m of its points, relative to the body, over the parameters and s"""
+    """[x, y] in m of its points in the body's frame, functions of the parameters and s"""
     s: tuple[Expression, Expression]
-    """from where to where s runs"""
+    """[from, to], the range of s"""
     thickness: Width = Width(0)
     """m"""
 
@@ -185,13 +186,14 @@ def _arc_fault(arc: Arc, values: Values) -> Message | None:
         )
     if end - start > tau + ROUND_OFF:
         return Message(
-            "an arc goes round once at the most, but this one turns by {turn:.6g} rad",
+            "an arc spans at most a full circle, but this one spans {turn:.6g} rad",
             turn=end - start,
         )
     radius, thickness = arc.radius(values), arc.thickness(values)
     if thickness >= 2 * radius:
         return Message(
-            "'thickness' {thickness:.3g} m leaves nothing of a hollow of radius {radius:.3g} m",
+            "a 'thickness' of {thickness:.3g} m fills the whole inside of an arc of radius"
+            " {radius:.3g} m",
             thickness=thickness,
             radius=radius,
         )

@@ -18,31 +18,31 @@ MAX_LABELS = 100
 
 
 class Label(Model):
-    """Words on the stage."""
+    """A text in the scene."""
 
     text: Annotated[Prose, Field(min_length=1, max_length=80)]
     """one short line"""
     at: End
-    """the body, the point of a body or the fixed point [x, y] that they are written over"""
+    """the body, point of a body, or fixed point [x, y] over which it is written"""
 
 
 class View(Model):
-    """What part of the plane is shown, and what is written on it."""
+    """The visible part of the plane, and the labels in it."""
 
     center: Point = (Coordinate(0), Coordinate(0))
-    """[x, y] in m, of the middle of the picture"""
+    """[x, y] in m, the centre of the picture"""
     width: Extent = Extent(10)
-    """m, of the picture"""
+    """m, the width of the picture"""
     middle: Annotated[float, Field(gt=0, le=1)] = 1.0
-    """the part of the width, about the center, in which things happen; a picture that is less wide
-    than 16 : 9 need not show more of it, and all is drawn larger"""
+    """the share of the width, about the centre, in which everything happens; a picture narrower
+    than 16 : 9 then need not show more, and everything is drawn larger"""
     components: bool = False
     """whether velocities are drawn with their components"""
     labels: Annotated[tuple[Label, ...], Field(max_length=MAX_LABELS)] = ()
-    """words at points or on bodies, always written"""
+    """texts over bodies or points, always shown"""
     together: Annotated[
         tuple[Annotated[BodyNames, Field(min_length=2)], ...], Field(max_length=MAX_BODIES)
     ] = ()
-    """groups of bodies that the editor selects with one click; no body is in two"""
+    """groups of bodies that the editor selects with one click; no body may be in two groups"""
     landscape: Landscape | None = None
-    """a body's potential, drawn as a curve over the places that it can reach"""
+    """a potential, drawn as a curve over the position, with a body's point on it"""

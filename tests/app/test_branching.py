@@ -99,7 +99,7 @@ def test_what_cannot_be_changed_on_the_way_leaves_the_run_as_it_was() -> None:
     session = opened("kinematics/projectile", 20)
     world = session.world
 
-    with pytest.raises(SandboxError, match="only how the run starts"):
+    with pytest.raises(SandboxError, match="only its start or what is displayed"):
         session.branch({"speed": 12.0})
 
     assert session.world is world
@@ -167,7 +167,7 @@ def test_what_cannot_be_changed_on_the_way_is_told_in_the_window(person: Person)
     person.session.branches = True
     drag(person, "speed", -40)
 
-    assert "only how the run starts" in person.window.banner._note
+    assert "only its start or what is displayed" in person.window.banner._note
     assert person.session.world.steps == 5
     assert person.session.values["speed"] == 25
 

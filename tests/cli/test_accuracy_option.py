@@ -28,7 +28,7 @@ def test_simulate_says_what_was_found_and_runs_with_it(
 
     assert outcome.status == 0
     assert "accuracy 1e-06: leapfrog at 30 Hz, estimated error" in outcome.out
-    assert "ms of computing for a second of the scene, judged by its checks" in outcome.out
+    assert "ms of computing per second of the scene, judged by its checks" in outcome.out
     assert "# rate: 30.0 Hz" in output.read_text()
     assert len(list(cache.iterdir())) == 1
 
@@ -95,7 +95,7 @@ def test_play_asks(run: Run, write: Write, monkeypatch: pytest.MonkeyPatch) -> N
         (["--accuracy", "1"], "--accuracy 1: ", 2),
         (["--accuracy", "nan"], "--accuracy nan: ", 2),
         (["--accuracy", "high"], "--accuracy", 2),
-        (["--accuracy", "1e-20"], "below rounding; 1e-14 is the least", 1),
+        (["--accuracy", "1e-20"], "below rounding; it must be at least 1e-14", 1),
     ],
 )
 def test_what_cannot_be_asked_for_is_said(

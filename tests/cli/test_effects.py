@@ -147,5 +147,5 @@ def test_no_level_of_no_bodies_is_written(run: Run, tmp_path: Path) -> None:
     outcome = run("generate", "gas", "--bodies", 0, "--output", tmp_path / "gas.json")
 
     assert outcome.status == 2
-    assert "there must be between 1 and" in outcome.err
+    assert "must have between 1 and" in outcome.err
     assert not list(tmp_path.iterdir())

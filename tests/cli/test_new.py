@@ -100,7 +100,7 @@ def test_nothing_is_overwritten(run: Run, name: str) -> None:
 
     outcome = run("new", name, "--from", "orbit")
 
-    assert outcome == (2, "", "mine.json is there already; nothing is overwritten\n")
+    assert outcome == (2, "", "mine.json already exists; nothing is overwritten\n")
     assert Path("mine.json").read_text() == "precious"
 
 

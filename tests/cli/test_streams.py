@@ -95,7 +95,7 @@ def test_a_closed_output_is_no_failure() -> None:
     [
         (
             "simulate newton/atwood --output out.csv",
-            "cannot write out.csv: the working folder is there no more\n",
+            "cannot write out.csv: the working folder no longer exists\n",
         ),
         ("check q.json", "q.json: there is no such file\n1 of 1 level cannot be used\n"),
     ],

@@ -86,4 +86,4 @@ def test_a_crowd_is_told_before_it_is_played(write: Write) -> None:
     done = shell(f"SANDBOX check {path}")
 
     assert done.returncode == 1
-    assert "pairs of bodies are within reach of each other, which no step can carry" in done.stderr
+    assert "pairs of bodies are close to each other, too many for a step" in done.stderr

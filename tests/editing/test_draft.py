@@ -150,12 +150,12 @@ def test_what_was_changed_outside_is_read_again_and_that_can_be_undone(file: Pat
 
 
 def test_another_file_is_not_overwritten_unasked(file: Path) -> None:
-    with pytest.raises(SandboxError, match="is there already"):
+    with pytest.raises(SandboxError, match="already exists"):
         Draft.empty().save(file)
 
 
 def test_a_new_level_needs_a_file() -> None:
-    with pytest.raises(SandboxError, match="say where"):
+    with pytest.raises(SandboxError, match="choose where"):
         Draft.empty().save()
     with pytest.raises(SandboxError, match="no file"):
         Draft.empty().reload()

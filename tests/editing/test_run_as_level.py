@@ -73,5 +73,5 @@ def test_a_force_that_changes_with_time_is_as_far_ahead() -> None:
 
 
 def test_masses_that_have_flowed_are_refused_with_the_reason() -> None:
-    with pytest.raises(SandboxError, match="'thrust' has made the masses"):
+    with pytest.raises(SandboxError, match="'thrust' has changed masses"):
         as_it_stands(stood("newton/rocket"), anew=True)

@@ -76,7 +76,7 @@ def test_a_list_is_added_to_at_its_length_only() -> None:
 
 
 def test_a_number_holds_nothing() -> None:
-    with pytest.raises(PatchError, match=r"bodies\.a\.mass holds nothing of the name unit"):
+    with pytest.raises(PatchError, match=r"bodies\.a\.mass has nothing named unit"):
         put(TYPED, ("bodies", "a", "mass", "unit"), "kg")
 
 

@@ -63,7 +63,7 @@ def test_a_normal_distribution_has_its_mean_and_deviation() -> None:
         ("0:0:3", "all 0"),
         ("0:90:1", "two ends"),
         ("0:10:5:log", "above 0"),
-        ("0:10:5:lin", "no scale"),
+        ("0:10:5:lin", "not a scale"),
         ("1,,2", "before a comma"),
         ("1,2,1", "twice"),
         ("1;2", "not a number"),

@@ -66,7 +66,7 @@ def test_what_never_came_is_no_number(tmp_path: Path) -> None:
         ("t@landing(bal)", "did you mean 'ball'"),
         ("t@contact(ball)", r"contact\(BODY, BODY\)"),
         ("t@crossing(ball.speed, 0, upp)", "did you mean 'up'"),
-        ("t@2*spee", "no parameter of the level; did you mean 'speed'"),
+        ("t@2*spee", "not a parameter of the level; did you mean 'speed'"),
         ("t@until", "no condition"),
         ("error(rang)", "did you mean 'range'"),
         ("error(9)", "1 to 5"),

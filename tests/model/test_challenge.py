@@ -43,11 +43,11 @@ def test_a_challenge_that_is_right_is_read() -> None:
         ({"goals": [{**GOAL, "above": "u"}]}, "challenge.goals.0.above: unknown parameter 'u'"),
         ({"goals": [{**GOAL, "below": "exp(700*u)"}]}, "goals.0.below: unknown parameter 'u'"),
         ({"goals": [{**GOAL, "below": "exp(700*20)"}]}, "goals.0.below"),
-        ({"goals": [{**GOAL, "below": 0}]}, "is 1, above 'below', 0: nothing lies between them"),
+        ({"goals": [{**GOAL, "below": 0}]}, "is 1, but 'below' is 0: no value can meet both"),
         ({"goals": [{**GOAL, "at": 3}]}, "challenge.goals.0.at: is at 3 s, but the run lasts"),
         (
             {"stars": [{**GOAL, "at": {"event": "landing", "body": "floor"}}]},
-            "challenge.stars.0.at.body: 'floor' is static: it never comes to its landing",
+            "challenge.stars.0.at.body: 'floor' is static, so its landing never happens",
         ),
         (
             {"goals": [{"label": "any", "quantity": "ball.speed"}]},

@@ -67,13 +67,13 @@ def test_an_effect_that_is_switched_on_may_use_them() -> None:
 @pytest.mark.parametrize(
     ("constants", "path", "rule"),
     [
-        ({"size": "2*a", "a": "b", "b": "a"}, "constants.a", "leads back to itself: a -> b -> a"),
+        ({"size": "2*a", "a": "b", "b": "a"}, "constants.a", "depends on itself: a -> b -> a"),
         (
             {"size": "c0", **{f"c{i}": f"c{(i + 1) % 150}" for i in range(150)}},
             "constants.c0",
-            "leads back to itself: c0 -> c1 -> c2 -> … -> c149 -> c0; each",
+            "depends on itself: c0 -> c1 -> c2 -> … -> c149 -> c0; constants",
         ),
-        ({"size": "size"}, "constants.size", "leads back to itself: size -> size"),
+        ({"size": "size"}, "constants.size", "depends on itself: size -> size"),
         ({"size": 1, "a": 2}, "constants.a", "'a' is declared but nothing uses it"),
         ({"size": "q"}, "constants.size", "unknown parameter 'q'"),
         ({"size": "t"}, "constants.size", "the time 't' has no meaning here"),

@@ -50,8 +50,8 @@ def test_the_largest_gas_can_be_loaded() -> None:
     ("kind", "count", "message"),
     [
         ("gass", 10, "there is no scene 'gass'; did you mean 'gas'?"),
-        ("gas", 0, "a gas of 0 bodies: there must be between 1 and 19999"),
-        ("chain", 301, "a chain of 301 bodies: there must be between 1 and 300"),
+        ("gas", 0, "a gas must have between 1 and 19999 bodies, not 0"),
+        ("chain", 301, "a chain must have between 1 and 300 bodies, not 301"),
     ],
 )
 def test_what_cannot_be_made_is_refused(kind: str, count: int, message: str) -> None:

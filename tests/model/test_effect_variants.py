@@ -103,7 +103,7 @@ def test_a_list_takes_its_settings_for_each_entry() -> None:
     ("effect", "settings", "message"),
     [
         ("frictoin", {}, "unknown effect 'frictoin'; did you mean 'friction'?"),
-        ("gravity", {}, "declares 'gravity' already; .* gravity.acceleration="),
+        ("gravity", {}, "already declares 'gravity'; .* gravity.acceleration="),
         ("gravity", {"acceleration": [0]}, "gravity.acceleration: is a list with too few entries"),
         ("drag", {"linaer": 1}, "unknown key 'linaer'; did you mean 'linear'?"),
         ("drag", {"linear": -1}, "drag.linear: is -1, but must be at least 0"),

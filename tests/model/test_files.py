@@ -180,7 +180,7 @@ def test_a_device_is_not_replaced_by_a_file() -> None:
         write_atomically(Path("/dev/null"), "")
 
 
-@pytest.mark.parametrize(("locked", "reason"), [("", "is read-only"), ("file", "and read-only")])
+@pytest.mark.parametrize(("locked", "reason"), [("", "is read-only"), ("file", "and is read-only")])
 def test_what_is_read_only_stays_as_it_is(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, locked: str, reason: str
 ) -> None:
@@ -234,7 +234,7 @@ def test_of_two_who_make_one_file_the_first_has_it(
     if not linked:  # a file system that has none
         monkeypatch.setattr(os, "link", lambda *_args, **_rest: os.stat("/nowhere"))
 
-    with pytest.raises(TakenError, match="is there already"):
+    with pytest.raises(TakenError, match="already exists"):
         write_atomically(path, "mine", new=True)
 
     assert path.read_text() == "theirs"

@@ -82,22 +82,22 @@ def test_what_makes_sense_is_let_through(made: dict[str, Any]) -> None:
         (joint("rod", "ball", "blok"), "joints.tie.ends.1: unknown body 'blok'; did you mean 'block'?"),
         (joint("rod", "ball", {"body": "blok"}), "joints.tie.ends.1.body: unknown body 'blok'; did you mean 'block'?"),
         (joint("pulley", over=["wal"]), "joints.tie.over.0: unknown body 'wal'; did you mean 'wall'?"),
-        (joint("rod", "ball", {"body": "ball", "at": [1, 0]}), "joints.tie.ends: 'ball' is tied to itself"),
-        (joint("pulley", over=["ball"]), "joints.tie.ends: 'ball' is tied to itself"),
+        (joint("rod", "ball", {"body": "ball", "at": [1, 0]}), "joints.tie.ends: 'ball' is connected to itself"),
+        (joint("pulley", over=["ball"]), "joints.tie.ends: 'ball' is connected to itself"),
         (joint("rod", [0, 0], "wall"), "joints.tie.ends: at least one end must be a dynamic body"),
         (joint("rod", [0, 0], "ball"), "joints.tie.length: a rod cannot be 0 m long"),
         (joint("rod", length=4), "joints.tie.length: the rod is 4 m long at the start, but its ends are 5 m apart"),
         (joint("rod", length="4 + t"), "joints.tie.length: the rod is 4 m long at the start, but its ends are 5 m apart"),
         (joint("rope", length=4), "joints.tie.length: the string is 4 m long, but its path is 5 m"),
-        (joint("pivot"), "joints.tie.ends: a pivot's two points must be one, but they are 5 m apart"),
+        (joint("pivot"), "joints.tie.ends: the two ends of a pivot must coincide, but they are 5 m apart"),
         (joint("rail"), "joints.tie.direction: 'direction' is missing"),
         (joint("rail", direction=[0, 0]), "joints.tie.ends: a rail needs a 'direction' that is not [0, 0]"),
-        (joint("rail", direction=[1, 0]), "joints.tie.ends: what runs on a rail must start on it, but it is 4 m beside it"),
+        (joint("rail", direction=[1, 0]), "joints.tie.ends: the first end must start on the rail, but it is 4 m away from it"),
         (joint("rail", [0, 1], "wall", direction=[0, 1]), "joints.tie.ends: at least one end must be a dynamic body"),
         (joint("weld", "wall", [1, 1]), "joints.tie.ends: at least one end must be a dynamic body"),
         (joint("weld", "ball", "bal"), "joints.tie.ends.1: unknown body 'bal'; did you mean 'ball'?"),
         (joint("motor", rate=1), "joints.tie: 'motor' is used but the effect 'rotation' is not declared"),
-        (joint("motor", rate=1), "joints.tie.ends: a motor's two points must be one, but they are 5 m apart"),
+        (joint("motor", rate=1), "joints.tie.ends: the two ends of a motor must coincide, but they are 5 m apart"),
         (joint("motor", [0, 0], "ball"), "joints.tie.rate: 'rate' is missing"),
         (joint("winding", radius=1, unwinds="clockwise"), "joints.tie: 'winding' is used but the effect 'rotation' is not declared"),
         (joint("winding", radius=5, unwinds="clockwise"), "joints.tie.ends: the string's end is 5 m from the wheel's centre, within its radius of 5 m; it must lie outside"),
@@ -105,7 +105,7 @@ def test_what_makes_sense_is_let_through(made: dict[str, Any]) -> None:
         (joint("winding", radius=0, unwinds="clockwise"), "joints.tie.radius: is 0, but must be greater than 0"),
         (joint("winding", "ball", [1, 1], radius=1, unwinds="clockwise"), "joints.tie.ends.1: must be a text in double quotes"),
         (joint("winding", "ball", "blok", radius=1, unwinds="clockwise"), "joints.tie.ends.1: unknown body 'blok'"),
-        (joint("winding", "ball", "ball", radius=1, unwinds="clockwise"), "joints.tie.ends: 'ball' is tied to itself"),
+        (joint("winding", "ball", "ball", radius=1, unwinds="clockwise"), "joints.tie.ends: 'ball' is connected to itself"),
         (joint("spring"), "joints.tie.stiffness: 'stiffness' is missing"),
         (joint("spring", stiffness=-1), "joints.tie.stiffness: is -1, but must be at least 0"),
         (joint("sprig", stiffness=1), "joints.tie: unknown type 'sprig'; did you mean 'spring'?"),
@@ -117,12 +117,12 @@ def test_what_makes_sense_is_let_through(made: dict[str, Any]) -> None:
         (wire(bead=[3, 4]), "joints.tie.bead: the bead must be a dynamic body"),
         (wire("3 + u"), "joints.tie.curve.0: unknown parameter 'u'; known: s"),
         (wire("3 + t"), "joints.tie.curve.0: the time 't' has no meaning here"),
-        (wire(first=1), "joints.tie.curve: 's' must run upwards, but it runs from 1 to 1"),
-        (wire("3 + s*0", "4"), "joints.tie.curve: the wire does not move on with s at [3, 4]"),
-        (wire("3 + sqrt(s)"), "joints.tie.curve: the wire is nowhere finite at s = -1"),
-        (wire(y="4 - abs(s)"), "joints.tie.curve: a wire needs its corners rounded, but this one is sharp at [3, 4]"),
-        (wire("5*cos(s)", "5*abs(sin(s))", -3.14159265358979, 3.14159265358979), "joints.tie.curve: a wire needs its corners rounded, but this one is sharp at ["),
-        (wire("3 + sin(2*s)", "4 - sin(s)", -1, 4), "joints.tie.curve: a wire must not cross itself, but this one does near [2.99, 4]"),
+        (wire(first=1), "joints.tie.curve: 's' must increase, but it goes from 1 to 1"),
+        (wire("3 + s*0", "4"), "joints.tie.curve: the wire does not advance with s at [3, 4]"),
+        (wire("3 + sqrt(s)"), "joints.tie.curve: the wire has no finite point at s = -1"),
+        (wire(y="4 - abs(s)"), "joints.tie.curve: the wire must not have sharp corners, but has one at [3, 4]"),
+        (wire("5*cos(s)", "5*abs(sin(s))", -3.14159265358979, 3.14159265358979), "joints.tie.curve: the wire must not have sharp corners, but has one at ["),
+        (wire("3 + sin(2*s)", "4 - sin(s)", -1, 4), "joints.tie.curve: the wire must not cross itself, but it does near [2.99, 4]"),
         (wire("4 + s"), "joints.tie.curve: the bead must start on the wire, but it is 0.537841 m away"),
         (wire("3 + s", "4 - s**2", 0.5), "joints.tie.curve: the bead must start on the wire, but it is 0.559"),
     ],
@@ -144,13 +144,13 @@ def test_what_makes_no_sense_is_told(made: dict[str, Any], told: str) -> None:
         ({"force": [{"body": "ball", "force": [1, "s*t"]}]}, "effects.force.0.force.1: unknown parameter 's'"),
         ({"force": [{"body": "ball", "force": [1, 0], "frame": "bodi"}]}, "effects.force.0.frame: must be 'world' or 'body'; did you mean 'body'?"),
         ({"sticking": {"pairs": [{"bodies": ["ball", "block"]}]}}, "effects.sticking: 'sticking' needs the effect 'contact'"),
-        ({"contact": {}, "restitution": {"impacts": "sequence"}, "sticking": {"pairs": [{"bodies": ["ball", "block"]}]}}, "effects.sticking: what sticks cannot be declared with impacts in 'sequence'"),
+        ({"contact": {}, "restitution": {"impacts": "sequence"}, "sticking": {"pairs": [{"bodies": ["ball", "block"]}]}}, "effects.sticking: 'sticking' cannot be combined with impacts in 'sequence'"),
         ({"contact": {}, "sticking": {"pairs": []}}, "effects.sticking.pairs: has 0 entries, but needs at least 1"),
         ({"contact": {}, "sticking": {"pairs": [{"bodies": ["ball", "blok"]}]}}, "effects.sticking.pairs.0.bodies.1: unknown body 'blok'; did you mean 'block'?"),
         ({"contact": {}, "sticking": {"pairs": [{"bodies": ["ball", "ball"]}]}}, "effects.sticking.pairs.0.bodies: 'ball' is named twice"),
         ({"contact": {}, "sticking": {"pairs": [{"bodies": ["wall", "post"]}]}}, "effects.sticking.pairs.0: at least one of the two must be a dynamic body"),
-        ({"contact": {}, "sticking": {"pairs": [{"bodies": ["ball", "block"]}, {"bodies": ["block", "ball"]}]}}, "effects.sticking.pairs.1: the pair block and ball is named already"),
-        ({"contact": {}, "restitution": {"pairs": [{"bodies": ["block", "ball"], "coefficient": 1}]}, "sticking": {"pairs": [{"bodies": ["ball", "block"]}]}}, "effects.restitution.pairs.0: the two stick at their first touch, so they do not bounce"),
+        ({"contact": {}, "sticking": {"pairs": [{"bodies": ["ball", "block"]}, {"bodies": ["block", "ball"]}]}}, "effects.sticking.pairs.1: the pair block and ball is already named"),
+        ({"contact": {}, "restitution": {"pairs": [{"bodies": ["block", "ball"], "coefficient": 1}]}, "sticking": {"pairs": [{"bodies": ["ball", "block"]}]}}, "effects.restitution.pairs.0: these bodies stick together when they touch, so they do not bounce"),
         ({"rotation": {}}, "effects.rotation: 'rotation' is declared but nothing turns a body"),
     ],
     ids=str,
@@ -170,7 +170,7 @@ def test_a_parameter_is_not_called_as_what_runs_along_a_wire() -> None:
         "bodies": {"block": disc((3, 4))},
         "joints": {"tie": wire()},
     }
-    told = "parameters.s: 's' runs along the wires; choose another name"
+    told = "parameters.s: 's' is the parameter along the wires; choose another name"
     assert said(mistakes_in(json.dumps(data))) == [told]
 
 
@@ -183,7 +183,9 @@ def test_a_wire_must_hold_over_the_whole_ranges_of_the_parameters() -> None:
         "bodies": {"block": disc((3, 4))},
         "joints": {"tie": wire("3 + s", "4 + a - hypot(s, a)")},
     }
-    told = "joints.tie.curve: a wire needs its corners rounded, but this one is sharp at [3, 4] when a = 0"
+    told = (
+        "joints.tie.curve: the wire must not have sharp corners, but has one at [3, 4] when a = 0"
+    )
     assert said(mistakes_in(json.dumps(data))) == [told]
 
 
@@ -215,7 +217,7 @@ def test_pymunks_own_joints_may_be_asked_for(made: dict[str, Any]) -> None:
     [
         (joint("rod", exact=False, length="5 - t"), {}, "joints.tie.exact: only an exact joint can change with the time 't'; leave out 'exact'"),
         (joint("motor", [0, 0], "ball", exact=False, rate="t"), {"rotation": {}}, "joints.tie.exact: only an exact joint can change with the time 't'; leave out 'exact'"),
-        (joint("rod", exact=False), {"contact": {}, "sticking": {"pairs": [{"bodies": ["ball", "wall"]}]}}, "joints.tie.exact: 'ball' is held exactly, too; let all that holds it be exact, or none"),
+        (joint("rod", exact=False), {"contact": {}, "sticking": {"pairs": [{"bodies": ["ball", "wall"]}]}}, "joints.tie.exact: 'ball' is also held exactly; what holds a body must be all exact, or all pymunk's own"),
         (joint("rod", exact=False), {"contact": {}, "restitution": {"impacts": "sequence", "pairs": [{"bodies": ["ball", "block"], "coefficient": 1}]}}, "joints.tie.exact: impacts in 'sequence' need exact joints; leave out 'exact'"),
     ],
 )  # fmt: skip

@@ -48,5 +48,5 @@ def test_more_surfaces_than_can_touch_are_refused_but_may_be_drawn() -> None:
         if fine:
             assert len(parse(json.dumps(said)).bodies) == count + 1
         else:
-            with pytest.raises(LevelError, match="have 31,985 surfaces in all; 30,000 are"):
+            with pytest.raises(LevelError, match="have 31,985 surfaces in all; at most 30,000"):
                 parse(json.dumps(said))

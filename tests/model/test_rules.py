@@ -68,7 +68,7 @@ def test_the_place_in_a_landscape_is_no_parameter() -> None:
     found = said(mistakes(bare(), *named, setting("view", {"landscape": HILL})))
 
     assert found == [
-        "parameters.x: 'x' is the place in the landscape's potential; choose another name"
+        "parameters.x: 'x' is the position in the landscape's potential; choose another name"
     ]
 
 
@@ -90,7 +90,7 @@ def test_the_place_in_a_landscape_is_no_parameter() -> None:
         # names
         (bare, "ghosts", {"bal": [0, 0]}, "ghosts.bal: unknown body 'bal'; did you mean 'ball'?"),
         (hanging, "joints.string.ends", ["ball", "othr"], "joints.string.ends.1: unknown body 'othr'; did you mean 'other'?"),
-        (hanging, "joints.string.ends", ["ball", "ball"], "joints.string.ends: 'ball' is tied to itself"),
+        (hanging, "joints.string.ends", ["ball", "ball"], "joints.string.ends: 'ball' is connected to itself"),
         (hanging, "joints.ball", hanging()["joints"]["string"], "joints.ball: 'ball' is already the name of a body"),
         (hanging, "joints.system", hanging()["joints"]["string"], "joints.system: the name 'system' is taken"),
         (bare, "bodies.t", bare()["bodies"]["ball"], "bodies.t: the name 't' is taken"),
@@ -100,7 +100,7 @@ def test_the_place_in_a_landscape_is_no_parameter() -> None:
         (bare, "checks.0.quantity", "ball.contact.normal", "'ball.contact.normal' is used but the effect 'contact' is not declared"),
         (bare, "checks.0.formula", "1/(m - m)", "checks.0.formula: '1/(m - m)' has no finite value"),
         (bare, "checks.0.formula", "t + 1/0", "checks.0.formula: 't + 1/0' divides by zero"),
-        (bare, "checks.0.valid_if", "t > 0.5", "checks.0.valid_if: is a condition over the parameters; it cannot depend on the time 't'"),
+        (bare, "checks.0.valid_if", "t > 0.5", "checks.0.valid_if: is a condition on the parameters; it cannot depend on the time 't'"),
         (bare, "checks.0.scale", "m - 9", "checks.0.scale: 'm - 9' is -7, but must be greater than 0"),
         (bare, "checks.0.valid_if", "m + 1/0 > 1", "checks.0.valid_if: 'm + 1/0 > 1' divides by zero"),
         (bare, "checks.0.at", 5, "checks.0.at: is at 5 s, but the run lasts from 0 to 1 s"),
@@ -108,9 +108,9 @@ def test_the_place_in_a_landscape_is_no_parameter() -> None:
         (bare, "checks.0.at", {"event": "apex", "body": "bal"}, "checks.0.at.body: unknown body 'bal'"),
         (bare, "checks.0.at", {"event": "crossing", "quantity": "x"}, "checks.0.at.quantity: 'x' is not a quantity"),
         (touching, "checks.0.at", {**CONTACT_EVENT, "bodies": ["ball", "ball"]}, "checks.0.at.bodies: 'ball' is named twice"),
-        (touching, "checks.0.at", {"event": "apex", "body": "floor"}, "checks.0.at.body: 'floor' is static: it never comes to its apex"),
-        (touching, "checks.0.at", {"event": "landing", "body": "floor"}, "'floor' is static: it never comes to its landing"),
-        (bare, "stepping", {"accuracy": 1e-20}, "stepping.accuracy: an accuracy of 1e-20 is below rounding; 1e-14 is the least"),
+        (touching, "checks.0.at", {"event": "apex", "body": "floor"}, "checks.0.at.body: 'floor' is static, so its apex never happens"),
+        (touching, "checks.0.at", {"event": "landing", "body": "floor"}, "'floor' is static, so its landing never happens"),
+        (bare, "stepping", {"accuracy": 1e-20}, "stepping.accuracy: an accuracy of 1e-20 is below rounding; it must be at least 1e-14"),
         (bare, "stepping", {"accuracy": 1e-14}, None),
         # landscapes
         (bare, "view", {"landscape": {**HILL}}, None),
@@ -120,8 +120,8 @@ def test_the_place_in_a_landscape_is_no_parameter() -> None:
         (bare, "view", {"landscape": {**HILL, "potential": "1/x"}}, "view.landscape.potential: '1/x' has no finite value at x = 0 m"),
         (bare, "view", {"landscape": {**HILL, "potential": "sqrt(m - 2)*x"}}, "'sqrt(m - 2)*x' has no finite value at x = -1 m when m = 1"),
         (bare, "view", {"landscape": {**HILL, "potential": "x + 1/0"}}, "view.landscape.potential: 'x + 1/0' divides by zero"),
-        (bare, "view", {"landscape": {**HILL, "x": ["m - 3", 0]}}, "view.landscape.x: must go up, but goes from 1 m to 0 m when m = 4"),
-        (bare, "view", {"landscape": {**HILL, "y": [2, 2]}}, "view.landscape.y: must go up, but goes from 2 m to 2 m"),
+        (bare, "view", {"landscape": {**HILL, "x": ["m - 3", 0]}}, "view.landscape.x: must increase, but goes from 1 m to 0 m when m = 4"),
+        (bare, "view", {"landscape": {**HILL, "y": [2, 2]}}, "view.landscape.y: must increase, but goes from 2 m to 2 m"),
         (bare, "view", {"landscape": {**HILL, "x": ["x", 9]}}, "view.landscape.x.0: unknown parameter 'x'"),
         # bodies and joints
         (bare, "bodies.ball.mass", None, "bodies.ball: a dynamic body needs a mass"),
@@ -149,17 +149,17 @@ def test_the_place_in_a_landscape_is_no_parameter() -> None:
         (bare, "bodies.ball.moment", 1, "'moment' is used but the effect 'rotation' is not declared"),
         (touching, "bodies.ball.friction", None, "bodies.ball: needs a 'friction' coefficient"),
         (touching, "effects.friction", {"pairs": [{"bodies": ["ball", "flor"], "coefficient": 1}]}, "effects.friction.pairs.0.bodies.1: unknown body 'flor'; did you mean 'floor'?"),
-        (touching, "effects.friction", {"pairs": 2 * [{"bodies": ["ball", "floor"], "coefficient": 1}]}, "effects.friction.pairs.1: the pair ball and floor has a coefficient already"),
+        (touching, "effects.friction", {"pairs": 2 * [{"bodies": ["ball", "floor"], "coefficient": 1}]}, "effects.friction.pairs.1: the pair ball and floor already has a coefficient"),
         (bare, "effects.thrust", [BURNING], None),
-        (bare, "effects.thrust", [{**BURNING, "propellant": "0.5*m + 1"}], "effects.thrust.0.propellant: 'ball' burns 2 kg, but all its mass is 2 kg"),
+        (bare, "effects.thrust", [{**BURNING, "propellant": "0.5*m + 1"}], "effects.thrust.0.propellant: 'ball' burns 2 kg, but its whole mass is 2 kg"),
         (bare, "effects.thrust", [{**BURNING, "propellant": "m - 1"}], "effects.thrust.0.propellant: 'm - 1' is 0, but must be greater than 0 when m = 1"),
-        (bare, "effects.thrust", [{**BURNING, "propellant": "1.5"}], "effects.thrust.0.propellant: 'ball' burns 1.5 kg, but all its mass is 1 kg when m = 1"),
-        (bare, "effects.thrust", 2 * [{**BURNING, "propellant": "0.5*m"}], "effects.thrust.1.propellant: 'ball' burns 2 kg, but all its mass is 2 kg"),
+        (bare, "effects.thrust", [{**BURNING, "propellant": "1.5"}], "effects.thrust.0.propellant: 'ball' burns 1.5 kg, but its whole mass is 1 kg when m = 1"),
+        (bare, "effects.thrust", 2 * [{**BURNING, "propellant": "0.5*m"}], "effects.thrust.1.propellant: 'ball' burns 2 kg, but its whole mass is 2 kg"),
         (bare, "effects.thrust", [{**BURNING, "body": "bal"}], "effects.thrust.0.body: unknown body 'bal'; did you mean 'ball'?"),
         (touching, "effects.thrust", [{**BURNING, "body": "floor"}], "effects.thrust.0.body: 'floor' is static, so no force moves it"),
         (touching, "effects.accretion", [{"body": "floor", "rate": 1}], "effects.accretion.0.body: 'floor' is static"),
         (bare, "effects.accretion", [{"body": "ball", "rate": 1}], None),
-        (hanging, "effects.thrust", [BURNING], "joints.string.ends: 'ball' changes its mass, so only a spring can hold it"),
+        (hanging, "effects.thrust", [BURNING], "joints.string.ends: the mass of 'ball' changes, so only a spring can hold it"),
         (touching, "effects.belt", [BELT], None),
         (bare, "effects.belt", [{**BELT, "body": "ball"}], "effects.belt.0: 'belt' needs the effect 'friction'"),
         (bare, "effects.belt", [{**BELT, "body": "ball"}], "effects.belt.0: 'belt' needs the effect 'contact'"),
@@ -167,10 +167,10 @@ def test_the_place_in_a_landscape_is_no_parameter() -> None:
         (touching, "effects.belt", [{**BELT, "body": "flor"}], "effects.belt.0.body: unknown body 'flor'; did you mean 'floor'?"),
         (touching, "effects.belt", [BELT, BELT], "effects.belt.1.body: 'floor' is a belt already"),
         (touching, "bodies.ball.static_friction", 1, None),
-        (touching, "bodies.ball.static_friction", 0.9, "bodies.ball.static_friction: is 0.9, less than the kinetic coefficient, 1"),
-        (touching, "bodies.ball.static_friction", "m/2", "bodies.ball.static_friction: is 0.5, less than the kinetic coefficient, 1: what holds would slip when m = 1"),
-        (bare, "bodies.ball.static_friction", 1, "bodies.ball.static_friction: needs 'friction' beside it"),
-        (touching, "effects.friction", {"pairs": [{"bodies": ["ball", "floor"], "coefficient": 1, "static": 0.5}]}, "effects.friction.pairs.0.static: is 0.5, less than the kinetic coefficient, 1"),
+        (touching, "bodies.ball.static_friction", 0.9, "bodies.ball.static_friction: is 0.9, less than the kinetic coefficient of 1"),
+        (touching, "bodies.ball.static_friction", "m/2", "bodies.ball.static_friction: is 0.5, less than the kinetic coefficient of 1 when m = 1"),
+        (bare, "bodies.ball.static_friction", 1, "bodies.ball.static_friction: needs 'friction', too"),
+        (touching, "effects.friction", {"pairs": [{"bodies": ["ball", "floor"], "coefficient": 1, "static": 0.5}]}, "effects.friction.pairs.0.static: is 0.5, less than the kinetic coefficient of 1"),
     ],
 )  # fmt: skip
 def test_a_contradiction_is_told_where_it_is(
@@ -263,7 +263,7 @@ def test_bodies_that_attract_each_other_cannot_start_at_one_place() -> None:
     [mistake] = mistakes(hanging(), pulls, *meets)
 
     assert mistake.path == "effects.gravitation"
-    assert "'ball' and 'other' attract each other but start at one place" in mistake.rule
+    assert "'ball' and 'other' attract each other but start at the same position" in mistake.rule
     assert mistake.rule.endswith("when m = 1")
     assert mistakes(hanging(), soft, *meets) == ()
 

@@ -25,7 +25,7 @@ def test_more_bodies_than_a_step_can_go_through_do_not_attract_each_other(
 ) -> None:
     data = {**BASE, "bodies": crowd(count), "effects": {"gravitation": {"constant": 1}}}
 
-    rule = f"{count:,} bodies attract each other; 2,000 are the most in a step"
+    rule = f"{count:,} bodies attract each other; a step can take at most 2,000"
     assert told(data) == ([("effects.gravitation", rule)] if refused else [])
 
 
@@ -43,7 +43,7 @@ def test_more_centres_than_a_step_can_go_through_are_refused() -> None:
     ((path, rule),) = told({**BASE, "bodies": crowd(5000), "effects": effects})
 
     assert path == "effects.attraction"
-    assert "5,000,000 pulls, and a step can take 4,000,000" in rule
+    assert "5,000,000 forces, but a step can take at most 4,000,000" in rule
 
 
 def test_more_pairs_that_stick_than_can_be_watched_are_refused() -> None:

@@ -36,4 +36,4 @@ for _module in COMMANDS:
 
 @app.callback()
 def validation() -> None:
-    """Hold the sandbox against the textbook: every case beside stock pymunk."""
+    """Validate the sandbox against the textbook, case by case, beside stock pymunk."""

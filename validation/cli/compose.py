@@ -12,30 +12,28 @@ from validation.cli.options import FAILED, Jobs, JsonFile, reported_errors
 
 def command(
     count: Annotated[
-        int, typer.Option("--count", min=1, metavar="N", help="How many scenes.")
+        int, typer.Option("--count", min=1, metavar="N", help="The number of scenes.")
     ] = 200,
     seed: Annotated[
-        int, typer.Option("--seed", min=0, metavar="S", help="The seed from which they are drawn.")
+        int, typer.Option("--seed", min=0, metavar="S", help="The seed of the random scenes.")
     ] = 0,
     scenes: Annotated[
         list[int] | None,
-        typer.Option(
-            "--scene", min=0, metavar="SEED", help="Only the scene with this seed of its own."
-        ),
+        typer.Option("--scene", min=0, metavar="SEED", help="Only the scene with this seed."),
     ] = None,
     json_file: JsonFile = None,
     output: Annotated[
         Path | None,
         typer.Option(
             metavar="DIR",
-            help="Write levels that fail into this folder, so that they can be played.",
+            help="Write the levels that fail to this folder, so that they can be played.",
         ),
     ] = None,
     jobs: Jobs = None,
 ) -> None:
-    """Judge random compositions of bodies, joints and effects by what must hold in any run.
+    """Test random compositions of bodies, joints and effects for what must hold in any run.
 
-    Exit status 1 if a judgement fails. A scene that is refused with a reason is no failure.
+    Exit status 1 if a test fails. A scene that is refused with a reason is not a failure.
     """
     with reported_errors():
         measure = _composer()

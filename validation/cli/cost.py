@@ -15,7 +15,8 @@ def command(
     ] = None,
     json_file: JsonFile = None,
     output: Annotated[
-        Path | None, typer.Option(metavar="DIR", help="Also draw a diagram for every level there.")
+        Path | None,
+        typer.Option(metavar="DIR", help="Also draw a diagram for every level, in this folder."),
     ] = None,
     quick: Annotated[bool, typer.Option("--quick", help="Fewer rates and shorter runs.")] = False,
 ) -> None:

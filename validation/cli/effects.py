@@ -13,7 +13,7 @@ def command(
         bool, typer.Option("--quick", help="Fewer repetitions, and fewer bodies.")
     ] = False,
 ) -> None:
-    """Measure what each level pays beside the bare engine, and each effect over many bodies."""
+    """Measure the cost of each level beside the bare engine, and of each effect on many bodies."""
     from validation.effects.command import measure  # what one command needs need not slow all
 
     with reported_errors():

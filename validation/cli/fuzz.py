@@ -10,24 +10,28 @@ from validation.cli.options import FAILED, JsonFile, reported_errors
 
 def command(
     count: Annotated[
-        int | None, typer.Option(min=1, metavar="N", help="How many levels. [default: 1000]")
+        int | None, typer.Option(min=1, metavar="N", help="The number of levels. [default: 1000]")
     ] = None,
-    seed: Annotated[int, typer.Option(metavar="S", help="Which levels.")] = 0,
+    seed: Annotated[int, typer.Option(metavar="S", help="The seed of the random levels.")] = 0,
     minutes: Annotated[
         float | None,
         typer.Option(
-            min=0, metavar="M", help="For how long; without N as many levels as that allows."
+            min=0,
+            metavar="M",
+            help="The time limit, in minutes; without N, as many levels as it allows.",
         ),
     ] = None,
     json_file: JsonFile = None,
     samples: Annotated[
         Path | None,
-        typer.Option(metavar="DIR", help="Where what goes wrong is kept. [default: out/fuzz]"),
+        typer.Option(
+            metavar="DIR", help="The folder for levels that go wrong. [default: out/fuzz]"
+        ),
     ] = None,
 ) -> None:
-    """Try levels that nobody would write, drawn from the schema or made from the project's own.
+    """Try levels that nobody would write, drawn from the schema or made from existing ones.
 
-    Where Atheris is installed, it leads from levels to others that reach more of the code. Each
+    If Atheris is installed, it guides the search to levels that reach more of the code. Each level
     must be answered within two seconds of computing and 500 MB. A level that goes wrong is shrunk
     as far as possible, and kept. Exit status 1 if there was one.
     """

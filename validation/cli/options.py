@@ -16,7 +16,7 @@ JsonFile = Annotated[
 Jobs = Annotated[
     int | None,
     typer.Option(
-        "--jobs", min=1, metavar="N", help="How many processes share them; all cores if left out."
+        "--jobs", min=1, metavar="N", help="The number of processes; one per core if left out."
     ),
 ]
 

@@ -13,7 +13,7 @@ def command(
     ] = None,
     json_file: JsonFile = None,
 ) -> None:
-    """Show what share of a core each level needs to run in real time at its own rate.
+    """Show the share of a core that each level needs to run in real time at its own rate.
 
     The share is given for this core at this moment, and for a reference core: a slow one that is
     idle. Exit status 1 if a level needs more than half of the reference core.

@@ -11,10 +11,12 @@ from validation.cli.options import FAILED, reported_errors
 
 
 def command(
-    output: Annotated[Path, typer.Option(metavar="DIR", help="Where report.html goes.")],
+    output: Annotated[Path, typer.Option(metavar="DIR", help="The folder for report.html.")],
     source: Annotated[
         Path | None,
-        typer.Option("--from", metavar="DIR", help="Read the JSON of other commands found there."),
+        typer.Option(
+            "--from", metavar="DIR", help="Read the JSON files of other commands from this folder."
+        ),
     ] = None,
     figures: Annotated[
         bool, typer.Option("--figures", help="Also write each diagram as PNG and SVG.")

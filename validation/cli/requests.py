@@ -9,7 +9,7 @@ from validation.cli.options import FAILED, Jobs, JsonFile, reported_errors
 
 def command(
     count: Annotated[
-        int, typer.Option("--count", min=1, metavar="N", help="How many requests.")
+        int, typer.Option("--count", min=1, metavar="N", help="The number of requests.")
     ] = 100,
     seed: Annotated[
         int, typer.Option("--seed", min=0, metavar="S", help="The first of their seeds.")
@@ -17,9 +17,9 @@ def command(
     json_file: JsonFile = None,
     jobs: Jobs = None,
 ) -> None:
-    """Ask for accuracies of levels at random parameters, and check what is delivered.
+    """Request accuracies of levels at random parameters, and check the errors that result.
 
-    Exit status 1 if one is missed, or if an error is more than twice what was estimated.
+    Exit status 1 if one is missed, or if an error is more than twice its estimate.
     """
     from validation.requests.command import measure  # what one command needs need not slow all
 

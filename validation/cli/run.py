@@ -21,7 +21,7 @@ def command(
     json_file: JsonFile = None,
     jobs: Jobs = None,
 ) -> None:
-    """Run every case against its closed form, beside stock pymunk.
+    """Compare every case with its closed form, beside stock pymunk.
 
     Exit status 1 if a case misses its bound, or if stock pymunk meets one that it should miss.
     """

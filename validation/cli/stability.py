@@ -10,11 +10,10 @@ from validation.cli.options import FAILED, JsonFile, reported_errors
 def command(
     json_file: JsonFile = None,
     quick: Annotated[
-        bool, typer.Option("--quick", help="Shorter runs; see only whether frontiers still hold.")
+        bool,
+        typer.Option("--quick", help="Shorter runs; only check whether the frontiers still hold."),
     ] = False,
-    update: Annotated[
-        bool, typer.Option("--update", help="Record where the frontiers lie now.")
-    ] = False,
+    update: Annotated[bool, typer.Option("--update", help="Record the present frontiers.")] = False,
 ) -> None:
     """Run the hard cases, and make them harder until they break, beside pymunk at the same cost.
 

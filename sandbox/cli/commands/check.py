@@ -23,9 +23,9 @@ def command(
 ) -> None:
     """Check whether levels are well formed.
 
-    Every mistake is shown with its file, line and column, the path inside the level, the rule that
-    it breaks, and where possible what was probably meant; springs and drags that are too strong
-    for the level's rate among them. Nothing is run.
+    Every mistake is shown with its file, line and column, its path inside the level, the rule that
+    it breaks, and a suggestion if possible. Springs and drags that are too strong for the level's
+    rate are mistakes, too. Nothing is run.
     """
     from sandbox.processes import prepare  # what one command needs need not slow all
 

@@ -27,7 +27,7 @@ VaryOption = Annotated[
     typer.Option(
         metavar="NAME=VALUES",
         help="A parameter, 'without' (effects), 'scheme' or 'rate', and its values: a grid"
-        " 0:90:91 or 1:1000:31:log, a list 1,2,5, or drawn from 0..1 or 1.00±0.01. Can be"
+        " 0:90:91 or 1:1000:31:log, a list 1,2,5, or random draws 0..1 or 1.00±0.01. Can be"
         " repeated.",
         show_default=False,
     ),
@@ -51,13 +51,13 @@ UntilOption = Annotated[
 ]
 DrawsOption = Annotated[
     int | None,
-    typer.Option(metavar="N", help="How many random draws to take.", show_default=False),
+    typer.Option(metavar="N", help="The number of random draws.", show_default=False),
 ]
 MethodOption = Annotated[
     str | None,
     typer.Option(
         metavar="NAME",
-        help="The method of drawing: random, latin-hypercube, sobol or sobol-indices.",
+        help="The sampling method: random, latin-hypercube, sobol or sobol-indices.",
         show_default=False,
     ),
 ]
@@ -65,7 +65,7 @@ SeedOption = Annotated[
     int | None,
     typer.Option(
         metavar="N",
-        help="The seed of the draws: another number gives other draws.",
+        help="The seed of the random draws.",
         show_default=False,
     ),
 ]
@@ -73,7 +73,7 @@ JobsOption = Annotated[
     int | None,
     typer.Option(
         metavar="N",
-        help="How many processes share the runs. Default: one per core.",
+        help="The number of processes. Default: one per core.",
         show_default=False,
     ),
 ]

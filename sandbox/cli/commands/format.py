@@ -13,13 +13,16 @@ def command(
         ),
     ],
     check: Annotated[
-        bool, typer.Option("--check", help="Only say which levels would change; 1 if any would.")
+        bool,
+        typer.Option(
+            "--check", help="Only list the levels that would change; exit with 1 if there are any."
+        ),
     ] = False,
 ) -> None:
-    """Lay the text of levels out as people write them by hand.
+    """Format the text of levels as people write it by hand.
 
     Only spaces, line breaks and the order of the outermost keys change: numbers and formulas stay
-    as they were typed. A level that has its lines where a person put them stays as it is.
+    as they were typed. Line breaks that a person made are kept.
     """
     from sandbox.cli.format import format_levels
 

@@ -4,7 +4,7 @@
 def command() -> None:
     """List the levels: their names, titles, effects and summaries.
 
-    Into a file or another program, each level is one line with tabs between the four.
+    If the output is not a terminal, each level is one line, with tabs between the columns.
     """
     from sandbox.cli.list import show_levels
 

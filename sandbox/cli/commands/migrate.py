@@ -13,7 +13,7 @@ def command(
         ),
     ],
 ) -> None:
-    """Bring levels into the newest version of the format.
+    """Convert levels to the newest version of the format.
 
     So far there is only one version: the command says which levels have it, and writes nothing.
     """

@@ -10,7 +10,7 @@ def command(
         str,
         typer.Argument(
             metavar="NAME",
-            help="What its file is called, with or without .json.",
+            help="The name of its file, with or without .json.",
             show_default=False,
         ),
     ],
@@ -19,14 +19,14 @@ def command(
         typer.Option(
             "--from",
             metavar="TEMPLATE",
-            help="What it begins with: empty, falling, slope, pulley, pendulum, collision, orbit,"
+            help="The template: empty, falling, slope, pulley, pendulum, collision, orbit,"
             " challenge, or any level.",
         ),
     ] = "empty",
 ) -> None:
-    """Write a new level that runs, as a start for your own.
+    """Write a new level that runs, as a starting point for your own.
 
-    No file is ever overwritten.
+    An existing file is never overwritten.
     """
     from sandbox.cli.new import new
 

@@ -19,7 +19,7 @@ def command(
     level: LevelArgument,
     output: Annotated[
         Path,
-        typer.Option(metavar="FILE.png", help="The picture that is written.", show_default=False),
+        typer.Option(metavar="FILE.png", help="The file to write.", show_default=False),
     ],
     set_: SetOption = None,
     at: Annotated[

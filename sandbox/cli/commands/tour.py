@@ -9,7 +9,9 @@ import typer
 def command(
     output: Annotated[
         Path,
-        typer.Option(metavar="DIR", help="The folder for it; made if missing.", show_default=False),
+        typer.Option(
+            metavar="DIR", help="The folder for the results; made if missing.", show_default=False
+        ),
     ],
 ) -> None:
     """Run, check and draw every level, without a window.

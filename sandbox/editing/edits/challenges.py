@@ -39,7 +39,7 @@ def add_challenge(text: str, level: Level, body: str, task: str, labels: Sequenc
             "a challenge needs something to change: make a number a parameter by its slider"
         )
     if level.challenge is not None:
-        raise SandboxError("the level has a challenge already")
+        raise SandboxError("the level already has a challenge")
     at, (across, upwards) = level.duration.source, _bounds(level, body)
     goals: list[Json] = [
         {"label": label, "quantity": f"{body}.position.{axis}", "at": at, **bounds}

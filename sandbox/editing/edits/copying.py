@@ -72,7 +72,7 @@ def paste(text: str, level: Level, copied: str, by: XY = (0.0, 0.0)) -> Made:
     try:
         source, data = Level.model_validate_json(copied), json.loads(copied)
     except ValidationError:
-        raise SandboxError("what was copied is not of a level") from None
+        raise SandboxError("what was copied is not part of a level") from None
     names = _new_names(source, level)
     changes = Changes()
     for name, body in source.bodies.items():

@@ -43,7 +43,7 @@ def declare(text: str, level: Level, effect: str, settings: Mapping[str, Any] | 
         )
     said = getattr(level.effects, effect)
     if said is not None and not isinstance(said, tuple):
-        raise SandboxError("the level declares '{effect}' already", effect=effect)
+        raise SandboxError("the level already declares '{effect}'", effect=effect)
     if settings is None and effect not in DEFAULTS:
         raise SandboxError("'{effect}' has to be told what it is", effect=effect)
     fields = settings if settings is not None else _trial(effect)

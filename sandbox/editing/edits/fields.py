@@ -105,10 +105,10 @@ def make_parameter(text: str, path: Path, name: str) -> str:
     if expression is None or expression.names:
         message = Message("{field} cannot be a formula", field=shown(path))
         if expression:
-            message = Message("{field} is a formula already", field=shown(path))
+            message = Message("{field} is already a formula", field=shown(path))
         raise SandboxError(message)
     if name in level.parameters:
-        raise SandboxError("there is a parameter '{name}' already; choose another name", name=name)
+        raise SandboxError("there is already a parameter '{name}'; choose another name", name=name)
     text = _stated(text, path, numbers)
     value, formula, unit = _parameter(value_at(text, path), expression, name)
     about = {"unit": unit} if unit else {}

@@ -22,7 +22,7 @@ def group(text: str, level: Level, names: Collection[str]) -> str:
         If they are fewer than two.
     """
     if len(names) < 2:
-        raise SandboxError("choose two bodies at least to make them a group")
+        raise SandboxError("select at least two bodies to group them")
     return _with(text, level, [*_left(level, names), [n for n in level.bodies if n in names]])
 
 

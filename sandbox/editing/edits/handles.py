@@ -108,7 +108,7 @@ def _dragged(body: Placed, index: int, to: complex) -> Changes:
             factor = _size(abs(to - body.center)) / max(abs(half - body.center), SMALLEST)
             return {_radius(body): scaled(radius, factor)}
         case Curve():
-            raise SandboxError("a curve has the shape that its formulas say")
+            raise SandboxError("the shape of a curve is given by its formulas")
 
 
 def _box(body: Placed, box: Box, side: complex, to: complex) -> Changes:
@@ -174,7 +174,7 @@ def _scaled(body: Placed, factor: float) -> Changes:
             corners = zip(_paths(body), points_of(drawn), strict=True)
             return {place: [scaled(c, factor) for c in point] for place, point in corners}
         case Curve():
-            raise SandboxError("a curve has the shape that its formulas say")
+            raise SandboxError("the shape of a curve is given by its formulas")
 
 
 def _settled(text: str, before: Level, body: Placed, fixed: int | None) -> str:

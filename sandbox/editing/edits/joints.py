@@ -165,7 +165,7 @@ def _gear(chosen: list[Pick], where: Bodies) -> dict[str, Json]:
     """Return a gear of two wheels that mesh externally."""
     wheels = [where[pick.body] for pick in chosen[:2] if pick.body is not None]
     if len(wheels) < 2:
-        raise SandboxError("a gear ties two wheels to each other; pick two bodies")
+        raise SandboxError("a gear connects two wheels; pick two bodies")
     first, second = (wheel.radius or 1.0 for wheel in wheels)
     return {"ends": [pick.body for pick in chosen[:2]], "ratio": plain(-first / second)}
 

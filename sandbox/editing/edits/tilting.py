@@ -94,7 +94,7 @@ def tilt(text: str, level: Level, name: str) -> str:
     """
     slope = slope_of(level, name)
     if slope is None:
-        raise SandboxError("'{name}' is no slope, and lies on none", name=name)
+        raise SandboxError("'{name}' is neither a slope nor on one", name=name)
     where = placed(level)
     moved = _lying_on(where, slope)
     for one in (slope, *moved):
@@ -140,7 +140,7 @@ def _refuse_formulas(level: Level, name: str) -> None:
     body = level.bodies[name]
     placing = (body.position, body.angle, body.velocity)
     if names_in(placing) or (isinstance(body.shape, Segment) and names_in((body.shape,))):
-        raise SandboxError("a formula says already where '{name}' is", name=name)
+        raise SandboxError("the position of '{name}' is already a formula", name=name)
 
 
 def _tilt(slope: Placed, name: str) -> _Tilt:

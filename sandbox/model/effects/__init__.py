@@ -39,48 +39,48 @@ SEVERAL = Field(min_length=1, max_length=MOST_FORCES)
 
 
 class Effects(Model):
-    """Everything that acts in a level."""
+    """The effects of a level."""
 
     gravity: Gravity | None = None
     """Uniform gravity."""
     contact: Contact | None = None
-    """Bodies touch."""
+    """Contact between bodies."""
     friction: Friction | None = None
-    """Bodies in contact rub."""
+    """Friction between bodies in contact."""
     restitution: Restitution | None = None
-    """Bodies in contact bounce."""
+    """Restitution: bodies in contact bounce."""
     sticking: Sticking | None = None
-    """Bodies stick to each other."""
+    """Perfectly inelastic collisions: bodies stick together."""
     rotation: Rotation | None = None
-    """Bodies turn."""
+    """Rotation of bodies."""
     attraction: Annotated[tuple[Attraction, ...], SEVERAL] | None = None
-    """Fixed centres attract or repel."""
+    """Attraction or repulsion by fixed centres."""
     gravitation: Gravitation | None = None
-    """Bodies attract or repel each other."""
+    """Mutual attraction or repulsion of bodies."""
     centrifugal: Centrifugal | None = None
-    """The plane turns about a vertical axis."""
+    """The centrifugal force in a plane that rotates about a vertical axis."""
     drag: Drag | None = None
-    """A fluid slows bodies down."""
+    """Drag in a fluid."""
     magnetic: Magnetic | None = None
-    """A magnetic field turns charged bodies."""
+    """A magnetic field that deflects charged bodies."""
     buoyancy: Buoyancy | None = None
-    """A liquid carries bodies."""
+    """Buoyancy in a liquid."""
     potential: Annotated[tuple[Potential, ...], SEVERAL] | None = None
-    """Bodies have a potential energy that is given as a formula."""
+    """Potential energies given by formulas."""
     field: Annotated[tuple[ForceField, ...], SEVERAL] | None = None
-    """Fields of force act on bodies."""
+    """Force fields."""
     force: Annotated[tuple[Force, ...], SEVERAL] | None = None
-    """Given forces act on bodies."""
+    """Applied forces."""
     torsion: Annotated[tuple[Torsion, ...], SEVERAL] | None = None
-    """Torsion springs turn bodies back."""
+    """Torsion springs."""
     torque: Annotated[tuple[Torque, ...], SEVERAL] | None = None
-    """Given torques act on bodies."""
+    """Applied torques."""
     belt: Annotated[tuple[Belt, ...], SEVERAL] | None = None
-    """Surfaces run."""
+    """Moving surfaces, such as conveyor belts."""
     thrust: Annotated[tuple[Thrust, ...], SEVERAL] | None = None
-    """Rockets burn their own mass."""
+    """Rockets, which burn part of their mass."""
     accretion: Annotated[tuple[Accretion, ...], SEVERAL] | None = None
-    """Bodies gather matter."""
+    """Bodies that gather matter."""
 
     @property
     def in_sequence(self) -> bool:

@@ -10,9 +10,9 @@ from sandbox.model.shapes import Velocity
 
 
 class Accretion(Model):
-    """A body gathers matter, from the start on: m dv/dt = F + (w − v) dm/dt.
+    """A body that gathers matter from the start: m dv/dt = F + (w − v) dm/dt.
 
-    Its mass grows at the rate, and its moment of inertia with the mass.
+    Its mass grows at the given rate, and its moment of inertia in proportion.
     """
 
     effect: ClassVar[Effect] = Effect(
@@ -25,8 +25,8 @@ class Accretion(Model):
     )
 
     body: ActedOn
-    """what gathers"""
+    """the body that gathers matter"""
     rate: Flow
-    """kg/s, how fast matter comes"""
+    """kg/s, the rate at which its mass grows"""
     velocity: Velocity = (Speed(0), Speed(0))
-    """[x, y] in m/s, w, at which it comes"""
+    """[x, y] in m/s, w, the velocity of the matter"""

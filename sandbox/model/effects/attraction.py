@@ -9,7 +9,7 @@ from sandbox.model.shapes import Point
 
 
 class Attraction(Model):
-    """Attraction to a fixed centre: |F| = mu m / r^p; Newton's, U = −mu m / r, if p is left out."""
+    """Attraction to a fixed centre: |F| = mu m / r^p; by default Newton's law, U = −mu m / r."""
 
     effect: ClassVar[Effect] = Effect(
         name="attraction",
@@ -20,8 +20,8 @@ class Attraction(Model):
     )
 
     mu: Strength
-    """m³/s² (with a power p: m^(p + 1)/s²), the strength of the centre; negative to repel"""
+    """m³/s² (with an exponent p: m^(p + 1)/s²), the strength of the centre; negative to repel"""
     center: Point = (Coordinate(0), Coordinate(0))
-    """m"""
+    """[x, y] in m, the position of the centre"""
     power: Power = Power(2)
-    """p: 3 for a force that falls as 1/r³, −1 for one that grows as a spring's"""
+    """p, the exponent: 3 for a force that falls off as 1/r³, −1 for one proportional to r"""

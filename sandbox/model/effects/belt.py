@@ -9,13 +9,14 @@ from sandbox.model.shapes import Velocity
 
 
 class Belt(Model):
-    """A body whose surface runs along it: friction carries along what touches it."""
+    """A moving surface of a body, as of a conveyor belt: friction drags along what touches it."""
 
     effect: ClassVar[Effect] = Effect(
         name="belt", acts="scene", smooth=False, book="work", strength=("velocity",)
     )
 
     body: BodyName
-    """which; static or kinematic"""
+    """the body, static or kinematic"""
     velocity: Velocity
-    """[x, y] in m/s of its surface, along the body's axes; only what lies along a side counts"""
+    """[x, y] in m/s, the velocity of its surface in the body's frame; only the component along a
+    side counts"""

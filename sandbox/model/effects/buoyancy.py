@@ -11,7 +11,7 @@ from sandbox.model.reference_fields import ActedOnBodies
 
 
 class Buoyancy(Model):
-    """A liquid at rest carries what displaces it: F = −ρ A g, at the centre of the area A."""
+    """Buoyancy in a liquid at rest: F = −ρ A g, at the centroid of the submerged area A."""
 
     effect: ClassVar[Effect] = Effect(
         name="buoyancy",
@@ -24,10 +24,11 @@ class Buoyancy(Model):
     )
 
     density: Density
-    """kg/m², ρ, for each square metre of the plane: a density times the depth of the scene"""
+    """kg/m², ρ, mass per area of the plane: the liquid's density times the depth of the scene"""
     gravity: Pull
-    """m/s², g, with which the liquid presses down, along −y"""
+    """m/s², g, the gravitational acceleration of the liquid, along −y"""
     surface: Coordinate = Coordinate(0)
-    """m, the y of its surface, which does not rise by what is displaced"""
+    """m, the y of the liquid's surface, which does not rise as bodies displace liquid"""
     bodies: Annotated[ActedOnBodies, Field(min_length=1)] | None = None
-    """those that it carries, discs, boxes or polygons; all dynamic ones if left out"""
+    """the bodies that float or sink in it: discs, boxes or polygons; all dynamic bodies if left
+    out"""

@@ -8,7 +8,7 @@ from sandbox.model.effects.contract import Effect
 
 
 class Centrifugal(Model):
-    """The plane turns about a vertical axis in it: F = m ω² (x − x0), U = −m ω² (x − x0)² / 2."""
+    """The plane rotates about a vertical axis: F = m ω² (x − x0), U = −m ω² (x − x0)² / 2."""
 
     effect: ClassVar[Effect] = Effect(
         name="centrifugal",
@@ -19,6 +19,6 @@ class Centrifugal(Model):
     )
 
     rate: Spin
-    """rad/s, ω"""
+    """rad/s, ω, the angular velocity of the plane"""
     axis: Coordinate = Coordinate(0)
-    """m, x0"""
+    """m, x0, the x of the axis, which lies in the plane"""

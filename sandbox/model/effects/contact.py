@@ -12,34 +12,35 @@ from sandbox.model.reference_fields import ActedOnBodies, BodyNames
 
 
 class Contact(Model):
-    """Bodies are impenetrable. Without it shapes are drawn, but never touch."""
+    """Bodies are impenetrable. Without this effect, they pass through each other."""
 
     effect: ClassVar[Effect] = Effect(
         name="contact", acts="scene", smooth=False, book="loss", account="impacts", trial={}
     )
 
     correction: Fraction | None = None
-    """the share of an overlap that each step takes back; if left out 0.2, but 0 where the level
-    declares restitution, for pushing bodies apart adds to the energy of their bounces; by the
-    direct solver 0.5 of bodies that press on each other, and nothing of those that bounce"""
+    """the share of an overlap that each step removes; if left out, 0.2, or 0 if the level declares
+    `restitution`, since pushing bodies apart adds energy to their bounces. For the direct solver,
+    0.5 if left out; it corrects only contacts that last, not bounces"""
     slop: Width | None = None
-    """m, the overlap that is left alone; if left out 1e-6 m, and for piles half a hundredth of the
-    narrowest body that moves"""
+    """m, the overlap that is not corrected; if left out, 1e-6 m, or with `piles` 0.005 times the
+    width of the narrowest dynamic body; 1e-7 m for the direct solver"""
     piles: bool = False
-    """whether bodies lie on each other in piles, which overlaps that are taken back to the last
-    would stir, so that they never come to rest"""
+    """whether bodies lie in piles; the iterative solver then leaves a larger overlap (see `slop`),
+    since removing all of it would keep stirring the piles"""
     located: Annotated[ActedOnBodies, Field(min_length=1)] | None = None
-    """the dynamic bodies whose impacts are located in time, within the step; those of the others
-    are found at the next step, or missed where a body passes through another in between"""
+    """the dynamic bodies whose impacts are located at their exact time within a step; with the
+    iterative solver, other impacts are found at the next step, or missed if a body passes through
+    another within a step. The direct solver locates all impacts by itself"""
     solver: Literal["iterative", "direct"] | None = None
-    """how the forces between bodies that touch are found: by sweeps of pymunk's solver
-    (`iterative`), or all at once and together with the exact joints (`direct`), which takes longer
-    where many touch; if left out `direct` where the level has exact joints"""
+    """how contact forces are found: `iterative`, by sweeps of pymunk's solver, or `direct`, all at
+    once together with the exact joints, which takes longer for many contacts; if left out, `direct`
+    if the level has exact joints, or bodies that stick and impacts that are located"""
     apart: Annotated[
         tuple[Annotated[BodyNames, Field(min_length=2)], ...], Field(max_length=MOST_PAIRS)
     ] = ()
-    """groups of bodies of which none meets another of its group; a pair is a group of two"""
+    """groups of bodies that do not collide within their group; a pair is a group of two"""
     jointed: bool = True
-    """whether bodies that a joint holds together meet each other"""
+    """whether bodies that are connected by a joint collide with each other"""
     overlaps: bool = False
-    """whether bodies may overlap at the start; if not, those that do are a mistake"""
+    """whether bodies may overlap at the start; if not, an overlap is a mistake"""

@@ -11,7 +11,7 @@ from sandbox.model.reference_fields import ActedOnBodies
 
 
 class Drag(Model):
-    """The drag of a fluid at rest: F = −(linear + quadratic |v|) v."""
+    """Drag in a fluid at rest: F = −(linear + quadratic |v|) v."""
 
     effect: ClassVar[Effect] = Effect(
         name="drag",
@@ -22,8 +22,8 @@ class Drag(Model):
     )
 
     linear: Damping = Damping(0)
-    """kg/s, Stokes's, of slow motion"""
+    """kg/s, the coefficient of linear (Stokes) drag, for slow motion"""
     quadratic: Resistance = Resistance(0)
-    """kg/m, of fast motion"""
+    """kg/m, the coefficient of quadratic drag, for fast motion"""
     bodies: Annotated[ActedOnBodies, Field(min_length=1)] | None = None
-    """those that it acts on; all dynamic bodies if left out"""
+    """the bodies that it acts on; all dynamic bodies if left out"""

@@ -11,7 +11,7 @@ from sandbox.model.reference_fields import ActedOnBodies
 
 
 class Field(Model):
-    """A field of force, F(x, y, vx, vy, t), as a wind; it acts on centres of mass."""
+    """A force field F(x, y, vx, vy, t), such as a wind; it acts on centres of mass."""
 
     effect: ClassVar[Effect] = Effect(
         name="field",
@@ -21,8 +21,9 @@ class Field(Model):
     )
 
     force: tuple[ForceInField, ForceInField]
-    """[x, y] in N, over the place x, y [m] of a body, its velocity vx, vy [m/s] and the time t"""
+    """[x, y] in N, a function of a body's position x, y [m], its velocity vx, vy [m/s] and the time
+    t"""
     per: Literal["body", "mass"] = "body"
-    """what it acts on: with `mass` it is in N/kg, as gravity is"""
+    """`body` if the force is in N, `mass` if it is in N/kg, like gravity"""
     bodies: Annotated[ActedOnBodies, Constrained(min_length=1)] | None = None
-    """those that it acts on; all dynamic bodies if left out"""
+    """the bodies that it acts on; all dynamic bodies if left out"""

@@ -11,7 +11,7 @@ from sandbox.model.shapes import Point
 
 
 class Force(Model):
-    """A given force on a body, constant or of time."""
+    """An applied force on a body, constant or a function of time."""
 
     effect: ClassVar[Effect] = Effect(
         name="force",
@@ -23,15 +23,15 @@ class Force(Model):
     )
 
     name: Name | None = None
-    """what events call it that switch it on or off"""
+    """the name by which events switch it on or off"""
     body: ActedOn
-    """what it acts on"""
+    """the body that it acts on"""
     force: tuple[ForceOverTime, ForceOverTime]
-    """[x, y] in N, over the parameters and the time t"""
+    """[x, y] in N, a function of the parameters and the time t"""
     at: Point = (Coordinate(0), Coordinate(0))
-    """[x, y] in m, the point that it acts on, from the centre of mass along the body's axes"""
+    """[x, y] in m, the point of application, relative to the centre of mass, in the body's frame"""
     frame: Literal["world", "body"] = "world"
-    """whose axes [x, y] lie along: `body` for a force that turns with the body, as a thruster's"""
+    """the frame of the force: `body` for a force that turns with the body, like a thruster's"""
 
     @property
     def has_no_potential(self) -> bool:

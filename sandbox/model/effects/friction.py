@@ -12,15 +12,16 @@ from sandbox.model.reference_fields import ActedOnBodies
 
 
 class FrictionPair(Pair):
-    """The coefficient of one pair of bodies, instead of the product of the two bodies' own."""
+    """The coefficients of one pair of bodies, instead of the products of the bodies' own."""
 
     coefficient: Coefficient
+    """the coefficient of friction"""
     static: Coefficient | None = None
-    """of surfaces that stick, until they slip; the same as when they slip if left out"""
+    """the coefficient of static friction; the same as `coefficient` if left out"""
 
 
 class Friction(Model):
-    """Coulomb friction between bodies in contact; the coefficient of a pair is the product."""
+    """Coulomb friction; a pair's coefficient is the product of its bodies' own."""
 
     effect: ClassVar[Effect] = Effect(
         name="friction",
@@ -32,7 +33,7 @@ class Friction(Model):
     )
 
     pairs: Annotated[tuple[FrictionPair, ...], Field(max_length=MOST_PAIRS)] = ()
-    """pairs of bodies with a coefficient of their own"""
+    """the pairs of bodies with coefficients of their own"""
     located: Annotated[ActedOnBodies, Field(min_length=1)] | None = None
-    """the dynamic bodies whose slipping ends at its own time, located within the step; that of the
-    others ends with the next kick"""
+    """the dynamic bodies whose slipping ends at its exact time within a step; that of other bodies
+    ends with the next kick"""

@@ -25,6 +25,7 @@ class Gravitation(Model):
     constant: Strength
     """m³/(kg s²), G; negative to repel"""
     softening: Width = Width(0)
-    """m, below which the attraction of two bodies no longer grows; 0 is Newton's law"""
+    """m, the Plummer softening length, which bounds the force at short distances; 0 for Newton's
+    law"""
     bodies: Annotated[ActedOnBodies, Field(min_length=2)] | None = None
-    """those that attract each other; all dynamic bodies if left out"""
+    """the bodies that attract each other; all dynamic bodies if left out"""

@@ -8,7 +8,7 @@ from sandbox.model.shapes import Fall
 
 
 class Gravity(Model):
-    """The same acceleration for every dynamic body: F = m g, U = −m g · r."""
+    """Uniform gravity on every dynamic body: F = m g, U = −m g · r."""
 
     effect: ClassVar[Effect] = Effect(
         name="gravity",
@@ -20,4 +20,4 @@ class Gravity(Model):
     )
 
     acceleration: Fall
-    """[x, y] in m/s²; downwards y is negative, such as `[0, -9.81]`"""
+    """[x, y] in m/s², g; downwards, y is negative: `[0, -9.81]`"""

@@ -11,16 +11,16 @@ from sandbox.model.reference_fields import ActedOn
 
 
 class Charge(Model):
-    """The charge of a body; those of a body that is named several times add up."""
+    """The charge of a body; several charges of the same body add up."""
 
     body: ActedOn
-    """what carries it"""
+    """the charged body"""
     charge: Strength
     """C, negative for electrons"""
 
 
 class Magnetic(Model):
-    """A uniform magnetic field across the plane, F = q v × B; it turns charges and does no work."""
+    """A uniform magnetic field normal to the plane, F = q v × B; it does no work."""
 
     effect: ClassVar[Effect] = Effect(
         name="magnetic",
@@ -30,7 +30,7 @@ class Magnetic(Model):
     )
 
     field: Strength
-    """T, out of the plane; negative into it. A positive charge goes round clockwise in a positive
-    field"""
+    """T, positive out of the plane, negative into it; positive charges circle clockwise in a
+    positive field"""
     charges: Annotated[tuple[Charge, ...], Field(min_length=1, max_length=MOST_FORCES)]
-    """those that it acts on"""
+    """the charges that it acts on"""

@@ -5,7 +5,7 @@ from sandbox.model.reference_fields import Couple
 
 
 class Pair(Model):
-    """Two bodies that touch."""
+    """A pair of bodies that can touch."""
 
     bodies: Couple
-    """their names, in any order"""
+    """the names of the bodies, in any order"""

@@ -22,8 +22,8 @@ class Potential(Model):
     )
 
     energy: EnergyInField
-    """J, U over the place x, y [m] of a body"""
+    """J, U, a function of a body's position x, y [m]"""
     per: Literal["body", "mass"] = "body"
-    """what it acts on: with `mass` it is in J/kg, as gravity's g y is"""
+    """`body` if the energy is in J, `mass` if it is in J/kg, like g y for gravity"""
     bodies: Annotated[ActedOnBodies, Field(min_length=1)] | None = None
-    """those that it acts on; all dynamic bodies if left out"""
+    """the bodies that it acts on; all dynamic bodies if left out"""

@@ -12,13 +12,14 @@ from sandbox.model.expressions import Fraction
 
 
 class RestitutionPair(Pair):
-    """The coefficient of one pair of bodies, instead of the product of the two bodies' own."""
+    """The coefficient of one pair of bodies, instead of the product of the bodies' own."""
 
     coefficient: Fraction
+    """the coefficient of restitution"""
 
 
 class Restitution(Model):
-    """Bodies bounce: the speed of separation over that of approach, the product of a pair's."""
+    """Bounces: separation over approach speed; a pair's ratio is the product of its bodies' own."""
 
     effect: ClassVar[Effect] = Effect(
         name="restitution",
@@ -29,7 +30,7 @@ class Restitution(Model):
     )
 
     pairs: Annotated[tuple[RestitutionPair, ...], Field(max_length=MOST_PAIRS)] = ()
-    """pairs of bodies with a coefficient of their own"""
+    """the pairs of bodies with coefficients of their own"""
     impacts: Literal["together", "sequence"] = "together"
-    """of bodies that touch: pymunk solves them `together`; hard bodies collide in `sequence`, the
-    fastest approach first"""
+    """how the simultaneous impacts of bodies in contact are solved: `together`, as in pymunk, or in
+    `sequence`, the fastest approach first, as hard bodies collide"""

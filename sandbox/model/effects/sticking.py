@@ -11,9 +11,9 @@ from sandbox.model.effects.pair import Pair
 
 
 class Sticking(Model):
-    """Bodies that become one at their first touch: the perfectly inelastic collision."""
+    """Perfectly inelastic collisions: two bodies become one when they first touch."""
 
     effect: ClassVar[Effect] = Effect(name="sticking", acts="scene", smooth=False, book="loss")
 
     pairs: Annotated[tuple[Pair, ...], Field(min_length=1, max_length=MOST_PAIRS)]
-    """who sticks to whom, where and how they first touch"""
+    """the pairs that stick together, just as they first touch"""

@@ -12,7 +12,7 @@ from sandbox.model.shapes import Velocity
 class Thrust(Model):
     """A rocket: m dv/dt = F + u dm/dt, from the start until its propellant is burnt.
 
-    Its mass falls at the rate, and its moment of inertia with the mass.
+    Its mass falls at the given rate, and its moment of inertia in proportion.
     """
 
     effect: ClassVar[Effect] = Effect(
@@ -25,10 +25,10 @@ class Thrust(Model):
     )
 
     body: ActedOn
-    """what it drives"""
+    """the body that it drives"""
     exhaust: Velocity
-    """[x, y] in m/s, u, the velocity of what leaves relative to the body, along the body's axes"""
+    """[x, y] in m/s, u, the exhaust velocity relative to the body, in its frame"""
     rate: Flow
-    """kg/s, how fast it leaves"""
+    """kg/s, the rate at which propellant is burnt"""
     propellant: Mass
-    """kg, how much of the body's mass leaves; less than all"""
+    """kg, the part of the body's mass that is burnt; less than all of it"""

@@ -10,7 +10,7 @@ from sandbox.model.reference_fields import ActedOn, BodyName
 
 
 class Torque(Model):
-    """A torque on a body, τ(θ, ω, t): a drive, a motor with a largest torque, a friction brake."""
+    """A torque on a body, τ(θ, ω, t): a drive, a motor with limited torque, a friction brake."""
 
     effect: ClassVar[Effect] = Effect(
         name="torque",
@@ -21,13 +21,13 @@ class Torque(Model):
     )
 
     name: Name | None = None
-    """what events call it that switch it on or off"""
+    """the name by which events switch it on or off"""
     body: ActedOn
-    """what it acts on"""
+    """the body that it acts on"""
     torque: TorqueOfTurning
-    """N·m, counter-clockwise, over the angle theta [rad] of the body, its angular velocity omega
-    [rad/s] and the time t; of a motor for 3 rad/s that gives 2 N·m at the most, for example,
-    `max(-2, min(2, 50*(3 - omega)))`"""
+    """N·m, counter-clockwise, a function of the body's angle theta [rad], its angular velocity
+    omega [rad/s] and the time t: for example `max(-2, min(2, 50*(3 - omega)))` for a motor that
+    gives 3 rad/s with at most 2 N·m"""
     against: BodyName | None = None
-    """the body that feels it the other way round, from which theta and omega are counted then; the
-    plane if left out"""
+    """the reference body, which feels the opposite torque, and relative to which theta and omega
+    are measured; the plane if left out"""

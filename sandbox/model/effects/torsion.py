@@ -9,7 +9,7 @@ from sandbox.model.reference_fields import ActedOn, BodyName
 
 
 class Torsion(Model):
-    """A torsion spring: τ = −k (θ − θ0), U = k (θ − θ0)² / 2; `torque` has what damps it."""
+    """A torsion spring: τ = −k (θ − θ0), U = k (θ − θ0)² / 2; a `torque` can damp it."""
 
     effect: ClassVar[Effect] = Effect(
         name="torsion",
@@ -20,11 +20,11 @@ class Torsion(Model):
     )
 
     body: ActedOn
-    """what it turns back"""
+    """the body that it acts on"""
     stiffness: Twist
-    """N·m/rad, k"""
+    """N·m/rad, k, the torsional stiffness"""
     angle: Angle = Angle(0)
-    """rad, θ0, where it is slack"""
+    """rad, θ0, the rest angle"""
     against: BodyName | None = None
-    """the body that feels it the other way round, from which the angle is counted; the plane if
-    left out"""
+    """the reference body, which feels the opposite torque, and relative to which the angle is
+    measured; the plane if left out"""

@@ -40,19 +40,19 @@ ELASTIC = Effect(name="spring", book="potential", sees=("position", "angle"))
 
 
 class Rod(Model):
-    """A light, rigid rod: its ends keep their distance."""
+    """A light, rigid rod, which keeps its ends at a given distance."""
 
     kind: ClassVar[Kind] = Kind(swings=True, pull="rod force")
 
     type: Literal["rod"]
     ends: tuple[End, End]
-    """what it holds together; each turns freely"""
+    """the bodies or points that it connects; each end turns freely"""
     length: LengthOverTime | None = None
-    """m, of the parameters and the time t; the distance at the start if left out"""
+    """m, a function of the parameters and the time t; the initial distance if left out"""
     exact: bool = True
-    """whether it holds to rounding; pymunk's own joint does not"""
+    """whether it is solved exactly, to rounding; if not, by pymunk's own joint"""
     breaks_at: Load | None = None
-    """N, the force at which it breaks, whether it pulls or pushes; never if left out"""
+    """N, the force, tension or compression, at which it breaks; never if left out"""
 
 
 class Rope(Model):
@@ -62,11 +62,11 @@ class Rope(Model):
 
     type: Literal["rope"]
     ends: tuple[End, End]
-    """what it ties together"""
+    """the bodies or points that it connects"""
     length: Extent | None = None
-    """m; the distance at the start if left out, slack at first if longer"""
+    """m; the initial distance if left out, slack at first if longer"""
     exact: bool = True
-    """whether it holds to rounding; pymunk's own joint does not"""
+    """whether it is solved exactly, to rounding; if not, by pymunk's own joint"""
     breaks_at: Load | None = None
     """N, the tension at which it breaks; never if left out"""
 
@@ -74,18 +74,18 @@ class Rope(Model):
 class Pulley(Model):
     """A light, inextensible string over frictionless pegs; it pulls and never pushes.
 
-    A peg that is a body, or a point of one, is a pulley that moves. It may run over several.
+    It may run over several pegs. A peg that is a body, or a point of one, is a movable pulley.
     """
 
     kind: ClassVar[Kind] = Kind(goes_slack=True, swings=True, pull="tension")
 
     type: Literal["pulley"]
     ends: tuple[End, End]
-    """what it is tied to"""
+    """the bodies or points that it connects"""
     over: Annotated[tuple[End, ...], Field(min_length=1, max_length=20)]
-    """the pegs it runs over, from the first end to the second"""
+    """the pegs that it runs over, in order from the first end to the second"""
     length: Extent | None = None
-    """m; the length of its path at the start if left out, slack at first if longer"""
+    """m; the initial length of its path if left out, slack at first if longer"""
     breaks_at: Load | None = None
     """N, the tension at which it breaks; never if left out"""
 
@@ -97,59 +97,60 @@ class Pivot(Model):
 
     type: Literal["pivot"]
     ends: tuple[End, End]
-    """the points that it keeps together"""
+    """the bodies or points that it connects; they coincide at the start"""
     exact: bool = True
-    """whether it holds to rounding; pymunk's own joint does not"""
+    """whether it is solved exactly, to rounding; if not, by pymunk's own joint"""
     breaks_at: Load | None = None
     """N, the force at which it breaks; never if left out"""
 
 
 class Rail(Model):
-    """A smooth, straight rail: it pushes across, and never along."""
+    """A smooth, straight rail: its force is normal to it."""
 
     kind: ClassVar[Kind] = Kind(points_meet=True)
 
     type: Literal["rail"]
     ends: tuple[End, End]
-    """what runs on it, and what it goes through"""
+    """the body or point that slides along it, and the one through which it passes"""
     direction: Point
-    """[x, y], the way it goes, of any length; it does not turn"""
+    """[x, y], the direction of the rail, of any length; it does not turn"""
     breaks_at: Load | None = None
     """N, the force at which it breaks; never if left out"""
 
 
 class Weld(Model):
-    """Two bodies keep their places and angles to each other, or one keeps its own in the plane."""
+    """A rigid connection of two bodies, or of a body and the plane."""
 
     kind: ClassVar[Kind] = Kind(turns=True, quantities=FIXED)
 
     type: Literal["weld"]
     ends: tuple[End, End]
-    """what it makes one; its tension and its torque are those at the second"""
+    """the bodies or points that it connects; its tension and torque are those at the second"""
     exact: bool = True
-    """whether it holds to rounding; pymunk's own joint does not"""
+    """whether it is solved exactly, to rounding; if not, by pymunk's own joint"""
     breaks_at: Load | None = None
     """N, the force at which it breaks; never if left out"""
 
 
 class Motor(Model):
-    """A pin that turns: it drives its second body against its first, or against the plane."""
+    """A driven pin: it turns its second body relative to its first, or to the plane."""
 
     kind: ClassVar[Kind] = Kind(drives=True, turns=True, points_meet=True, quantities=FIXED)
 
     type: Literal["motor"]
     ends: tuple[End, End]
-    """the points that it keeps together"""
+    """the bodies or points that it connects; they coincide at the start"""
     rate: SpinOverTime
-    """rad/s, counter-clockwise, of the parameters and the time t; it takes the torque it needs"""
+    """rad/s, the relative angular velocity, counter-clockwise, a function of the parameters and the
+    time t; the torque is unlimited"""
     exact: bool = True
-    """whether it holds to rounding; pymunk's own joint does not"""
+    """whether it is solved exactly, to rounding; if not, by pymunk's own joint"""
     breaks_at: Load | None = None
     """N, the force at which it breaks; never if left out"""
 
 
 class Winding(Model):
-    """A light, inextensible string wound on a wheel; it does not slip, and pulls, never pushes."""
+    """A light, inextensible string wound on a wheel; it does not slip, and never pushes."""
 
     kind: ClassVar[Kind] = Kind(
         goes_slack=True, turns=True, swings=True, points_meet=True, pull="tension"
@@ -157,11 +158,11 @@ class Winding(Model):
 
     type: Literal["winding"]
     ends: tuple[End, BodyName]
-    """what it is tied to, outside the wheel; the body that is the wheel"""
+    """the body or point that it is tied to, outside the wheel, and the wheel"""
     radius: Extent
-    """m, of the circle on which it is wound, about the wheel's centre of mass"""
+    """m, the radius on which it is wound, about the wheel's centre of mass"""
     unwinds: Literal["clockwise", "counterclockwise"]
-    """how the wheel turns when it gives off string"""
+    """the direction in which the wheel turns as the string unwinds"""
     breaks_at: Load | None = None
     """N, the tension at which it breaks; never if left out"""
 
@@ -169,32 +170,33 @@ class Winding(Model):
 class Spring(Model):
     """A light spring with a damper, F = −k x − f(x) − c dx/dt, with x = l − l0.
 
-    It stores U = k x² / 2 + ∫ f dx; f is a law of its own, which most have none of.
+    It stores U = k x² / 2 + ∫ f dx. The nonlinear force f is optional.
     """
 
     kind: ClassVar[Kind] = Kind(force=ELASTIC, pull="spring force")
 
     type: Literal["spring"]
     ends: tuple[End, End]
-    """what it pulls at"""
+    """the bodies or points that it connects"""
     stiffness: Stiffness
-    """N/m, k; 0 of one that has but a law of its own"""
+    """N/m, k; 0 if `law` is its only force"""
     law: SpringLaw | None = None
-    """N, f, with which it pulls beside k x, over how far it is stretched, x [m]: `300*x**3`, say"""
+    """N, f, a tension in addition to k x, a function of the stretch x [m]: for example
+    `300*x**3`"""
     length: Width | None = None
-    """m, l0, where it is slack; the distance at the start if left out"""
+    """m, l0, the natural length; the initial distance if left out"""
     damping: Damping = Damping(0)
-    """kg/s, c"""
+    """kg/s, c, the damping coefficient"""
     pushes_only: bool = False
-    """whether it lets go beyond its length l0, as a bumper that is only touched"""
+    """whether it only pushes, and lets go beyond its natural length l0, like a bumper"""
     breaks_at: Load | None = None
-    """N, the force at which it breaks, whether it pulls or pushes; never if left out"""
+    """N, the force, tension or compression, at which it breaks; never if left out"""
 
 
 class Wire(Model):
-    """A smooth, rigid wire that a body slides along as a bead, without friction.
+    """A rigid wire that a body slides along as a bead, without friction.
 
-    A wire whose ends meet is closed. A bead that comes to an open end ends the run.
+    A wire whose ends meet is closed. A bead that reaches an open end ends the run.
     """
 
     kind: ClassVar[Kind] = Kind(quantities={"tension": "N", "push": "N"}, pull="normal force")
@@ -203,9 +205,9 @@ class Wire(Model):
     bead: End
     """the body, or the point of a body, that slides along it"""
     curve: tuple[Curve, Curve]
-    """[x, y] in m of its points, over the parameters and s"""
+    """[x, y] in m of its points, functions of the parameters and s"""
     s: tuple[Expression, Expression]
-    """from where to where s runs"""
+    """[from, to], the range of s"""
 
 
 Own = Rod | Rope | Pivot | Weld | Motor

@@ -15,9 +15,9 @@ class Held(Model):
     """A point of a body."""
 
     body: BodyName
-    """whose"""
+    """the body"""
     at: Point = (Coordinate(0), Coordinate(0))
-    """[x, y] in m, from its centre of mass, along its own axes"""
+    """[x, y] in m, relative to the body's position, in its frame"""
 
 
 ENDS = ("a body", "a point of a body", "a fixed point")

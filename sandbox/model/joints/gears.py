@@ -11,9 +11,9 @@ from sandbox.model.shapes import Point
 
 
 class Gear(Model):
-    """Two wheels with teeth, or a chain around both: the second turns as the first one does.
+    """A pair of gears, or two wheels with a chain: they turn at a fixed ratio.
 
-    It holds their angles alone; what holds the wheels is up to pins.
+    It couples only the angles; pins have to hold the wheels.
     """
 
     kind: ClassVar[Kind] = Kind(turns=True, points_meet=True, quantities={"torque": "N·m"})
@@ -22,24 +22,25 @@ class Gear(Model):
     ends: tuple[BodyName, BodyName]
     """the wheels; its torque is that on the second"""
     ratio: Ratio
-    """how far the second turns while the first turns by one; negative if the other way round, as
-    wheels that mesh from outside: `-10/40` where 10 teeth drive 40"""
+    """the angle of the second wheel over that of the first; negative for opposite directions, as of
+    wheels that mesh externally: `-10/40` if 10 teeth drive 40"""
     carrier: BodyName | None = None
-    """what both turn against, as the arm of a planetary gear; the plane if left out"""
+    """the body relative to which both turn, such as the arm of a planetary gear; the plane if left
+    out"""
 
 
 class Rack(Model):
-    """A straight bar with teeth, and the wheel that meshes with it: it moves by r θ."""
+    """A rack and the wheel that meshes with it: the rack moves by r θ."""
 
     kind: ClassVar[Kind] = Kind(turns=True, points_meet=True, pull="force of the teeth")
 
     type: Literal["rack"]
     ends: tuple[End, BodyName]
-    """the bar, or a point of it, and the wheel; its tension is the force between the teeth"""
+    """the rack, or a point of it, and the wheel; its tension is the force between the teeth"""
     radius: Extent
-    """m, of the wheel"""
+    """m, the radius of the wheel"""
     direction: Point
-    """[x, y], of any length: the way of the bar, seen from the wheel, as that turns
-    counter-clockwise; it does not turn"""
+    """[x, y], of any length: the direction in which the rack moves, relative to the wheel, as the
+    wheel turns counter-clockwise; it does not turn"""
     breaks_at: Load | None = None
     """N, the force between the teeth at which it breaks; never if left out"""

@@ -11,27 +11,26 @@ from sandbox.model.shapes import Point
 
 
 class Stop(Model):
-    """Stops on a straight way: what runs into one stays there as long as it presses, or bounces.
+    """Two stops along a direction: a body that runs into one is held there, or bounces.
 
-    It pushes along the way and holds nothing across it, as a rail does.
+    They push along the direction and, unlike a rail, hold nothing across it.
     """
 
     kind: ClassVar[Kind] = Kind(goes_slack=True, points_meet=True, pull="push of the stop")
 
     type: Literal["stop"]
     ends: tuple[End, End]
-    """what is stopped, and what it is counted from"""
+    """the body or point that is stopped, and the reference that its travel is measured from"""
     direction: Point
-    """[x, y], along which it is counted, of any length; it does not turn"""
+    """[x, y], the direction of the travel, of any length; it does not turn"""
     range: tuple[Travel, Travel]
-    """[from, to] in m, how far along the first end may be from the second"""
+    """[from, to] in m, the limits of the travel of the first end from the second"""
     restitution: Fraction | None = None
-    """the speed with which it is left, of that with which it is run into; it takes all if left
-    out"""
+    """the coefficient of restitution; if left out, a stop takes all the speed"""
 
 
 class AngleStop(Model):
-    """Stops of an angle, as of a knee, a door or a ratchet."""
+    """Limits of an angle, as of a knee, a door or a ratchet."""
 
     kind: ClassVar[Kind] = Kind(
         goes_slack=True, turns=True, points_meet=True, quantities={"torque": "N·m"}
@@ -39,9 +38,8 @@ class AngleStop(Model):
 
     type: Literal["angle_stop"]
     ends: tuple[End, End]
-    """what the angle is counted from, a body or the plane, and the body that is stopped"""
+    """the reference, a body or the plane, and the body whose angle is limited"""
     range: tuple[Angle, Angle]
-    """[from, to] in rad, between which the angle of the second is, less that of the first"""
+    """[from, to] in rad, the limits of the second body's angle relative to the first"""
     restitution: Fraction | None = None
-    """the rate with which it is left, of that with which it is turned into; it takes all if left
-    out"""
+    """the coefficient of restitution; if left out, a stop takes all the angular velocity"""

@@ -84,7 +84,7 @@ def write_out(data: Any, text: str) -> WrittenOut:  # noqa: ANN401 (whatever JSO
             made = placed(made, notes)
     except TooLongError as error:
         rule = Message(
-            "comes to more than {most:,} characters when it is written out; that is the most",
+            "has more than {most:,} characters when it is expanded, the most allowed",
             most=MOST,
         )
         return WrittenOut(data, {}, {}, [Fault(error.args[0], rule)])

@@ -40,23 +40,23 @@ Number = float | int | str
 
 
 class Group(Model):
-    """Bodies and joints that are placed together; where they are is meant along its own axes."""
+    """Bodies and joints that are placed together, described in the group's own frame."""
 
     bodies: Annotated[Mapping[Name, Body], Field(min_length=1, max_length=MAX_BODIES)]
-    """what it consists of; the position of one is that from the origin of the group"""
+    """the bodies; their positions are relative to the group's origin"""
     joints: Annotated[Mapping[Name, Joint], Field(max_length=2000)] = {}
-    """what ties its bodies together, or to bodies and fixed points outside"""
+    """the joints between its bodies, or with bodies and fixed points outside"""
 
 
 class Copy(Model):
-    """A group that is placed: its bodies and joints, with the name of this one before theirs."""
+    """A copy of a group: its bodies and joints, with the name of the copy before theirs."""
 
     copy_: Annotated[str, Field(alias=COPY)]
-    """the group that is placed"""
+    """the name of the group"""
     position: Point = (Coordinate(0), Coordinate(0))
-    """[x, y] in m, where the origin of the group comes to lie"""
+    """[x, y] in m, the position of the group's origin"""
     angle: Angle = Angle(0)
-    """rad, counter-clockwise, by which the group is turned about its origin"""
+    """rad, counter-clockwise, the rotation of the group about its origin"""
 
 
 def placed(data: Any, notes: Notes) -> Any:  # noqa: ANN401 (whatever JSON holds)
@@ -105,7 +105,7 @@ class _Placing:
         if not group.get("bodies"):
             self._refuse(place, Message("'{last}' is missing", last="bodies"))
         elif COPY in (inside := _keys_within(group["bodies"])):
-            rule = Message("a group cannot hold another one")
+            rule = Message("a group cannot contain another one")
             self._refuse((*place, "bodies", inside[COPY]), rule)
         return len(self._notes.faults) == before
 
@@ -125,7 +125,9 @@ class _Placing:
         for name, value in items:
             if name in found:
                 path = followed((kind, name), self._notes.placed)
-                rule = Message("'{name}' comes out twice, once from a group", name=brief(name))
+                rule = Message(
+                    "there are two of '{name}', one of them from a group", name=brief(name)
+                )
                 self._refuse(path, rule)
             found[name] = value
         return found
@@ -153,7 +155,7 @@ class _Placing:
         for key in copy:
             if key not in known:
                 rule = Message(
-                    "unknown key '{name}' of a group that is placed{hint}",
+                    "unknown key '{name}' of a copy of a group{hint}",
                     name=brief(key),
                     hint=suggestion(key, known),
                 )
@@ -181,7 +183,7 @@ class _Placing:
         """Refuse groups that are never placed, since their members would not be checked."""
         for name in sorted(self._unused):
             rule = Message(
-                'nothing places this group; a body {{"{copy}": "{name}"}} does',
+                'this group is never placed; a body {{"{copy}": "{name}"}} places it',
                 copy=COPY,
                 name=brief(name),
             )

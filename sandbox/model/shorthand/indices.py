@@ -20,7 +20,7 @@ MOST_TIMES = 20_000
 _BRACES = re.compile(r"\{([^{}]*)\}")
 _NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
 
-HOW = Message('a count, {"i": 5} for 0 to 4, or the first and the last, {"i": [1, 5]}')
+HOW = Message('a count, {"i": 5} for 0 to 4, or the first and last value, {"i": [1, 5]}')
 
 
 class IndexFault(SandboxError):  # noqa: N818 (a fault of the text, as others are)
@@ -53,7 +53,7 @@ def _number(source: str, indices: Indices) -> int:
             hint = suggestion(name, indices)
             raise IndexFault(
                 Message(
-                    "{said} holds only indices, and '{name}' is none{hint}",
+                    "{said} may use only indices, and '{name}' is not one{hint}",
                     said=said,
                     name=name,
                     hint=hint,
@@ -82,7 +82,7 @@ def runs(said: Any, path: Path, indices: Indices, notes: Notes) -> Iterator[Indi
         The notes, which receive mistakes; after one, nothing more is yielded.
     """
     if not isinstance(said, dict) or not said:
-        notes.refuse(path, Message("must name an index and how far it counts: {how}", how=HOW))
+        notes.refuse(path, Message("must name an index and its range: {how}", how=HOW))
         return
     yield from _nested(list(said.items()), path, indices, notes)
 
@@ -119,7 +119,7 @@ def _misnamed(name: str, indices: Indices) -> Message:
     if name in RESERVED:
         return Message("'{name}' already has a meaning in formulas; choose another name", name=name)
     if name in indices:
-        return Message("the index '{name}' is that of what is around this, too", name=name)
+        return Message("the index '{name}' is already used around this", name=name)
     return NOTHING
 
 
@@ -130,7 +130,7 @@ def _bounds(said: Any, indices: Indices) -> tuple[int, int]:  # noqa: ANN401 (wh
     else:
         first, last = 0, _whole(said, indices) - 1
     if max(abs(first), abs(last)) > 2 * MOST_TIMES or last - first >= MOST_TIMES:
-        raise IndexFault(Message("counts too far; {most:,} is the most", most=MOST_TIMES))
+        raise IndexFault(Message("counts too far, beyond {most:,}", most=MOST_TIMES))
     if last < first - 1:
         raise IndexFault(
             Message("ends before it begins, from {first} to {last}", first=first, last=last)
@@ -144,6 +144,8 @@ def _whole(said: Any, indices: Indices) -> int:  # noqa: ANN401 (whatever JSON h
         return _number(braces[1], indices)
     if isinstance(said, bool) or not isinstance(said, int):
         raise IndexFault(
-            Message("must be {how}; whole numbers, or in braces what other indices make", how=HOW)
+            Message(
+                "must be {how}: whole numbers, or expressions over other indices in braces", how=HOW
+            )
         )
     return said

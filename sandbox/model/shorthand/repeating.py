@@ -72,7 +72,7 @@ class _Copying:
                 name = self._text(key, (*typed, key), inner)
                 if name in found and not self._notes.faults:
                     rule = Message(
-                        "'{name}' comes out twice; put an index into its name, such as"
+                        "there is more than one '{name}'; put an index into the name, such as"
                         " {typed}{{{index}}}",
                         name=brief(name),
                         typed=name,
@@ -109,7 +109,7 @@ class _Copying:
         if EACH in rest and not each:
             other = next(key for key in rest if key != EACH)
             rule = Message(
-                "'{other}' stands beside '{each}', which says all of what repeats",
+                "'{other}' cannot be combined with '{each}', which is the whole member",
                 other=brief(other),
                 each=EACH,
             )

@@ -23,8 +23,8 @@ Bound = (
 
 
 _TOLD = {
-    "bodies": "what moves, and what others move against; or a group that is placed",
-    GROUPS: "bodies and joints that are placed together, several times, each time somewhere else",
+    "bodies": "the bodies, by name, or copies of groups",
+    GROUPS: "sets of bodies and joints that can be placed as one, any number of times",
 }
 
 _FIELDS: Mapping[str, Any] = {
@@ -40,13 +40,13 @@ Typed: type[Model] = create_model("Level", __base__=Level, __doc__=Level.__doc__
 
 
 class Each(Model):
-    """Something that repeats in a list or part whose members are no objects."""
+    """A repeated member that is not an object."""
 
     repeat: Annotated[Mapping[Name, Bound | tuple[Bound, Bound]], Field(min_length=1)]
-    """the indices, each with its count, from 0, or with the first and the last; in the texts of
-    each copy stand numbers for what is in braces, such as `{i + 1}`"""
+    """the indices, each with a count, from 0, or with its first and last value; in the texts of
+    each copy, expressions in braces such as `{i + 1}` are replaced by their values"""
     each: Any
-    """what repeats"""
+    """the member to repeat"""
 
 
 TEMPLATE = r"^[A-Za-z]([A-Za-z0-9_]|\{[^{}]+\})*$"

@@ -110,7 +110,7 @@ def calibrate(
 def _require_above_rounding(target: float) -> None:
     if not target >= FINEST:
         raise AccuracyError(
-            "an accuracy of {target:g} is below rounding; {finest:g} is the least",
+            "an accuracy of {target:g} is below rounding; it must be at least {finest:g}",
             target=target,
             finest=FINEST,
         )
@@ -118,7 +118,7 @@ def _require_above_rounding(target: float) -> None:
 
 def _judged_by_energy(chaos: Message, until: Message) -> Message:
     return Message(
-        "its energy, for it is chaotic: {chaos}; where things are is {until}",
+        "its energy, since it is chaotic: {chaos}; positions are {until}",
         chaos=chaos,
         until=until,
     )
@@ -148,7 +148,7 @@ def _refused(found: Found, target: float, judged_by: Message, until: Message) ->
             "{judged_by}, of which {name} decided", judged_by=judged_by, name=found.decided_by
         )
     return AccuracyError(
-        "an accuracy of {target:g} cannot be had; there is {timed}, judged by"
+        "an accuracy of {target:g} cannot be reached; the best is {timed}, judged by"
         " {judged_by}; to {target:g} it is {until}",
         target=target,
         timed=found.timed().told,
@@ -163,7 +163,7 @@ def _judges(
     """Return the quantities by which the error is judged, and their description."""
     wanted = watched(level, values, also)
     if not wanted:
-        raise AccuracyError("nothing moves freely, so there is nothing to be accurate")
+        raise AccuracyError("nothing moves freely, so there is no accuracy to reach")
     checked = any(applies(check, values) for check in level.checks)
     parts = [Message("its checks")] * checked + [Message("what is recorded")] * bool(also)
-    return wanted, both([*parts, Message("places and velocities")])
+    return wanted, both([*parts, Message("positions and velocities")])

@@ -46,8 +46,8 @@ class Offer:
                 "{scheme} at {rate:g} Hz, contacts solved directly", scheme=s.scheme, rate=s.rate
             )
         return Message(
-            "{setting}, estimated error {error:.1e}, {cost:.3g} ms of computing for a second of the"
-            " scene",
+            "{setting}, estimated error {error:.1e}, {cost:.3g} ms of computing per second of"
+            " the scene",
             setting=setting,
             error=self.error,
             cost=self.cost * 1e3,

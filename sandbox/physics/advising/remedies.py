@@ -70,12 +70,12 @@ class _Trial:
             )
         if self.whole:
             return Message(
-                "{description} it holds to its end, t = {t:.4g} s",
+                "{description} it runs to its end, t = {t:.4g} s",
                 description=self.description,
                 t=self.t,
             )
         return Message(
-            "{description} it holds until t = {t:.4g} s", description=self.description, t=self.t
+            "{description} it runs until t = {t:.4g} s", description=self.description, t=self.t
         )
 
 
@@ -131,7 +131,7 @@ def advise(
         failed.append(trial)
     if all(trial.slow for trial in failed):
         return Advice(
-            Message("no remedy is known: nothing came as far within {seconds:g} s", seconds=seconds)
+            Message("no remedy is known: nothing got as far within {seconds:g} s", seconds=seconds)
         )
     outcomes = joined((trial.outcome for trial in failed), "; ")
     return Advice(Message("nothing that was tried helps: {outcomes}", outcomes=outcomes))

@@ -3,8 +3,8 @@
 from sandbox.model.message import Message
 
 OFTEN = Message(
-    "bodies that touch collide too often to be followed: their masses are too far apart, or they"
-    " are wedged in; let their 'restitution' be less",
+    "bodies in contact collide too often to be followed: their masses differ too much, or they"
+    " are wedged in; reduce their 'restitution'",
 )
 
 

@@ -146,9 +146,8 @@ def _refuse_within(name: str, hollow: Made, radius: float, other: str, body: Mad
     """Refuse a body that starts in a hoop, as first contacts from inside are not located."""
     if abs(complex(*hollow.body.position) - complex(*body.body.position)) < radius:
         rule = Message(
-            "'{other}' starts in the hoop '{name}': where 'contact' locates impacts, or the two"
-            " are to stick, hoops are touched from outside only; leave out 'located' or"
-            " 'sticking'",
+            "'{other}' starts in the hoop '{name}', but hoops are touched only from outside if"
+            " impacts are located or the two stick; leave out 'located' or 'sticking'",
             other=other,
             name=name,
         )

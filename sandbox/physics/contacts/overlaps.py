@@ -50,8 +50,8 @@ def refuse_overlaps(
     if found:
         depth, one, other = found
         rule = Message(
-            "'{one}' and '{other}' overlap by {depth:.3g} m at the start; move them apart, or let"
-            " 'contact' say \"overlaps\": true",
+            "'{one}' and '{other}' overlap by {depth:.3g} m at the start; move them apart, or"
+            " give 'contact' \"overlaps\": true",
             one=one,
             other=other,
             depth=depth,

@@ -64,8 +64,8 @@ def _moves(shape: pymunk.Shape) -> bool:
 def crowded(name: str, most: int) -> Message:
     """Return the reason for refusing so many pairs; `name` is the body in most of them."""
     return Message(
-        "more than {most:,} pairs of bodies are within reach of each other, which no step can"
-        " carry; '{name}' is in most of them: spread the bodies out",
+        "more than {most:,} pairs of bodies are close to each other, too many for a step;"
+        " '{name}' is in most of them: spread the bodies out",
         most=most,
         name=name,
     )

@@ -16,45 +16,15 @@ from typing import NamedTuple
 import numpy as np
 
 from sandbox.model.expressions import Array
+from sandbox.physics.contacts.impact_outcome import ImpactOutcome
 from sandbox.physics.contacts.kinematics import over_bodies, pair_jacobian
 from sandbox.physics.contacts.post_impact_velocity import reached
-from sandbox.physics.contacts.simultaneous_impacts import ROUNDING, Pile, responses
+from sandbox.physics.contacts.simultaneous_impacts import ROUNDING, Pile
 from sandbox.physics.engine.batch import NO_CONTACTS, Batch, Booleans, Contacts, Integers
-from sandbox.physics.joints.exact.constraints import blur
-from sandbox.physics.joints.exact.reactions import Grip
-from sandbox.physics.joints.exact.shake import ExactJoints
 
 FAINTEST = 1e-290
 """m/s: slower approaches count as zero. The smallest numbers have few digits, so rounding is no
 fixed share of them."""
-
-
-class Impacts(NamedTuple):
-    """The outcome of the impacts of a step; n bodies.
-
-    Attributes
-    ----------
-    struck
-        (n,), the bodies that they reached.
-    jump
-        (n, 3), the changes of the velocities [m/s, rad/s].
-    velocity
-        (n, 3), the velocities at the step, right after the impacts [m/s, rad/s].
-    impulse
-        (n,), the sum of the magnitudes of the impulses on each body [N s].
-    """
-
-    struck: Booleans
-    jump: Array
-    velocity: Array
-    impulse: Array
-
-    @classmethod
-    def none(cls, count: int) -> "Impacts":
-        """Return the outcome without impacts, for a number of bodies."""
-        none: Array = np.zeros((count, 3))
-        none.setflags(write=False)
-        return cls(np.zeros(count, dtype=bool), none, none, none[:, 0])
 
 
 class Sequence:
@@ -68,30 +38,19 @@ class Sequence:
         (n, n), the coefficients of restitution of the pairs.
     inverse_mass
         (n, 3), the inverses of masses, masses and moments of inertia [1/kg, 1/(kg m²)].
-    joints
-        The exact joints between colliding bodies, if any. Bilateral joints transmit impulses;
-        ropes and strings react to the velocities after the impacts.
     dt
         The time step [s].
     """
 
-    def __init__(
-        self,
-        batch: Batch,
-        restitution: Array,
-        inverse_mass: Array,
-        joints: ExactJoints | None,
-        dt: float,
-    ) -> None:
-        self._batch, self._joints, self._dt = batch, joints, dt
+    def __init__(self, batch: Batch, restitution: Array, inverse_mass: Array, dt: float) -> None:
+        self._batch, self._dt = batch, dt
         self._restitution, self._inverse_mass = restitution, inverse_mass
         self._moving: Booleans = inverse_mass[:, 0] > 0
         self._turning: Booleans = inverse_mass[:, 2] > 0
-        # the last kick: positions, velocities, accelerations
-        self._place = self._begun = self._smooth = np.zeros_like(inverse_mass)
+        self._begun = self._smooth = np.zeros_like(inverse_mass)  # velocities and accelerations
         self._lasted = dt
         self._before: partial[Array] | None = None  # constraint accelerations in the kick before
-        self.last = Impacts.none(len(inverse_mass))
+        self.last = ImpactOutcome.none(len(inverse_mass))
         self._asked, self._pushes = b"", np.zeros(0)  # the last pile-up, and its impulses
         self._places = _Places.of(NO_CONTACTS, self._turning)
 
@@ -112,38 +71,29 @@ class Sequence:
             If elastic bodies collide more often than can be followed.
         """
         state = self._batch.state()
-        place, begins = state[:, :3], state[:, 3:]
-        velocity = begins
+        velocity = begins = state[:, 3:]
         jump, impulse = np.zeros_like(begins), np.zeros(len(begins))
         contacts = self._batch.contacts()
         if len(contacts.bodies):
             held = before = np.zeros_like(smooth)
             if not start:
-                held = self._held(begins, place)
+                held = _held(begins, self._begun, self._lasted, self._smooth)
                 before = self._before() if self._before else held
                 velocity = begins + (smooth + held) * (self._dt / 2)
             gives = np.array((smooth, smooth + held, smooth + before)) * self._dt
             self._exchange(contacts, state[:, :2], velocity, gives, jump, impulse)
             if impulse.any():
                 self._batch.set_velocity(begins + jump)
-        self.last = Impacts(np.asarray(jump.any(axis=1)), jump, velocity + jump, impulse)
+        self.last = ImpactOutcome(np.asarray(jump.any(axis=1)), jump, velocity + jump, impulse)
         self._before = (
             None if start else partial(_held, begins, self._begun, self._lasted, self._smooth)
         )
-        self._place, self._begun, self._smooth = place, begins + jump, smooth
+        self._begun, self._smooth = begins + jump, smooth
         self._lasted = self._dt / 2 if start else self._dt
 
-    def shift(self, struck: Booleans, place: Array, jump: Array, change: Array) -> None:
+    def shift(self, jump: Array, change: Array) -> None:
         """Add the impacts located in time since the last kick; see `located_impacts.Cut`."""
         self._begun = self._begun + jump - change * self._lasted
-        self._place = np.where(struck[:, None], place, self._place)
-
-    def _held(self, begins: Array, place: Array) -> Array:
-        """Return the accelerations by contacts and joints, with joints rotated with the bodies."""
-        held = _held(begins, self._begun, self._lasted, self._smooth)
-        if self._joints and len(self._joints.tension):
-            held += Grip(self._joints, self._inverse_mass, self._place).change(place)
-        return held
 
     def _exchange(
         self,
@@ -161,21 +111,17 @@ class Sequence:
         parts = np.einsum("kbc,kbc->kb", points.jacobian, velocity[points.bodies])
         parting = parts.sum(axis=1)
         rounding = ROUNDING * np.abs(parts).max(axis=1) + FAINTEST
-        if self._joints:
-            rounding += blur(place, self._dt)
         if not np.count_nonzero(parting < -rounding):
             return
         allowed = np.maximum(_allowed(points, gives), rounding)
         struck = parting < -allowed
         if not struck.any():
             return
-        if not self._joints:  # only contacts that impulses reach
-            touched = reached(points.bodies, struck, self._moving)
-            near = touched[points.bodies[:, 0]] | touched[points.bodies[:, 1]]
-            points, parting, allowed = points.only(near), parting[near], allowed[near]
+        touched = reached(points.bodies, struck, self._moving)
+        near = touched[points.bodies[:, 0]] | touched[points.bodies[:, 1]]
+        points, parting, allowed = points.only(near), parting[near], allowed[near]
         jacobian = points.over(len(place))
-        holds = self._joints.stiff() if self._joints else None
-        response = responses(jacobian, self._inverse_mass, holds)
+        response = jacobian * self._inverse_mass
         delassus = response.reshape(len(parting), -1) @ jacobian.reshape(len(parting), -1).T
         a, b = points.bodies.T
         asked = b"".join(x.tobytes() for x in (points.bodies, delassus, parting, allowed))

@@ -48,25 +48,11 @@ LOST = 8
 between two heavy ones feels only the difference of their impulses."""
 
 WEDGED = Message(
-    "elastic bodies are wedged in, and would collide for ever: what presses them together does"
-    " not give way; let their 'restitution' be less than 1, or leave them room",
+    "elastic bodies are wedged in and would collide for ever, since what presses them together"
+    " does not yield; reduce their 'restitution' below 1, or give them room",
 )
 
 TINY = 1e-300
-
-
-def responses(jacobian: Array, inverse_mass: Array, holds: Array | None) -> Array:
-    """Return the change of velocities by a unit impulse on each row of the Jacobian: (k, n, 3).
-
-    It includes the response of joints: `holds`, (m, n, 3), is the Jacobian of the bilateral ones.
-    """
-    response = jacobian * inverse_mass
-    if holds is None:
-        return response
-    holds = holds.reshape(-1, inverse_mass.size)
-    held = holds * inverse_mass.reshape(-1)
-    flat = response.reshape(len(response), -1)
-    return (flat - np.linalg.solve(held @ holds.T, holds @ flat.T).T @ held).reshape(response.shape)
 
 
 class Pile:
@@ -84,6 +70,11 @@ class Pile:
         (k,), the coefficients of restitution.
     partner
         (k,), the other contact point of the same two sides; −1 if there is none.
+
+    Attributes
+    ----------
+    met
+        The contacts of each impact, in turn.
     """
 
     def __init__(
@@ -97,6 +88,7 @@ class Pile:
         self._delassus, self._parting, self._allowed = delassus, parting.copy(), allowed
         self._restitution, self._partner = restitution, partner
         self._impulse = np.zeros(len(parting))
+        self.met: list[Integers] = []
 
     def settle(self, bodies: Integers) -> Array:
         """Return the impulses after which no contact approaches: (k,) [N s].
@@ -140,7 +132,9 @@ class Pile:
 
     def _rest(self) -> Array:
         """Stop all remaining approaches without a bounce; return the impulses: (k,) [N s]."""
-        self._impulse += pushes(self._delassus, self._parting)
+        rest = pushes(self._delassus, self._parting)
+        self._impulse += rest
+        self.met.append(np.flatnonzero(rest))
         return self._impulse
 
     def _wedged(self) -> bool:
@@ -165,12 +159,14 @@ class Pile:
             push = -(1 + e) * self._parting[first] / self._delassus[first, first]
             self._impulse[first] += push
             self._parting += push * self._delassus[first]
+            self.met.append(np.flatnonzero(equal))
             return 1, e
         group = self._with_partners(np.flatnonzero(equal & (self._restitution == e)))
         delassus = self._delassus[group]
         sizes = _at_once(delassus[:, group], (1 + e) * self._parting[group])
         self._impulse[group] += sizes
         self._parting += sizes @ delassus
+        self.met.append(group)
         return len(group), e
 
     def _with_partners(self, group: Integers) -> Integers:

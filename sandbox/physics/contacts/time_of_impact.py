@@ -16,7 +16,6 @@ import numpy as np
 from sandbox.model.expressions import Array
 from sandbox.physics.engine.batch import Booleans
 from sandbox.physics.geometry.distance import FLUSH, Gap, Outline, dot, gap
-from sandbox.physics.joints.exact.reactions import Grip
 
 TOUCH = -1e-9
 """m, the gap at which shapes touch. It is the skin of flat shapes; bodies that come to rest must be
@@ -71,27 +70,16 @@ class Path:
     place, velocity
         (n, 3), x, y and angle at that time, and their rates [m, rad, m/s, rad/s].
     acceleration
-        (n, 3), the accelerations at that time [m/s², rad/s²].
+        (n, 3), the accelerations from then on [m/s², rad/s²].
     struck
         (n,), the bodies with an impact.
-    blur
-        The uncertainty of velocities that joints determine; 0 without joints [m/s].
     """
 
-    def __init__(
-        self,
-        place: Array,
-        velocity: Array,
-        acceleration: Array,
-        grip: Grip | None = None,
-        blur: float = 0.0,
-    ) -> None:
+    def __init__(self, place: Array, velocity: Array, acceleration: Array) -> None:
         self.place, self.velocity = place.copy(), velocity.copy()
         self.acceleration = acceleration.copy()
-        self._grip, self.blur = grip, blur
         self.since = np.zeros(len(place))
         self.struck = np.zeros(len(place), dtype=bool)
-        self._seen: tuple[float, Array] | None = None  # the last time, and the change by joints
 
     def place_at(self, t: float) -> Array:
         """Return the positions at a time: (n, 3)."""
@@ -100,39 +88,17 @@ class Path:
         return self.place + (self.velocity + then) * (lasted / 2)
 
     def at(self, t: float) -> tuple[Array, Array]:
-        """Return positions and velocities at a time; for velocities, joints rotate on the way."""
+        """Return positions and velocities at a time: (n, 3) each."""
         lasted = (t - self.since)[:, None]
-        velocity = self.velocity + self.acceleration * lasted + self._change(t) * (lasted / 2)
-        return self.place_at(t), velocity
-
-    def acceleration_at(self, t: float) -> Array:
-        """Return the accelerations at a time, which change as joints rotate: (n, 3)."""
-        return self.acceleration + self._change(t)
-
-    def _change(self, t: float) -> Array | float:
-        """Return the change of accelerations since the last kick, or each body's last impact."""
-        if not (self._grip and t):
-            return 0.0
-        if self._seen is None or self._seen[0] != t:
-            self._seen = t, self._grip.change(self.place_at(t))
-        return self._seen[1]
+        return self.place_at(t), self.velocity + self.acceleration * lasted
 
     def turn(self, t: float, jump: Array, struck: Booleans) -> None:
-        """Add a jump to the velocities of the bodies that are struck at a time.
-
-        Raises
-        ------
-        JointFailure
-            If their joints cannot be satisfied.
-        """
+        """Add a jump to the velocities of the bodies that are struck at a time."""
         place, velocity = self.at(t)
-        self._seen = None
         self.place[struck] = place[struck]
         self.velocity[struck] = (velocity + jump)[struck]
         self.since[struck] = t
         self.struck |= struck
-        if self._grip:
-            self.acceleration += self._grip.renew(place, velocity + jump, self.acceleration, struck)
 
 
 class Motion:
@@ -202,7 +168,7 @@ def meet(
             hit = _hit(t, (one, other), (here, there), found)
             speeds = here.velocity, there.velocity
             rests = t == since or at_end
-            allowed = _allowed(found.normal, speeds, gets, rests=rests) + path.blur
+            allowed = _allowed(found.normal, speeds, gets, rests=rests)
             if hit.parting < -allowed:
                 return hit
             if hit.parting <= allowed:

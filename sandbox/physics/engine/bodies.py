@@ -53,7 +53,7 @@ def make_body(name: str, level: Level, values: Values) -> pymunk.Body:
         moment = _moment(spec, mass, values) if level.effects.rotation else inf
         if not moment > 0:  # with which pymunk aborts the process
             rule = Message(
-                "its moment of inertia comes out as {moment:g} kg m²; its corners are no shape",
+                "its moment of inertia is {moment:g} kg m², so its corners do not form a shape",
                 moment=moment,
             )
             raise SimulationError(name, 0.0, rule)

@@ -17,8 +17,8 @@ INSTANT = 1e-9
 """Impacts within this share of a step are simultaneous."""
 
 CRAMPED = Message(
-    "{body} would have more than {most} impacts in one step: it is too fast for the room that"
-    " it has; leave it more, or take a higher 'rate'",
+    "{body} would have more than {most} impacts in one step: it is too fast for its room; give"
+    " it more, or increase the 'rate'",
 )
 
 Restitution = Callable[[Hit], float]
@@ -35,15 +35,10 @@ class Turns:
         (n,), the bodies that can move.
     dt
         The time step [s].
-    linked
-        Whether joints may transmit an impulse to any body.
     """
 
-    def __init__(
-        self, restitution: Restitution, moving: Booleans, dt: float, *, linked: bool
-    ) -> None:
-        self._restitution, self._moving, self._all = restitution, moving, linked
-        self._instant = INSTANT * dt
+    def __init__(self, restitution: Restitution, moving: Booleans, dt: float) -> None:
+        self._restitution, self._moving, self._instant = restitution, moving, INSTANT * dt
 
     def next(self, hits: Sequence[Hit]) -> list[list[Hit]]:
         """Return the next hits: the fastest of the earliest ones, in groups.
@@ -65,8 +60,6 @@ class Turns:
 
     def linked(self, group: list[Hit], others: list[Hit]) -> list[Hit]:
         """Return the hits among others whose impulses reach the bodies of a group."""
-        if self._all:
-            return others
         reached, count = np.zeros_like(self._moving), 0
         while len(group) > count:
             count = len(group)

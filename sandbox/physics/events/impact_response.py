@@ -1,8 +1,8 @@
 """The response to one impact of two bodies, or to several at once, at any time.
 
 Normal impulses at the contact points reverse the approach velocity, scaled by e (Newton's law of
-restitution); friction is limited by Coulomb's law; exact joints pass both on to the bodies attached
-to them. Bodies that would separate for less than half a step rest on each other from there on.
+restitution); friction is limited by Coulomb's law. Bodies that would separate for less than half a
+step rest on each other from there on.
 """
 
 from collections.abc import Sequence
@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.kinematics import over_bodies, pair_jacobian
-from sandbox.physics.contacts.simultaneous_impacts import pushes, responses
+from sandbox.physics.contacts.simultaneous_impacts import pushes
 from sandbox.physics.contacts.time_of_impact import Hit, Path
 from sandbox.physics.engine.batch import Booleans
 from sandbox.physics.geometry.distance import surfaces
@@ -109,7 +109,7 @@ class Collision:
     coefficients
         The coefficients of the pairs.
     scene
-        The bodies, with their masses and the exact joints between them.
+        The bodies, with their masses.
     dt
         The time step [s].
     """
@@ -122,7 +122,6 @@ class Collision:
             scene.inertia,
             scene.inverse_mass,
         )
-        self._joints = scene.joints.together
 
     def restitution(self, hit: Hit) -> float:
         """Return the coefficient of restitution of a hit's pair."""
@@ -142,7 +141,7 @@ class Collision:
         jacobian, response, delassus, runs = self._points(hits, place, rubs=bool(mu.any()))
         count = len(of)
         rates = np.einsum("knc,nc->k", jacobian, velocity) + runs
-        pulls = np.einsum("knc,nc->k", jacobian[:count], path.acceleration_at(time))
+        pulls = np.einsum("knc,nc->k", jacobian[:count], path.acceleration)
         leaves = -(0.0 if dead else e) * np.minimum(rates[:count], 0.0)
         rises = leaves > np.maximum(-pulls, 0.0) * (self._dt / 2)
         rests = (np.bincount(of, rises) == 0)[of]
@@ -177,8 +176,7 @@ class Collision:
 
     def _points(self, hits: Sequence[Hit], place: Array, *, rubs: bool) -> _Points:
         jacobian = _jacobian(hits, place, rubs=rubs)
-        stiff = self._joints.stiff(place) if self._joints else None
-        response = responses(jacobian, self._inverse_mass, stiff)
+        response = jacobian * self._inverse_mass
         delassus = np.einsum("knc,lnc->kl", response, jacobian)
         runs = np.einsum("knc,nc->k", jacobian[..., :2], self._running)
         runs[: sum(len(hit.points) for hit in hits)] = 0.0  # belts run along the surface only

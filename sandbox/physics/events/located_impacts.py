@@ -29,13 +29,11 @@ from sandbox.physics.engine.batch import Booleans, Contacts
 from sandbox.physics.events.impact_order import Tally, Turns
 from sandbox.physics.events.impact_response import Coefficients, Collided, Collision, Impact
 from sandbox.physics.geometry.distance import Outline, outlines
-from sandbox.physics.joints.exact.constraints import blur
-from sandbox.physics.joints.exact.reactions import Grip
 from sandbox.physics.scene.scene import Scene
 from sandbox.physics.state.cancellation import cancellation_point
 from sandbox.physics.state.motion import momentum
 
-SHUT_IN = Message("{body} is wedged in: what presses on it does not give way; leave it more room")
+SHUT_IN = Message("{body} is wedged in, since what presses on it does not yield; give it more room")
 
 
 class Cut(NamedTuple):
@@ -43,18 +41,12 @@ class Cut(NamedTuple):
 
     Attributes
     ----------
-    struck
-        (n,), the bodies that they reached.
-    place
-        (n, 3), the positions of all bodies at the end of the drift [m, rad].
     jump
         (n, 3), the jumps of the velocities at the beginning of the next kick [m/s, rad/s].
     change
         (n, 3), the changes of the accelerations [m/s², rad/s²].
     """
 
-    struck: Booleans
-    place: Array
     jump: Array
     change: Array
 
@@ -71,7 +63,7 @@ class Located:
     coefficients
         The coefficients of the pairs.
     scene
-        The bodies, with their masses and the exact joints between them; see `Sequence`.
+        The bodies. No exact joints hold them: where some do, contacts are solved directly.
     held
         (n,), the bodies that are held by joints of any kind.
     dt
@@ -101,9 +93,8 @@ class Located:
             scene.inertia,
             scene.inverse_mass,
         )
-        self._joints, self._all_joints = scene.joints.together, scene.joints
-        linked = self._joints is not None
-        self._turns = Turns(self._collision.restitution, scene.mass > 0, dt, linked=linked)
+        self._joints = scene.joints
+        self._turns = Turns(self._collision.restitution, scene.mass > 0, dt)
         self._row = np.array([o.body for o in outlines])
         a, b = np.triu_indices(len(outlines), 1)
         i, j = self._row[a], self._row[b]
@@ -148,8 +139,6 @@ class Located:
         ------
         EndlessImpacts
             If bodies collide more often than can be followed.
-        JointFailure
-            If joints cannot be satisfied after an impact.
         """
         state = self._batch.state()
         place, drifts = state[:, :3], state[:, 3:].copy()
@@ -163,9 +152,7 @@ class Located:
         acceleration = self._acceleration(smooth, total)
         if struck is None:
             self._without_impacts(acceleration, smooth, place, (begun, drifts))
-        grip = Grip(self._joints, self._inverse_mass, place) if self._joints else None
-        known = blur(place, self._dt) if grip else 0.0
-        path = Path(place, drifts - acceleration * (self._dt / 2), acceleration, grip, known)
+        path = Path(place, drifts - acceleration * (self._dt / 2), acceleration)
         self._pulled = np.zeros(3)
         self._follow(path, near, smooth * self._dt)
         return self._hand_over(path, state, acceleration) if self.impacts else None
@@ -181,14 +168,14 @@ class Located:
         """Give pymunk the end of a path, given the state and accelerations at its start."""
         drifts, hit = self.begun, path.struck
         place, velocity = path.at(self._dt)
-        onwards = path.acceleration_at(self._dt)
+        onwards = path.acceleration
         self.begun = np.where(hit[:, None], velocity - onwards * (self._dt / 2), drifts)
         self._compare(path, (acceleration, onwards), (state[:, :3], place))
         state[hit, :3] = (place - self.begun * self._dt)[hit]
         state[:, 3:] = self.begun
         self._batch.set_state(state)
         change = np.where(hit[:, None], onwards - acceleration, 0.0)
-        return Cut(hit, place, self.begun - drifts, change)
+        return Cut(self.begun - drifts, change)
 
     def _compare(self, path: Path, pulls: tuple[Array, Array], places: tuple[Array, Array]) -> None:
         """Set the entries for books that are kept in the middle of a drift.
@@ -206,8 +193,8 @@ class Located:
     def _given(self, path: Path, t: float, bodies: Booleans) -> Array:
         """Return the momentum by accelerations of some bodies since their last impacts: (3,)."""
         lasted = np.where(bodies, t - path.since, 0.0)[:, None]
-        mean = (path.acceleration + path.acceleration_at(t)) / 2
-        return momentum(self._inertia * mean * lasted, path.place + path.velocity * (lasted / 2))
+        given = self._inertia * path.acceleration * lasted
+        return momentum(given, path.place + path.velocity * (lasted / 2))
 
     def _boxes(self, state: Array) -> tuple[Array, Array]:
         """Return the bounding boxes of shapes relative to their bodies: corners (s, 2) each."""
@@ -230,6 +217,9 @@ class Located:
         low, high = low[self._row] + self._low, high[self._row] + self._high
         a, b = self._pairs.T
         meet = ((low[a] <= high[b]) & (low[b] <= high[a])).all(axis=1)
+        if (together := self._joints.together) and len(together.bodies):
+            stuck = np.isin(self._row, np.concatenate(together.bodies))
+            meet &= ~(stuck[a] | stuck[b])  # at the step their joints pass impacts on
         near = [(int(i), int(j)) for i, j in self._pairs[meet]]
         return [pair for pair in near if not self._is_let(pair, start)]
 
@@ -251,7 +241,7 @@ class Located:
         self, acceleration: Array, smooth: Array, place: Array, velocities: tuple[Array, Array]
     ) -> None:
         """Remove the effect of pymunk's impacts in the last kick from the accelerations."""
-        contacts, solid = self._batch.contacts(), self._all_joints.joined
+        contacts, solid = self._batch.contacts(), self._joints.joined
         hit, onwards = impacts(contacts, solid, place, *velocities, smooth, self._mass, self._dt)
         acceleration[hit] = onwards
 
@@ -283,7 +273,7 @@ class Located:
         self, path: Path, near: list[tuple[int, int]], since: float, adds: Array
     ) -> list[Hit]:
         shapes = self._outlines
-        gives = np.array((adds, path.acceleration_at(since) * (self._dt - since)))
+        gives = np.array((adds, path.acceleration * (self._dt - since)))
         found = (meet(path, shapes[a], shapes[b], since, self._dt, gives) for a, b in near)
         return [hit for hit in found if hit]
 

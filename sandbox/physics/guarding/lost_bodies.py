@@ -65,7 +65,7 @@ class Lost:
 
 def gives_some(scheme: str) -> Message:
     """Return the cause of energy growth with a textbook scheme."""
-    return Message(": the scheme '{scheme}' gives some in every step", scheme=scheme)
+    return Message(": the scheme '{scheme}' adds energy in every step", scheme=scheme)
 
 
 def is_sound(now: Snapshot) -> bool:
@@ -102,7 +102,7 @@ def refuse_lost(
         row = int(gone.argmax())
         cause, needed = gone_by(row)
         reason = Message(
-            "the body '{name}' is no longer anywhere finite{cause}", name=names[row], cause=cause
+            "the position of '{name}' is no longer finite{cause}", name=names[row], cause=cause
         )
         stop(names[row], now, reason, needed, rate)
     if lost.any():
@@ -119,7 +119,7 @@ def refuse_beyond(
     """Stop because a body's energy is not finite; see `refuse_lost`."""
     cause, needed = cause_of(row)
     reason = Message(
-        "'{name}' is so fast, so far away or so heavy that its energy is no finite number{cause}",
+        "'{name}' is so fast, so far away or so heavy that its energy is not finite{cause}",
         name=names[row],
         cause=cause,
     )

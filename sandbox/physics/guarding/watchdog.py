@@ -52,7 +52,7 @@ PARTED = 0.05
 """The largest error of an exact joint, as a share of the thickness of the thinnest body."""
 
 TURNS = Message(
-    "forces of contact and exact joints are found in turn here, and do not come to terms"
+    "contact forces and those of exact joints are solved in turn here, and do not converge"
 )
 """The cause of failures without the direct solver, such as a heavy body on a light one."""
 
@@ -207,7 +207,7 @@ class Watchdog:
             law.add(motion, wrench)
             if not np.isfinite(wrench[row]).all():
                 law_name = called(self._scene, law)
-                return Message(": {law} has no finite value any more", law=law_name), None
+                return Message(": {law} no longer has a finite value", law=law_name), None
         return None
 
     def _refuse_beyond(self, row: int, now: Snapshot) -> NoReturn:
@@ -260,7 +260,7 @@ class Watchdog:
             cause = Message(": at {speed:.3g} m/s a step is too long for it", speed=speed)
         else:
             needed = 4 * self._rate
-            cause = Message(": what presses on it is too much for the solver")
+            cause = Message(": the load on it is too much for the solver")
         reason = Message("{reason}{cause}", reason=reason, cause=cause)
         self._stop(a, now, reason, needed)
 
@@ -300,7 +300,7 @@ class Watchdog:
         name = self._names[row]
         cause, rate = self._cause(row)
         reason = Message(
-            "{gained:.3g} J have come from nowhere, and '{name}' has most of it{cause}",
+            "{gained:.3g} J have come from nowhere, most of them in '{name}'{cause}",
             gained=gained,
             name=name,
             cause=cause,

@@ -188,7 +188,7 @@ class _Assembly:
             together.keep(t)
         elif (beyond := together.beyond(t)) > NEAR:
             rule = Message(
-                "'{name}' is tied where what it holds is {beyond:.3g} beyond its bounds already",
+                "'{name}' is tied when its ends are already {beyond:.3g} beyond its bounds",
                 name=name,
                 beyond=beyond,
             )

@@ -2,8 +2,8 @@
 
 For a contact that begins in a step, the impulse is the one that the engine reports for the pair.
 Bodies that touch already, as in a Newton's cradle, collide in turn (`sequential_impacts`) or
-together (`contacts.direct`). Impacts in turn are reported per body; the impulse of a pair is then
-taken as the smaller of its bodies' impulses, an upper bound.
+together (`contacts.direct`). Impacts at a step are reported per body; the impulse of a pair is then
+taken as the smaller of its bodies' impulses, an upper bound. Landings are reported by pair.
 
 A body at rest receives a contact impulse in every step, too, which changes its velocity by about as
 much as gravity and force laws do in a step. An impact changes it by more.
@@ -14,6 +14,7 @@ from typing import NamedTuple
 import numpy as np
 
 from sandbox.model.expressions import Array
+from sandbox.physics.contacts.contact_queries import pairs_of
 from sandbox.physics.engine.batch import Integers
 from sandbox.physics.stepping.world import World
 
@@ -42,15 +43,22 @@ def impacts(world: World) -> Impacts | None:
     contacts, scene = world.contacts, world.scene
     if not len(contacts.bodies):
         return None
-    struck, impulse = contacts.first, contacts.normal
+    struck, impulse, turn = contacts.first, contacts.normal, np.zeros(len(contacts.bodies))
     solver = scene.sequence or scene.direct
     if solver:
         found = solver.last
         struck = struck | found.struck[contacts.bodies].any(axis=1)
         impulse = impulse + found.impulse[contacts.bodies].min(axis=1)
+    if scene.direct and (given := scene.direct.drifts.given):
+        pairs, turns = pairs_of(contacts), [*given]
+        landed = np.array([given.get(pair, 0.0) for pair in pairs])
+        turn = np.array([turns.index(pair) if pair in given else -1 for pair in pairs])
+        struck = struck | (landed > 0)
+        impulse = np.where(landed > 0, contacts.normal + landed, impulse)
     rows = np.flatnonzero(struck)
     if not len(rows):
         return None
+    rows = rows[np.argsort(turn[rows], kind="stable")]
     step, bodies = world.last, contacts.bodies[rows]
     yields = scene.inverse_mass[bodies, 0]
     gives = np.hypot(*step.smooth[:, :2].T)[bodies].sum(axis=1) * step.dt

@@ -218,8 +218,8 @@ class Recorder:
         if count > self._most:
             hint = Message("record fewer, or for a shorter time")
             reason = Message(
-                "{count:,} instants are to be recorded, and with so many quantities {most:,} are"
-                " the most that {size:g} GB hold",
+                "{count:,} instants are to be recorded, but with so many quantities {size:g} GB"
+                " hold at most {most:,}",
                 count=count,
                 most=self._most,
                 size=LARGEST / 1e9,

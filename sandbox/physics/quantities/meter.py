@@ -73,7 +73,7 @@ class Meter:
     def _bind(self, quantity: Quantity) -> Measurement:
         if quantity.booked or quantity.between or quantity.over_time:
             rule = Message(
-                "'{name}' is known only to a recorder, which watches the whole run",
+                "'{name}' is known only in a recording of the whole run",
                 name=quantity.name,
             )
             raise QuantityError(rule)

@@ -46,8 +46,8 @@ def make_contacts(
     ours = not stepping.is_stock
     if ours:
         skip_ids(space, level)
-    sequence = level.effects.in_sequence and ours
     direct = ours and is_direct(level, stepping)
+    sequence = level.effects.in_sequence and ours and not direct
     skin = _skin(ours=ours, direct=direct)
     most = most_pairs(stepping.iterations, direct=direct)
     shapes = _make_shapes(space, bodies, level, values, skin, most)
@@ -137,11 +137,9 @@ def make_direct(made: Made, pairs: Pairs) -> "Direct | None":
     surfaces = surfaces_of(level, made.values, bodies)
     assert bodies[0].space
     query = Query(bodies[0].space, bodies, pairs.hollows, pairs.gates)
-    dt, strikes = 1 / stepping.rate, not level.effects.in_sequence
+    dt = 1 / stepping.rate
     made.batch.solved_by_pymunk = False
-    return Direct(
-        made.batch, made.joints.together, surfaces, made.inertia, dt, query, strikes=strikes
-    )
+    return Direct(made.batch, made.joints.together, surfaces, made.inertia, dt, query)
 
 
 def make_sequence(made: Made, restitution: Array | None) -> "Sequential | None":
@@ -150,8 +148,7 @@ def make_sequence(made: Made, restitution: Array | None) -> "Sequential | None":
         return None
     from sandbox.physics.contacts.sequential_impacts import Sequence
 
-    together, dt = made.joints.together, 1 / made.stepping.rate
-    return Sequence(made.batch, restitution, made.inverse_mass, together, dt)
+    return Sequence(made.batch, restitution, made.inverse_mass, 1 / made.stepping.rate)
 
 
 def touches_of(space: pymunk.Space, level: Level) -> Touches | None:

@@ -12,7 +12,7 @@ from sandbox.model.message import NOTHING, Message
 def way_out(needed: float, rate: float) -> Message:
     """Return the advice to take the rate needed [Hz], or that no allowed rate is enough."""
     if needed > HIGHEST_RATE:
-        return Message("no 'rate' that a level may have is enough")
+        return Message("no 'rate' that is allowed is enough")
     return Message("take a higher 'rate': {needed:,}, not {rate:g}", needed=ceil(needed), rate=rate)
 
 
@@ -97,9 +97,9 @@ class BreakdownError(SimulationError):
     """A run that ended by an unforeseen exception, its cause: a defect of the program."""
 
     def __init__(self, error: Exception, time: float) -> None:
-        what = " ".join(f"{error}".split()) or Message("no more is known")
+        what = " ".join(f"{error}".split()) or Message("no details are known")
         message = Message(
-            "the numbers of this scene lead where nothing can be computed ({what})", what=what
+            "nothing can be computed with the numbers of this scene ({what})", what=what
         )
         if isinstance(error, IncompleteError):
             message = Message("{what}", what=what)

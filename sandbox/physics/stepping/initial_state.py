@@ -24,8 +24,7 @@ def start(setup: Setup, stages: Stages, observer: Observer) -> Observation:
     else:
         nowhere = np.full_like(velocity, np.nan)
         scene.joints.time(kicks.clock.dt, kicks.clock.dt)
-        state = scene.batch.state()
-        snapshot = observer.snapshot(state, velocity, nowhere, NO_CONTACTS, np.nan)
+        snapshot = observer.snapshot(scene.batch.state(), velocity, nowhere, NO_CONTACTS, np.nan)
         observed = Observation(kicks.clock.steps, snapshot, NO_CONTACTS, velocity, None)
     return observed
 
@@ -34,7 +33,9 @@ def _half_kick(setup: Setup, stages: Stages, observer: Observer, velocity: Array
     scene, kicks, forces = setup.scene, setup.kicks, setup.forces
     lasts = kicks.parts[-1].kick / 2
     with kicks.held():
-        after = kicks.begin(lasts, velocity)
+        after, direct = kicks.begin(lasts, velocity), scene.direct
+        if direct and direct.drifts.kicked is not None:
+            after = direct.drifts.kicked
         begun = velocity + scene.sequence.last.jump if scene.sequence else velocity
         acceleration = (after - begun) / lasts
         for started in stages.started:

@@ -62,8 +62,7 @@ class Observer:
         begun
             (n, 3), the velocities half a kick before the step [m/s, rad/s].
         """
-        state = self._scene.batch.state()
-        contacts, direct = self.contacts(), self._scene.direct
+        state, contacts, direct = self._scene.batch.state(), self.contacts(), self._scene.direct
         if direct and direct.drifts.kicked is not None:  # landing bodies have changed them since
             state[:, 3:] = direct.drifts.kicked
         rates = self._rates(state, begun, contacts)

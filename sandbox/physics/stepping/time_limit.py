@@ -17,7 +17,7 @@ from sandbox.physics.stepping.world import World
 LONGEST = 30.0
 """s, the longest time of a step."""
 
-HINT = Message("let it have fewer bodies that touch or are joined, or fewer 'iterations'")
+HINT = Message("reduce the bodies that touch or are joined, or the 'iterations'")
 
 
 class Patience:
@@ -74,6 +74,6 @@ class Patience:
 def _spent(t: float, took: float, longest: float) -> SimulationError:
     """Return the error for a step that took too long, given its time and the limit [s]."""
     message = Message(
-        "a step takes {took:.0f} s, and {longest:g} s are the most", took=took, longest=longest
+        "a step takes {took:.0f} s; at most {longest:g} s are allowed", took=took, longest=longest
     )
     return SimulationError("", t, message, hint=HINT)

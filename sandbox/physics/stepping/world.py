@@ -88,9 +88,10 @@ class World:
     @property
     def impacts(self) -> list[tuple[Pair, float]]:
         """The located impacts between the last two steps: the pair, and the time [s]."""
-        located = self._stages.impacts() if self._stages.impacts else []
-        names, t = list(self.scene.bodies), self.kicks.clock.after(-1)
-        return [(frozenset(names[b] for b in i.bodies), t + i.time) for i in located]
+        direct, located, names = self.scene.direct, self._stages.impacts, list(self.scene.bodies)
+        struck = direct.drifts.struck if direct else [i[:2] for i in located()] if located else ()
+        t = self.kicks.clock.after(-1)
+        return [(frozenset(names[b] for b in pair), t + time) for pair, time in struck]
 
     @property
     def hooks(self) -> int:
@@ -174,8 +175,7 @@ class World:
         from sandbox.physics.stepping.failures import explained
 
         self._ended = explained(error, list(self.scene.bodies), self.t, self.stepping.rate)
-        cause = error.__cause__ if self._ended is error else error
-        raise self._ended from cause
+        raise self._ended from error.__cause__ if self._ended is error else error
 
     def recall(self, snapshot: Snapshot) -> None:
         """Show an earlier observed state; the world must take no step after that."""

@@ -70,7 +70,7 @@ def test_each_choice_has_a_button_and_what_cannot_be_is_told_beside_it(builder: 
     builder.click(left.rect)
     builder.person.wait(0.1)
 
-    assert "only a line" in builder.page._refused["bodies", "left", "one_way"]
+    assert "can be one-way" in builder.page._refused["bodies", "left", "one_way"]
     assert "one_way" not in builder.document["bodies"]["left"]
 
 

@@ -61,7 +61,7 @@ def test_what_is_copied_can_be_pasted_into_an_empty_scene(name: str) -> None:
 @pytest.mark.parametrize("copied", ["", "{}", "[1]", '{"bodies": 3}', "hello"])
 def test_what_is_no_level_is_not_pasted(copied: str) -> None:
     empty = Draft.empty().text
-    with pytest.raises(SandboxError, match="not of a level"):
+    with pytest.raises(SandboxError, match="not part of a level"):
         paste(empty, parse(empty), copied)
 
 

@@ -106,11 +106,11 @@ def test_an_angle_stays_in_degrees_and_a_share_between_0_and_1() -> None:
 
 def test_what_is_a_formula_already_or_none_at_all_is_no_parameter() -> None:
     text = make_parameter(scene(), MASS, "m")
-    with pytest.raises(SandboxError, match="formula already"):
+    with pytest.raises(SandboxError, match="already a formula"):
         make_parameter(text, MASS, "m2")
     with pytest.raises(SandboxError, match="cannot be a formula"):
         make_parameter(text, ("title",), "m2")
-    with pytest.raises(SandboxError, match="already; choose another"):
+    with pytest.raises(SandboxError, match="already a parameter"):
         make_parameter(text, ("duration",), "m")
     with pytest.raises(SandboxError, match="meaning in formulas"):
         make_parameter(text, ("duration",), "t")

@@ -110,7 +110,7 @@ def test_the_point_that_holds_a_block_on_its_slope_turns_along() -> None:
 def test_what_is_no_slope_or_is_placed_by_formulas_is_told() -> None:
     text = incline(radians(30))
     twice = tilt(text, parse(text), "box1")
-    with pytest.raises(SandboxError, match="a formula says already where 'surface1' is"):
+    with pytest.raises(SandboxError, match="the position of 'surface1' is already a formula"):
         tilt(twice, parse(twice), "box1")
     assert slope_of(parse(text), "ground") == "ground"
     text = declare(text, parse(text), "rotation")

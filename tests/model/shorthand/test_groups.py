@@ -105,15 +105,15 @@ def test_a_joint_of_a_group_may_hold_on_to_what_is_outside() -> None:
     [
         ({"bodies": {"x": {"copy": "pari"}}}, "unknown group 'pari'; did you mean 'pair'?"),
         ({"bodies": {"x": {"copy": 5}}}, "unknown group '5'"),
-        ({"bodies": {"x": {"copy": "pair", "mass": 2}}}, "unknown key 'mass' of a group"),
+        ({"bodies": {"x": {"copy": "pair", "mass": 2}}}, "unknown key 'mass' of a copy of a group"),
         ({"bodies": {"x": {"copy": "pair", "position": [0]}}}, "must be two numbers"),
         ({"bodies": {"x": {"copy": "pair", "angle": [0]}}}, "must be a number"),
-        ({"bodies": {"ball": DISC}}, "nothing places this group"),
+        ({"bodies": {"ball": DISC}}, "this group is never placed"),
         ({"groups": 5, "bodies": {"ball": DISC}}, "must be an object"),
         ({"groups": {"pair": {}}}, "'bodies' is missing"),
         ({"groups": {"pair": DUMBBELL | {"checks": []}}}, "unknown key 'checks'; known: bodies"),
-        ({"groups": {"pair": {"bodies": {"a": {"copy": "pair"}}}}}, "cannot hold another one"),
-        ({"bodies": {"x_a": DISC, "x": {"copy": "pair"}}}, "'x_a' comes out twice"),
+        ({"groups": {"pair": {"bodies": {"a": {"copy": "pair"}}}}}, "cannot contain another one"),
+        ({"bodies": {"x_a": DISC, "x": {"copy": "pair"}}}, "there are two of 'x_a'"),
         ({"bodies": {"x": {"copy": "pair", "position": ["q", 0]}}}, "unknown parameter 'q'"),
     ],
 )
@@ -161,7 +161,7 @@ def test_many_copies_of_a_large_group_exhaust_no_machine() -> None:
     group: Any = {"bodies": {"a{i}": DISC | {"repeat": {"i": 200}}}}
     data = level(groups={"pair": group}, bodies={"x{i}": {"repeat": {"i": 20_000}, "copy": "pair"}})
 
-    assert "more than 5,000,000 characters when it is written out" in told(data)
+    assert "more than 5,000,000 characters when it is expanded" in told(data)
 
 
 def test_a_motion_in_a_group_is_turned_with_it() -> None:

@@ -160,19 +160,19 @@ def test_a_body_may_still_be_called_repeat() -> None:
         ("repeat", {"i": True}, "must be a count"),
         ("repeat", {"i": [1]}, "must be a count"),
         ("repeat", {"i": [3, 1]}, "ends before it begins, from 3 to 1"),
-        ("repeat", {"i": 20_001}, "counts too far; 20,000 is the most"),
+        ("repeat", {"i": 20_001}, "counts too far, beyond 20,000"),
         ("repeat", {"i": 10**400}, "counts too far"),
         ("repeat", {}, "must name an index"),
         ("repeat", 5, "must name an index"),
         ("repeat", {"pi": 5}, "already has a meaning"),
         ("repeat", {"1": 5}, "is not a name"),
-        ("repeat", {"i": "{k}"}, "'k' is none"),
+        ("repeat", {"i": "{k}"}, "'k' is not one"),
         ("position", ["{i/2}", 0], "is 0.5, not a whole number"),
-        ("position", ["{k}", 0], "'k' is none; known: i"),
-        ("position", ["{m}", 0], "holds only indices, and 'm' is none"),
+        ("position", ["{k}", 0], "'k' is not one; known: i"),
+        ("position", ["{m}", 0], "may use only indices, and 'm' is not one"),
         ("position", ["{1/(i - 1)}", 0], "not a finite number"),
         ("position", ["i", 0], "unknown parameter 'i'; the index is typed {i}"),
-        ("each", 1, "stands beside 'each'"),
+        ("each", 1, "cannot be combined with 'each'"),
     ],
 )  # fmt: skip
 def test_a_mistake_is_told_where_it_is_typed(place: str, value: object, rule: str) -> None:
@@ -209,7 +209,7 @@ def test_what_comes_behind_what_repeats_keeps_its_place() -> None:
 def test_a_name_without_its_index_is_told() -> None:
     (found,) = told(level(bodies={"ball": DISC | {"repeat": {"i": 2}}}))
 
-    assert "'ball' comes out twice; put an index into its name, such as ball{i}" in found
+    assert "there is more than one 'ball'; put an index into the name, such as ball{i}" in found
 
 
 @pytest.mark.sweep
@@ -227,7 +227,7 @@ def test_a_small_file_exhausts_no_machine(repeat: Any) -> None:  # noqa: ANN401
     begun = time.process_time()
     found = write_out(data, json.dumps(data))
 
-    assert "more than 5,000,000 characters when it is written out" in found.faults[0].rule
+    assert "more than 5,000,000 characters when it is expanded" in found.faults[0].rule
     assert time.process_time() - begun < 10
 
 

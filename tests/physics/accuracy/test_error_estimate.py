@@ -16,7 +16,7 @@ def test_what_is_exact_is_off_by_rounding_and_shows_no_order() -> None:
     scene = level({"ball": disc(velocity=[3, 8])}, GRAVITY, duration=1)
     found = estimate(scene)
 
-    assert len(found) == 4  # places and velocities
+    assert len(found) == 4  # positions and velocities
     for each in found:
         assert each is not None
         assert each.error < 1e-12

@@ -43,7 +43,7 @@ def test_a_higher_rate_that_does_not_help_is_not_advised() -> None:
 
     assert "take a higher 'rate'" not in str(found)
     assert "a higher rate does not help (1,920 and 3,840 Hz)" in str(found)
-    assert 'with "contact": {"solver": "direct"} it holds to its end, t = 0.3 s' in str(found)
+    assert 'with "contact": {"solver": "direct"} it runs to its end, t = 0.3 s' in str(found)
     assert found.rate is None
 
 
@@ -53,7 +53,7 @@ def test_a_rate_is_advised_with_how_far_it_held() -> None:
     found = advise(stop(scene), scene, scene.defaults, scene.stepping, 1.5)
 
     assert found.rate is not None
-    assert found.text == f"tried: at {found.rate:,.0f} Hz it holds to its end, t = 1.5 s"
+    assert found.text == f"tried: at {found.rate:,.0f} Hz it runs to its end, t = 1.5 s"
 
 
 def rope(links: int = 5, mass: float = 2e-4) -> Level:
@@ -103,7 +103,7 @@ def test_eulers_scheme_is_advised_against() -> None:
     )  # fmt: skip
     found = advise(stop(scene), scene, scene.defaults, scene.stepping)
 
-    assert found.text == "tried: with the scheme 'leapfrog' it holds to its end, t = 2 s"
+    assert found.text == "tried: with the scheme 'leapfrog' it runs to its end, t = 2 s"
 
 
 @pytest.mark.sweep
@@ -122,7 +122,7 @@ def test_the_rate_that_a_check_tells_has_been_tried() -> None:
     scene = level({"bob": disc((1.1, 0))}, {}, joints={"k": spring}, duration=0.2)
     told = refusal(scene, advised=True)
 
-    assert str(told).endswith("; tried: at 633 Hz it holds to its end, t = 0.2006 s")
+    assert str(told).endswith("; tried: at 633 Hz it runs to its end, t = 0.2006 s")
 
 
 def tower(count: int, **contact: object) -> Level:

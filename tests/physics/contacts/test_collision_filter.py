@@ -75,7 +75,7 @@ def test_a_pair_that_never_meets_has_no_coefficient() -> None:
             {"bodies": ["a", "floor"], "coefficient": 1},
         ]
     }
-    with pytest.raises(LevelError, match="'a' and 'b' never meet, as 'contact' says"):
+    with pytest.raises(LevelError, match="'a' and 'b' never touch, because of 'contact'"):
         falling({"apart": [["b", "a"]]}, friction=rub)
 
 

@@ -55,7 +55,7 @@ def test_two_thousand_discs_in_one_place_are_refused_before_they_take_memory() -
     scene = level(crowd(2000), OVERLAPS)
     tracemalloc.start()
     try:
-        with pytest.raises(SimulationError, match="more than 54,545 pairs of bodies are within"):
+        with pytest.raises(SimulationError, match="more than 54,545 pairs of bodies are close"):
             build(scene)
         _, most = tracemalloc.get_traced_memory()
     finally:
@@ -97,6 +97,6 @@ def test_bodies_that_come_together_on_the_way_end_the_run(monkeypatch: pytest.Mo
     row = [disc((1.2 * i, 0), velocity=[-i, 0]) for i in range(5)]
     world = build(level({f"d{i}": body for i, body in enumerate(row)}, {"contact": {}}))
 
-    with pytest.raises(SimulationError, match="more than 3 pairs of bodies are within reach"):
+    with pytest.raises(SimulationError, match="more than 3 pairs of bodies are close"):
         advance(world, 200)
     assert not world.doubted

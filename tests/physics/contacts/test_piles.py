@@ -60,7 +60,7 @@ def test_the_slop_of_piles_is_of_the_size_of_their_bodies(size: float) -> None:
 
 
 def test_a_slop_beside_piles_is_refused() -> None:
-    with pytest.raises(LevelError, match="leave out one of the two"):
+    with pytest.raises(LevelError, match="'piles' already chooses the 'slop'"):
         stack(1, {"piles": True, "slop": 1e-3})
 
 

@@ -114,7 +114,7 @@ def test_without_that_it_stays_in_the_loop() -> None:
 
 
 def test_only_what_is_one_way_can_be_reversed() -> None:
-    with pytest.raises(LevelError, match="'track' is no one-way surface; give it a 'one_way'"):
+    with pytest.raises(LevelError, match="'track' is not a one-way surface; set its 'one_way'"):
         loop({"over": {"at": 1, "reverse": ["track"]}})
     with pytest.raises(LevelError, match="unknown body 'rihgt'; did you mean 'right'"):
         loop({"over": {"at": 1, "reverse": ["rihgt"]}})

@@ -316,7 +316,7 @@ def test_what_is_pressed_on_an_elastic_floor_is_told_soon(gap: float) -> None:
     bodies["plate"]["velocity"] = [0, -1]
 
     start = process_time()
-    with pytest.raises(SimulationError, match="are wedged in, and would collide for ever"):
+    with pytest.raises(SimulationError, match="are wedged in and would collide for ever"):
         build(level(bodies, SEQUENCE)).advance(6)
     assert process_time() - start < 0.5  # 0.01 s; it took 0.8 s a kick, of up to 500
 
@@ -431,7 +431,7 @@ def test_a_pairs_own_coefficient_counts_in_sequence() -> None:
 
 
 def test_impacts_in_sequence_do_not_rub() -> None:
-    with pytest.raises(LevelError, match="do not rub"):
+    with pytest.raises(LevelError, match="are frictionless"):
         level(
             {"a": disc(friction=1, restitution=1), "b": disc((3, 0), friction=1, restitution=1)},
             {**SEQUENCE, "friction": {}},

@@ -391,7 +391,7 @@ def test_the_books_are_recorded_as_quantities() -> None:
 
 
 def test_a_meter_sends_for_the_ledger() -> None:
-    with pytest.raises(QuantityError, match="known only to a recorder"):
+    with pytest.raises(QuantityError, match="known only in a recording"):
         Meter(build(atwood(1, 2)), ["system.unexplained_energy"])
 
 

@@ -155,7 +155,7 @@ def test_a_load_that_is_nothing_is_told() -> None:
 
 def test_what_breaks_has_no_scheme_of_fourth_order() -> None:
     this = swung(20)
-    with pytest.raises(LevelError, match="that 'rod' may break"):
+    with pytest.raises(LevelError, match="'rod', which may break"):
         level(
             {"bob": disc((1, 0))},
             GRAVITY,

@@ -227,11 +227,10 @@ def test_welded_bodies_that_are_cut_apart_can_meet() -> None:
     [
         (
             {"at": 1},
-            "does nothing: say what it is to 'cut' or to 'tie', to switch 'on' or 'off', or to"
-            " 'reverse'",
+            "does nothing; give it something to 'cut', 'tie', switch 'on' or 'off', or 'reverse'",
         ),
         ({"at": 1, "cut": ["rood"]}, "unknown joint 'rood'; did you mean 'rod'?"),
-        ({"at": 1, "on": ["pull"]}, "'pull' is no force that can be switched"),
+        ({"at": 1, "on": ["pull"]}, "'pull' is not a force that can be switched"),
         (
             {"at": {"event": "crossing", "quantity": "bob.action"}, "cut": ["rod"]},
             "'bob.action' is not known between two steps",

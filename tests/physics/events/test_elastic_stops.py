@@ -237,7 +237,7 @@ def test_eulers_schemes_bounce_at_the_step_that_finds_them_beyond(scheme: str) -
 
 
 def test_contacts_that_take_turns_are_refused() -> None:
-    with pytest.raises(LevelError, match="needs contacts that are solved directly"):
+    with pytest.raises(LevelError, match="needs the 'direct' solver of contacts"):
         slider(1, contact={"solver": "iterative"})
 
 

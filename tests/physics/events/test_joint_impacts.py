@@ -205,7 +205,9 @@ def test_a_branch_knows_what_has_caught() -> None:
 
 def test_a_dog_that_is_leashed_beyond_its_leash_is_told() -> None:
     this = wagons(kind="rope", length=1)
-    with pytest.raises(SimulationError, match=r"'hook' is tied where what it holds is 0\.2 beyond"):
+    with pytest.raises(
+        SimulationError, match=r"'hook' is tied when its ends are already 0\.2 beyond"
+    ):
         booked(this, 1)
 
 
@@ -287,9 +289,9 @@ def test_eulers_schemes_catch_at_a_step_and_keep_the_momentum(scheme: str) -> No
 @pytest.mark.parametrize(
     ("joint", "told"),
     [
-        ({"type": "rod", "length": 2}, "is as long as it is found; leave out 'length'"),
+        ({"type": "rod", "length": 2}, "takes the distance that it finds; leave out 'length'"),
         ({"type": "rod", "exact": False}, "must be exact; leave out 'exact'"),
-        ({"type": "spring", "stiffness": 9}, "must say the 'length' at which it is slack"),
+        ({"type": "spring", "stiffness": 9}, "needs its natural 'length'"),
     ],
 )
 def test_what_does_not_fit_a_joint_that_is_tied_is_told(
@@ -303,7 +305,7 @@ def test_what_does_not_fit_a_joint_that_is_tied_is_told(
 
 
 def test_contacts_that_take_turns_are_refused() -> None:
-    with pytest.raises(LevelError, match="solved directly; leave it out"):
+    with pytest.raises(LevelError, match="needs the 'direct' solver; leave this out"):
         level(
             {"first": disc(), "second": disc((2, 0))},
             {**GRAVITY, "contact": {"solver": "iterative"}},

@@ -339,7 +339,11 @@ def between(play: float, speed: float, e: float = 1) -> Level:
 @pytest.mark.parametrize(
     ("play", "speed", "said"),
     [
-        (1e-3, 100, "'ball' would have more than 500 impacts in one step: it is too fast for the"),
+        (
+            1e-3,
+            100,
+            "'ball' would have more than 500 impacts in one step: it is too fast for its room",
+        ),
         (0, 1, "collide too often to be followed: .* or they are wedged in"),
         (-1e-3, 1, "collide too often to be followed: .* or they are wedged in"),
     ],
@@ -401,7 +405,9 @@ def test_balls_that_a_plate_presses_on_the_ground_are_told_to_be_wedged_in(e: fl
     }
     scene = level(bodies, {**located(*balls), "restitution": {"impacts": "sequence"}})
 
-    with pytest.raises(SimulationError, match=r"'(low|high)' is wedged in: what presses on it"):
+    with pytest.raises(
+        SimulationError, match=r"'(low|high)' is wedged in, since what presses on it"
+    ):
         build(scene).advance(6)
 
 
@@ -586,9 +592,8 @@ def test_what_waits_to_stick_does_not_keep_others_from_bouncing() -> None:
         "floor": floor(),
     }
     sticking = {"pairs": [{"bodies": ["clay", "floor"]}]}
-    world = build(
-        level(bodies, {**GRAVITY, "contact": {"located": ["ball"]}, "sticking": sticking})
-    )
+    contact = {"located": ["ball"], "solver": "iterative"}
+    world = build(level(bodies, {**GRAVITY, "contact": contact, "sticking": sticking}))
     world.advance(60)
 
     assert worst(world.snapshot.position[0, 1], 0.5) <= 1e-8
@@ -597,10 +602,10 @@ def test_what_waits_to_stick_does_not_keep_others_from_bouncing() -> None:
 @pytest.mark.parametrize(
     ("effects", "told"),
     [
-        ({"contact": {"located": ["ball"]}}, "where impacts are located, all bodies must keep"),
+        ({"contact": {"located": ["ball"]}}, "located impacts need constant masses"),
         (
             {"contact": {}, "restitution": {"impacts": "sequence"}},
-            "those that collide in .sequence. must",
+            "impacts in .sequence. need constant masses",
         ),
     ],
 )
@@ -609,14 +614,14 @@ def test_what_changes_its_mass_has_no_impacts_of_ours(effects: Spec, told: str) 
     bodies = {"ball": disc((0, 2), **rubs), "floor": floor(**rubs)}
     gathers = {"accretion": [{"body": "ball", "rate": 2}]}
 
-    with pytest.raises(LevelError, match=f"'ball' changes its mass; {told}"):
+    with pytest.raises(LevelError, match=f"the mass of 'ball' changes; {told}"):
         level(bodies, {**GRAVITY, **gathers, **effects})
 
 
 def test_what_sticks_is_not_located() -> None:
     bodies = {"ball": disc((0, 2), restitution=1), "floor": floor(restitution=1)}
     sticking = {"pairs": [{"bodies": ["ball", "floor"]}]}
-    with pytest.raises(LevelError, match="'ball' sticks at its first touch"):
+    with pytest.raises(LevelError, match="'ball' sticks when it first touches"):
         level(bodies, {**located("ball"), "sticking": sticking})
 
 

@@ -407,13 +407,13 @@ def test_who_cannot_come_to_rest_is_told(name: str, told: str) -> None:
 def test_what_hangs_on_a_rod_is_refused() -> None:
     scene = {"block": box(friction=MU), "ground": fixed(FLAT, (0, -0.75), friction=1)}
     rod = {"type": "rod", "ends": ["block", [0, 1]]}
-    with pytest.raises(LevelError, match=r"'block' is held by 'rod'; where slipping ends"):
+    with pytest.raises(LevelError, match=r"'block' is held by 'rod'; the end of slipping"):
         level(scene, rub("block"), joints={"rod": rod})
 
 
 def test_what_changes_its_mass_is_refused() -> None:
     scene = {"block": box(friction=MU), "ground": fixed(FLAT, (0, -0.75), friction=1)}
-    with pytest.raises(LevelError, match="'block' changes its mass, so where slipping ends"):
+    with pytest.raises(LevelError, match="the mass of 'block' changes, so the end of its slip"):
         level(scene, {**rub("block"), "accretion": [{"body": "block", "rate": 1}]})
 
 

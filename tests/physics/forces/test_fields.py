@@ -78,7 +78,7 @@ def test_what_has_no_value_is_told_at_its_place(effects: dict[str, object], told
 
 
 def test_a_parameter_cannot_have_the_name_of_a_place() -> None:
-    with pytest.raises(LevelError, match=r"energy' is a formula over x, y; choose another name"):
+    with pytest.raises(LevelError, match=r"energy' over x, y; choose another name"):
         probe(
             {"potential": [{"energy": "x**2"}]},
             parameters={"x": {"value": 1, "min": 0, "max": 2}},
@@ -87,5 +87,5 @@ def test_a_parameter_cannot_have_the_name_of_a_place() -> None:
 
 
 def test_a_potential_with_corners_has_no_fourth_order() -> None:
-    with pytest.raises(LevelError, match=r"the effect 'potential', for 'abs.x.' has corners"):
+    with pytest.raises(LevelError, match=r"the effect 'potential', since 'abs.x.' has corners"):
         probe({"potential": [{"energy": "abs(x)"}]}, stepping={"scheme": "fourth-order"})

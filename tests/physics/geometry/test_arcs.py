@@ -293,8 +293,8 @@ def test_who_touches_an_arc_from_inside_is_known() -> None:
     ("shape", "rule"),
     [
         (arc(180, 180), "'end' must be larger than 'start'"),
-        (arc(0, 361), "an arc goes round once at the most"),
-        (arc(thickness=2), "leaves nothing of a hollow"),
+        (arc(0, 361), "an arc spans at most a full circle"),
+        (arc(thickness=2), "fills the whole inside of an arc"),
     ],
 )
 def test_what_is_no_arc_is_refused(shape: Spec, rule: str) -> None:

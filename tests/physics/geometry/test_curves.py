@@ -322,10 +322,10 @@ def test_who_touches_a_curve_is_known() -> None:
 @pytest.mark.parametrize(
     ("changes", "rule"),
     [
-        ({"s": [1, 1]}, "'s' must run upwards"),
-        ({"curve": ["s", "sqrt(s)"]}, "the curve is nowhere finite at s = -2"),
-        ({"curve": ["s", "abs(s)"]}, "needs its corners rounded, but this one is sharp at [0, 0]"),
-        ({"curve": ["s", "0.01*sin(2e4*s)"]}, "too long for 4096 pieces: make it of several"),
+        ({"s": [1, 1]}, "'s' must increase"),
+        ({"curve": ["s", "sqrt(s)"]}, "the curve has no finite point at s = -2"),
+        ({"curve": ["s", "abs(s)"]}, "must not have sharp corners, but has one at [0, 0]"),
+        ({"curve": ["s", "0.01*sin(2e4*s)"]}, "too long for 4096 pieces: divide it into several"),
         ({"curve": ["sin(2*s)", "-sin(s)"], "s": [-1, 4]}, "must not cross itself"),
         ({"curve": ["s", "s**1.5"], "s": [0, 1]}, "the curve is not smooth near [0, 0]"),
         ({"curve": ["s + sin(s)", "-cos(s)"], "s": ["-pi", "pi"]}, "end it before, or round it"),
@@ -355,7 +355,7 @@ def test_a_curve_does_not_move_freely() -> None:
         (
             {},
             {"contact": {"located": ["disc"]}},
-            "'way' is a curve; where there is one, no impacts",
+            "'way' is a curve; a level with one cannot have located",
         ),
         (
             {},
@@ -365,7 +365,7 @@ def test_a_curve_does_not_move_freely() -> None:
         (
             {"ring": {"shape": {"type": "arc", "radius": 1, "start": 0, "end": 3}, "mass": 1}},
             {"contact": {"overlaps": True}},
-            "'ring' is an arc that moves, and cannot touch the curve 'way'",
+            "'ring' is a dynamic arc and cannot touch the curve 'way'",
         ),
     ],
     ids=["located", "sticking", "arc"],
@@ -378,7 +378,9 @@ def test_what_cannot_be_done_beside_a_curve_is_refused(bodies: Spec, laws: Spec,
 
 def test_a_parameter_is_not_called_as_what_runs_along_a_curve() -> None:
     s = {"s": {"value": 1, "min": 0, "max": 2}}
-    with pytest.raises(LevelError, match="'s' runs along the curves; choose another name"):
+    with pytest.raises(
+        LevelError, match="'s' is the parameter along the curves; choose another name"
+    ):
         level(
             {"disc": disc((0, "9 + s")), "way": fixed(VALLEY)},  # type: ignore[arg-type]
             {"contact": {}},

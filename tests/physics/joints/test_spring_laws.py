@@ -74,7 +74,7 @@ def test_a_law_that_cannot_be_is_told(law: str, told: str) -> None:
 
 def test_a_law_with_corners_has_no_fourth_order() -> None:
     tie = {"type": "spring", "ends": ["a", "b"], "stiffness": 1, "law": "abs(x)"}
-    with pytest.raises(LevelError, match="which rules out that the law of 'tie' has corners"):
+    with pytest.raises(LevelError, match="which rules out 'tie', whose law has corners"):
         level(
             {"a": box(), "b": box((2, 0))},
             {},

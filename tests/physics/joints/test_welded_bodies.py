@@ -212,7 +212,7 @@ def test_what_sticks_and_is_pinned_already_is_told_by_name() -> None:
             "bar": {"type": "weld", "ends": ["a", "c"]},
         },
     )  # fmt: skip
-    with pytest.raises(SimulationError, match="b and c' holds what is held already"):
+    with pytest.raises(SimulationError, match="b and c' is redundant"):
         build(scene).advance(600)
 
 

@@ -234,5 +234,5 @@ def test_all_that_two_bodies_have_together_is_listed_and_found() -> None:
 
 def test_a_point_cannot_be_called_as_what_is_measured() -> None:
     ball = {"shape": {"type": "disc", "radius": 1}, "mass": 1, "points": {"contact": [0, 0]}}
-    with pytest.raises(LevelError, match="is what is measured of the body itself"):
+    with pytest.raises(LevelError, match="is a quantity of the body itself"):
         level({"ball": ball})

@@ -142,9 +142,12 @@ def test_an_event_may_wait_until_so_many_are_in_a_sensor() -> None:
 @pytest.mark.parametrize(
     ("said", "rule"),
     [
-        ({"type": "dynamic", "mass": 1}, "a sensor is static or kinematic"),
+        ({"type": "dynamic", "mass": 1}, "a sensor must be static or kinematic"),
         ({"friction": 0.5}, "a sensor has no surface"),
-        ({"shape": {"type": "segment", "start": [0, 0], "end": [1, 0]}}, "a sensor is an area"),
+        (
+            {"shape": {"type": "segment", "start": [0, 0], "end": [1, 0]}},
+            "a sensor must be a disc, a box or a polygon, not a segment",
+        ),
     ],
 )
 def test_what_no_sensor_can_be_is_told(said: dict[str, object], rule: str) -> None:

@@ -98,11 +98,11 @@ def test_a_motor_goes_on_from_where_it_has_turned_to() -> None:
 @pytest.mark.parametrize(
     ("name", "parameter", "told"),
     [
-        ("kinematics/projectile", "speed", "only how the run starts"),
-        ("lagrange/simple-pendulum", "L", "put together at the start"),
+        ("kinematics/projectile", "speed", "only its start or what is displayed"),
+        ("lagrange/simple-pendulum", "L", "assembled at the start"),
         ("newton/incline", "angle", "part of a shape"),
-        ("machines/cam", "n", "says where a body is moved to"),
-        ("newton/rocket", "burn", "has made the masses what they are"),
+        ("machines/cam", "n", "determines where a body is moved to"),
+        ("newton/rocket", "burn", "determines how masses have changed"),
     ],
 )
 def test_what_cannot_change_on_the_way_is_told(name: str, parameter: str, told: str) -> None:

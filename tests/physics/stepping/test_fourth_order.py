@@ -343,10 +343,10 @@ DAMPED = {"damped": spring(damping=1), "lets go": spring(pushes_only=True)}
         ({**GRAVITY, "contact": {}}, {}, "the effect 'contact'"),
         (GRAVITY, {"r": {"type": "rope", "ends": ["peg", "ball"]}}, "the rope 'r', which can go"),
         (GRAVITY, {"r": {**ROD, "exact": False}}, "the rod 'r', which is pymunk's own"),
-        (GRAVITY, {"r": {**ROD, "length": "1.2 + t"}}, "that 'r' changes its length"),
+        (GRAVITY, {"r": {**ROD, "length": "1.2 + t"}}, "'r', whose length changes"),
         ({**GRAVITY, "rotation": {}}, {"r": {**MOTOR, "rate": 1}}, "the motor 'r'"),
         (GRAVITY, {"s": DAMPED["damped"]}, "the damping of 's'"),
-        (GRAVITY, {"s": DAMPED["lets go"]}, "that 's' lets go"),
+        (GRAVITY, {"s": DAMPED["lets go"]}, "'s', which lets go"),
     ],
 )
 def test_what_is_not_smooth_refuses_it_by_name(effects: Spec, joints: Spec, told: str) -> None:

@@ -31,7 +31,7 @@ def _friction_fault(kinetic: NonNegative, static: NonNegative, values: Values) -
     sticks, slips = static(values), kinetic(values)
     if sticks < slips:
         return Message(
-            "is {sticks:g}, less than the kinetic coefficient, {slips:g}: what holds would slip",
+            "is {sticks:g}, less than the kinetic coefficient of {slips:g}",
             sticks=sticks,
             slips=slips,
         )

@@ -48,8 +48,8 @@ def _meeting_fault(
         other = found.setdefault((round(x, 9), round(y, 9)), name)
         if other != name:
             return Message(
-                "'{other}' and '{name}' attract each other but start at one place; give them"
-                " 'softening'",
+                "'{other}' and '{name}' attract each other but start at the same position; add"
+                " a 'softening'",
                 other=brief(other),
                 name=brief(name),
             )

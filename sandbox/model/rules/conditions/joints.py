@@ -97,7 +97,7 @@ def _span_fault(joint: Joint, level: Level, values: Values) -> Message | None:
             return _string_fault(distance, length(values))
         case Pivot() | Motor() if distance > NEAR:
             return Message(
-                "a {type}'s two points must be one, but they are {distance:g} m apart",
+                "the two ends of a {type} must coincide, but they are {distance:g} m apart",
                 type=word(joint.type),
                 distance=distance,
             )
@@ -141,7 +141,7 @@ def _way_fault(
 def _rail_fault(aside: float) -> Message | None:
     if abs(aside) > NEAR:
         return Message(
-            "what runs on a rail must start on it, but it is {aside:g} m beside it",
+            "the first end must start on the rail, but it is {aside:g} m away from it",
             aside=abs(aside),
         )
     return None
@@ -164,7 +164,8 @@ def _range_fault(start: float, limits: tuple[float, float], unit: str) -> Messag
     least, most = limits
     if not least < most:
         return Message(
-            "a 'range' runs from the smaller to the larger, not from {least:g} to {most:g}",
+            "a 'range' must go from the smaller to the larger value, not from {least:g} to"
+            " {most:g}",
             least=least,
             most=most,
         )
@@ -181,7 +182,7 @@ def _range_fault(start: float, limits: tuple[float, float], unit: str) -> Messag
 
 def _rod_fault(distance: float, long: float) -> Message | None:
     if not distance > NEAR:
-        return Message("a rod cannot be 0 m long; a pivot keeps two points together")
+        return Message("a rod cannot be 0 m long; use a pivot to hold two points together")
     if not abs(long - distance) <= NEAR * distance:
         return Message(
             "the rod is {long:g} m long at the start, but its ends are {distance:g} m apart",

@@ -32,7 +32,7 @@ def _bounds_fault(bounds: Point, values: Values) -> Message | None:
     low, high = evaluate(bounds, values)
     if low < high:
         return None
-    return Message("must go up, but goes from {low:g} m to {high:g} m", low=low, high=high)
+    return Message("must increase, but goes from {low:g} m to {high:g} m", low=low, high=high)
 
 
 def _curve_fault(landscape: Landscape, values: Values) -> Message | None:

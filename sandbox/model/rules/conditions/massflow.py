@@ -28,7 +28,7 @@ def _burnt_fault(
     whole, burnt = mass(values), sum(propellant(values) for propellant in burns)
     if burnt >= whole:
         return Message(
-            "'{body}' burns {burnt:g} kg, but all its mass is {whole:g} kg",
+            "'{body}' burns {burnt:g} kg, but its whole mass is {whole:g} kg",
             body=brief(body),
             burnt=burnt,
             whole=whole,

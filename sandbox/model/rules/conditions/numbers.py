@@ -36,5 +36,5 @@ def _too_long(level: Level, values: Values) -> Message | None:
     if steps <= MAX_STEPS:
         return None
     return Message(
-        "that takes {steps:.1g} steps; {most:,} are allowed", steps=steps, most=MAX_STEPS
+        "that takes {steps:.1g} steps; at most {most:,} are allowed", steps=steps, most=MAX_STEPS
     )

@@ -120,7 +120,7 @@ def _displaced(formula: Formula, values: Values) -> Message | None:
     start, speed = (f.at(values, {"t": at_start}) for f in (formula, formula.slope("t")))
     if abs(start) > STARTS * (1 + np.abs(formula.over(values, at_start + 1))):
         return Message(
-            "is {start:.3g} {unit} at the start, but must be 0: it is counted from there",
+            "is {start:.3g} {unit} at the start, but must be 0, since it is relative to the start",
             start=start,
             unit=formula.unit,
         )

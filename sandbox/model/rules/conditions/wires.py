@@ -119,12 +119,12 @@ def _looked_at(wire: Wire | Curve, values: Values) -> tuple[Points, Message | No
     points, what = along(wire, values), word(wire.type)
     if not first < last:
         rule = Message(
-            "'s' must run upwards, but it runs from {first:g} to {last:g}", first=first, last=last
+            "'s' must increase, but it goes from {first:g} to {last:g}", first=first, last=last
         )
         return points, rule
     if not np.isfinite(points).all():
         lost = np.linspace(first, last, PIECES + 1)[~np.isfinite(points)][0]
-        return points, Message("the {what} is nowhere finite at s = {s:g}", what=what, s=lost)
+        return points, Message("the {what} has no finite point at s = {s:g}", what=what, s=lost)
     away = float(np.abs(points).max())
     if beyond := Coordinate.beyond(away):
         rule = Message(
@@ -141,7 +141,7 @@ def _shape_fault(points: Points, what: Message) -> Message | None:
     pieces = np.diff(points)
     if not np.abs(pieces).min() > 0:
         return Message(
-            "the {what} does not move on with s at {place}",
+            "the {what} does not advance with s at {place}",
             what=what,
             place=_shown(points[np.abs(pieces).argmin()]),
         )
@@ -151,20 +151,21 @@ def _shape_fault(points: Points, what: Message) -> Message | None:
     turns = np.abs(np.angle(pieces[1:] / pieces[:-1]))
     if turns.max() > SHARPEST:
         rule = Message(
-            "a {what} needs its corners rounded, but this one is sharp at {place}",
+            "the {what} must not have sharp corners, but has one at {place}",
             what=what,
             place=_shown(corners[turns.argmax()]),
         )
         if what == "wire":
             return rule
         return Message(
-            "{rule}; or, if it is not, it is too long for {pieces} pieces: make it of several",
+            "{rule}; or, if it is smooth there, it is too long for {pieces} pieces: divide it"
+            " into several",
             rule=rule,
             pieces=PIECES,
         )
     if (crossing := _crossing(points[:: PIECES // COARSE])) is not None:
         return Message(
-            "a {what} must not cross itself, but this one does near {place}",
+            "the {what} must not cross itself, but it does near {place}",
             what=what,
             place=_shown(crossing),
         )

@@ -59,6 +59,7 @@ _TOGETHER: tuple[Rule, ...] = (
     joints.own_apart,
     joints.ties_fit,
     joints.stops_bounce,
+    joints.pass_impacts_on,
     surfaces.sensors_untouched,
     surfaces.apart_fits,
     surfaces.sticking_fits,

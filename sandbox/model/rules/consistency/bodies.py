@@ -50,12 +50,10 @@ def motions_fit(level: Level) -> Iterator[Fault]:
             continue
         for field in ("velocity", "angular_velocity"):
             if given(body, field):
-                message = Message(
-                    "the 'motion' says how fast the body is at every time; leave it out"
-                )
+                message = Message("the 'motion' already determines the velocity; leave this out")
                 yield Fault(("bodies", name, field), message)
         if not dynamic:
-            message = Message("a body follows a 'motion' among dynamic bodies only; add one")
+            message = Message("a 'motion' needs a dynamic body in the level; add one")
             yield Fault(("bodies", name, "motion"), message)
 
 
@@ -67,7 +65,7 @@ def rise_and_fall(level: Level) -> Iterator[Fault]:
             body = level.bodies.get(at.body)
             if body and body.type in still[at.event]:
                 rule = Message(
-                    "'{body}' is {type}: it never comes to its {event}",
+                    "'{body}' is {type}, so its {event} never happens",
                     body=brief(at.body),
                     type=word(body.type),
                     event=word(at.event),
@@ -83,12 +81,12 @@ def sensors_fit(level: Level) -> Iterator[Fault]:
         path = ("bodies", name)
         if not isinstance(body.shape, Area):
             rule = Message(
-                "a sensor is an area, a disc, a box or a polygon, and not a {type}",
+                "a sensor must be a disc, a box or a polygon, not a {type}",
                 type=word(body.shape.type),
             )
             yield Fault((*path, "shape"), rule)
         if body.type == "dynamic":
-            rule = Message("a sensor is static or kinematic: nothing pushes it")
+            rule = Message("a sensor must be static or kinematic, since nothing pushes it")
             yield Fault((*path, "sensor"), rule)
         for field in ("friction", "static_friction", "restitution"):
             if given(body, field):
@@ -104,18 +102,17 @@ def one_way_fits(level: Level) -> Iterator[Fault]:
         path = ("bodies", name, "one_way")
         if not isinstance(body.shape, Line):
             rule = Message(
-                "only a line lets bodies through one way, a segment, a polyline, an arc or a"
-                " curve, and not a {type}",
+                "only a segment, a polyline, an arc or a curve can be one-way, not a {type}",
                 type=word(body.shape.type),
             )
             yield Fault(path, rule)
         if moves and level.effects.contact is None:
-            yield Fault(path, Message("holds nothing without the effect 'contact'"))
+            yield Fault(path, Message("has no effect without 'contact'"))
         sticking = level.effects.sticking
         for index, pair in enumerate(sticking.pairs if sticking else ()):
             if name in pair.bodies:
                 rule = Message(
-                    "nothing sticks to '{name}', which lets bodies through one way",
+                    "nothing can stick to '{name}', which is one-way",
                     name=brief(name),
                 )
                 yield Fault(("effects", "sticking", "pairs", index), rule)
@@ -128,7 +125,7 @@ def in_one_group(level: Level) -> Iterator[Fault]:
         for name in sorted(taken.intersection(group)):
             yield Fault(
                 ("view", "together", index),
-                Message("'{name}' is in another group already", name=brief(name)),
+                Message("'{name}' is already in another group", name=brief(name)),
             )
         taken.update(group)
 
@@ -144,8 +141,8 @@ def not_too_many_edges(level: Level) -> Iterator[Fault]:
     pairs = sum(count**2 for count in corners)
     if pairs > MAX_PAIRS_OF_EDGES:
         rule = Message(
-            "have polygons with {corners:,} corners in all: {pairs:,} pairs of edges would have"
-            " to be looked at for crossings, and {most:,} are the most",
+            "have polygons with {corners:,} corners in all, and so {pairs:,} pairs of edges"
+            " that may cross; at most {most:,} are allowed",
             corners=sum(corners),
             pairs=pairs,
             most=MAX_PAIRS_OF_EDGES,
@@ -160,7 +157,7 @@ def not_too_many(level: Level) -> Iterator[Fault]:
     count = sum(_pieces(body.shape) for body in level.bodies.values() if not body.sensor)
     if count > MAX_SURFACES:
         rule = Message(
-            "have {count:,} surfaces in all; {most:,} are the most that may touch",
+            "have {count:,} surfaces in all; at most {most:,} may touch",
             count=count,
             most=MAX_SURFACES,
         )
@@ -182,6 +179,6 @@ def points_fit(level: Level) -> Iterator[Fault]:
     for body, said in level.bodies.items():
         for name in sorted(ATTRIBUTES_OF_BODIES.intersection(said.points)):
             rule = Message(
-                "'{name}' is what is measured of the body itself; choose another name", name=name
+                "'{name}' is a quantity of the body itself; choose another name", name=name
             )
             yield Fault(("bodies", body, "points", name), rule)

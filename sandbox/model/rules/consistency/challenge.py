@@ -75,7 +75,7 @@ def goals_can_be_met(level: Level) -> Iterator[Fault]:
                 continue
             if least > most:
                 rule = Message(
-                    "is {least:g}, above 'below', {most:g}: nothing lies between them",
+                    "is {least:g}, but 'below' is {most:g}: no value can meet both",
                     least=least,
                     most=most,
                 )

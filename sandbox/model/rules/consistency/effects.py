@@ -34,7 +34,8 @@ def laws_act(level: Level) -> Iterator[Fault]:
     dynamic = [name for name, body in level.bodies.items() if body.type == "dynamic"]
     if level.effects.gravitation and len(dynamic) == 1:
         rule = Message(
-            "bodies attract each other, but only one is dynamic; 'attraction' has a fixed centre"
+            "bodies attract each other, but only one is dynamic; for a fixed centre, use"
+            " 'attraction'"
         )
         yield Fault(("effects", "gravitation"), rule)
 
@@ -74,7 +75,8 @@ def rotation_used(level: Level) -> Iterator[Fault]:
     if level.effects.rotation:
         if not (turning or level.effects.contact or _levers(level)):
             rule = Message(
-                "'rotation' is declared but nothing turns a body: no contact, no joint, no spin"
+                "'rotation' is declared but nothing turns a body: no contact, joint or angular"
+                " velocity"
             )
             yield Fault(("effects", "rotation"), rule)
         return
@@ -130,6 +132,7 @@ def landscape_fits(level: Level) -> Iterator[Fault]:
         yield Fault(("view", "landscape", "body"), rule)
     if (place := landscape.potential.variable) in level.parameters:
         rule = Message(
-            "'{place}' is the place in the landscape's potential; choose another name", place=place
+            "'{place}' is the position in the landscape's potential; choose another name",
+            place=place,
         )
         yield Fault(("parameters", place), rule)

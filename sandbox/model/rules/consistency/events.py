@@ -31,8 +31,8 @@ def known_parts(level: Level) -> Iterator[Fault]:
     for path, name in _named(level, "forces"):
         if name not in known:
             rule = Message(
-                "'{name}' is no force that can be switched{hint}; one of 'force' or 'torque' is, by"
-                " its 'name'",
+                "'{name}' is not a force that can be switched{hint}; use the 'name' of a"
+                " 'force' or a 'torque'",
                 name=brief(name),
                 hint=suggestion(name, known),
             )
@@ -62,7 +62,7 @@ def events_act(level: Level) -> Iterator[Fault]:
         path = ("events", name)
         if not event.acts:
             rule = Message(
-                "does nothing: say what it is to 'cut' or to 'tie', to switch 'on' or 'off', or to"
+                "does nothing; give it something to 'cut', 'tie', switch 'on' or 'off', or"
                 " 'reverse'"
             )
             yield Fault(path, rule)
@@ -84,7 +84,7 @@ def _one_way(event: Event, path: Path, level: Level) -> Iterator[Fault]:
     for index, name in enumerate(event.reverse):
         if name in level.bodies and level.bodies[name].one_way is None:
             rule = Message(
-                "'{body}' is no one-way surface; give it a 'one_way', left or right",
+                "'{body}' is not a one-way surface; set its 'one_way' to left or right",
                 body=brief(name),
             )
             yield Fault((*path, "reverse", index), rule)
@@ -97,7 +97,7 @@ def _seen(name: str, path: Path, level: Level) -> Iterator[Fault]:
         return  # reported elsewhere
     if not found.momentary or found.attribute.startswith("contact."):
         rule = Message(
-            "'{name}' is not known between two steps; wait for a place, a velocity, a length or a"
+            "'{name}' is not known between two steps; use a position, a velocity, a length or a"
             " tension",
             name=brief(name),
         )
@@ -120,10 +120,10 @@ def drifts_cut_once(level: Level) -> Iterator[Fault]:
     effects, what = level.effects, _what(level)
     for effect in (effects.contact, effects.friction):
         if effect and effect.located is not None:
-            rule = Message("'located' cannot be had together with {what}; leave out one", what=what)
+            rule = Message("'located' cannot be combined with {what}; leave out one", what=what)
             yield Fault(("effects", effect.effect.name, "located"), rule)
     if effects.in_sequence:
         rule = Message(
-            "impacts in 'sequence' cannot be had together with {what}; leave out one", what=what
+            "impacts in 'sequence' cannot be combined with {what}; leave out one", what=what
         )
         yield Fault(("effects", "restitution", "impacts"), rule)

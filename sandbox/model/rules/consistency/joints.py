@@ -15,7 +15,7 @@ from sandbox.model.joints import (
     is_exact,
     points,
 )
-from sandbox.model.level import Level
+from sandbox.model.level import Level, is_direct
 from sandbox.model.level_parts import Fault, names_in
 from sandbox.model.message import Message
 from sandbox.model.rules.consistency.mentions import bodies_of_flows
@@ -26,13 +26,9 @@ MAX_WIRES = 200
 of the ranges."""
 
 
-NO_WIRE = Message(
-    "a joint that an event ties cannot be a wire; tie a rail, or let a body start on its wire"
-)
-AS_FOUND = Message("a joint that an event ties is as long as it is found; leave out 'length'")
-SLACK_AT = Message(
-    "a joint that an event ties must say the 'length' at which it is slack, if it is a spring"
-)
+NO_WIRE = Message("an event cannot tie a wire; tie a rail, or let the body start on the wire")
+AS_FOUND = Message("a rod that an event ties takes the distance that it finds; leave out 'length'")
+SLACK_AT = Message("a spring that an event ties needs its natural 'length'")
 """The reasons why an event cannot tie a joint."""
 
 
@@ -49,7 +45,8 @@ def something_to_hold(level: Level) -> Iterator[Fault]:
             yield Fault(
                 path,
                 Message(
-                    "'{same}' is tied to itself; two different bodies are needed", same=brief(same)
+                    "'{same}' is connected to itself; two different bodies are needed",
+                    same=brief(same),
                 ),
             )
         elif not moves:
@@ -57,7 +54,7 @@ def something_to_hold(level: Level) -> Iterator[Fault]:
     wires, curves = _wires_and_curves(level)
     if "s" in level.parameters and (wires or curves):
         what = Message("wires") if wires else Message("curves")
-        rule = Message("'s' runs along the {what}; choose another name", what=what)
+        rule = Message("'s' is the parameter along the {what}; choose another name", what=what)
         yield Fault(("parameters", "s"), rule)
 
 
@@ -77,7 +74,8 @@ def own_apart(level: Level) -> Iterator[Fault]:
             )
         for body in moving.intersection(bodies_of(joint)) & exact:
             rule = Message(
-                "'{body}' is held exactly, too; let all that holds it be exact, or none",
+                "'{body}' is also held exactly; what holds a body must be all exact, or all"
+                " pymunk's own",
                 body=brief(body),
             )
             yield Fault(path, rule)
@@ -93,9 +91,7 @@ def ties_fit(level: Level) -> Iterator[Fault]:
             yield Fault(("joints", name, field), rule)
     contact, exact = level.effects.contact, any(is_exact(level.joints[name]) for name in names)
     if contact and contact.solver == "iterative" and exact:
-        rule = Message(
-            "a joint that an event ties needs contacts that are solved directly; leave it out"
-        )
+        rule = Message("a joint that an event ties needs the 'direct' solver; leave this out")
         yield Fault(("effects", "contact", "solver"), rule)
 
 
@@ -105,9 +101,31 @@ def stops_bounce(level: Level) -> Iterator[Fault]:
     if contact and contact.solver == "iterative":
         for name, _ in bouncing(level.joints):
             rule = Message(
-                "needs contacts that are solved directly; leave one out, or their 'solver'"
+                "needs the 'direct' solver of contacts; leave this out, or the 'solver' of"
+                " 'contact'"
             )
             yield Fault(("joints", name, "restitution"), rule)
+
+
+def pass_impacts_on(level: Level) -> Iterator[Fault]:
+    """Impacts that are located or in sequence reach exact joints only if contacts are direct."""
+    effects, contact, friction = level.effects, level.effects.contact, level.effects.friction
+    exact = any(map(is_exact, level.joints.values()))
+    if contact is None or is_direct(level) or not exact:
+        return
+    if not (contact.located or effects.in_sequence):
+        return
+    rule = Message(
+        "where joints are exact, impacts that are 'located' or in 'sequence' need contacts that are"
+        " solved directly; leave this out"
+    )
+    if contact.solver == "iterative":
+        yield Fault(("effects", "contact", "solver"), rule)
+    if friction and friction.located:
+        yield Fault(("effects", "friction", "located"), rule)
+    for name, joint in level.joints.items():
+        if isinstance(joint, Own) and not joint.exact:
+            yield Fault(("joints", name, "exact"), rule)
 
 
 def _untied(joint: Joint) -> Iterator[tuple[str, Message]]:
@@ -131,7 +149,7 @@ def not_too_many_wires(level: Level) -> Iterator[Fault]:
     if wires + curves > MAX_WIRES:
         have = Message("{count:,} wires and curves", count=wires + curves)
         rule = Message(
-            "have {have}; {most} are the most that can be looked at for crossings",
+            "have {have}; at most {most} can be checked for crossings",
             have=have if curves else Message("{count:,} wires", count=wires),
             most=MAX_WIRES,
         )
@@ -161,6 +179,6 @@ def constant_masses(level: Level) -> Iterator[Fault]:
         for body in changing.intersection(bodies_of(joint)):
             if not joint.kind.force:
                 rule = Message(
-                    "'{body}' changes its mass, so only a spring can hold it", body=brief(body)
+                    "the mass of '{body}' changes, so only a spring can hold it", body=brief(body)
                 )
                 yield Fault(("joints", name, "ends"), rule)

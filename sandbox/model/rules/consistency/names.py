@@ -128,7 +128,7 @@ def no_circle(level: Level) -> Iterator[Fault]:
     if found := circle(level.constants):
         shown = found if len(found) <= LONGEST_CIRCLE else [*found[:3], "…", *found[-2:]]
         rule = Message(
-            "leads back to itself: {shown}; each may use only others",
+            "depends on itself: {shown}; constants must not be circular",
             shown=" -> ".join(map(brief, shown)),
         )
         yield Fault(("constants", found[0]), rule)
@@ -140,7 +140,7 @@ def variables_apart(level: Level) -> Iterator[Fault]:
         for path, formula in expressions(getattr(level, part), (part,)):
             own = () if isinstance(formula, Curve) else formula.variables
             message = Message(
-                "'{path}' is a formula over {over}; choose another name",
+                "is a variable in the formula '{path}' over {over}; choose another name",
                 path=".".join(map(str, path)),
                 over=", ".join(formula.variables),
             )
@@ -153,7 +153,7 @@ def timeless_conditions(level: Level) -> Iterator[Fault]:
     """Conditions of checks do not depend on time."""
     for index, check in enumerate(level.checks):
         if check.valid_if and "t" in check.valid_if.names:
-            rule = Message("is a condition over the parameters; it cannot depend on the time 't'")
+            rule = Message("is a condition on the parameters; it cannot depend on the time 't'")
             yield Fault(("checks", index, "valid_if"), rule)
 
 

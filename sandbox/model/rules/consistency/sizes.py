@@ -24,7 +24,7 @@ def not_too_many_pulls(level: Level) -> Iterator[Fault]:
         if count**2 > MOST_PULLS:
             most = int(MOST_PULLS**0.5)
             message = Message(
-                "{count:,} bodies attract each other; {most:,} are the most in a step",
+                "{count:,} bodies attract each other; a step can take at most {most:,}",
                 count=count,
                 most=most,
             )
@@ -32,8 +32,8 @@ def not_too_many_pulls(level: Level) -> Iterator[Fault]:
     centres = len(effects.attraction or ())
     if centres * dynamic > MOST_PULLS:
         message = Message(
-            "{centres:,} centres attract {dynamic:,} bodies: {pulls:,} pulls, and a step can take"
-            " {most:,}",
+            "{centres:,} centres attract {dynamic:,} bodies: {pulls:,} forces, but a step can"
+            " take at most {most:,}",
             centres=centres,
             dynamic=dynamic,
             pulls=centres * dynamic,
@@ -51,8 +51,8 @@ def not_too_many_sticking(level: Level) -> Iterator[Fault]:
     pairs = stick * (stick - 1) // 2 + stick * (len(rub) - stick)
     if pairs > MOST_STICKING:
         message = Message(
-            "{stick:,} bodies have a 'static_friction', which makes {pairs:,} pairs of bodies to"
-            " be watched, and {most:,} are the most; leave it out where it is not needed",
+            "{stick:,} bodies have a 'static_friction', which makes {pairs:,} pairs of bodies;"
+            " at most {most:,} are allowed, so leave it out where it is not needed",
             stick=stick,
             pairs=pairs,
             most=MOST_STICKING,

@@ -18,9 +18,7 @@ def accuracy_alone(level: Level) -> Iterator[Fault]:
     """Refuse settings that are given in addition to an accuracy."""
     if level.stepping.accuracy is not None:
         for name in sorted(level.stepping.model_fields_set - {"accuracy"}):
-            rule = Message(
-                "is chosen beside an 'accuracy' that is asked for; leave one of the two out"
-            )
+            rule = Message("cannot be combined with 'accuracy'; leave out one")
             yield Fault(("stepping", name), rule)
 
 
@@ -29,7 +27,7 @@ def accuracy_within_reach(level: Level) -> Iterator[Fault]:
     asked = level.stepping.accuracy
     if asked is not None and asked < FINEST:
         rule = Message(
-            "an accuracy of {asked:g} is below rounding; {finest:g} is the least",
+            "an accuracy of {asked:g} is below rounding; it must be at least {finest:g}",
             asked=asked,
             finest=FINEST,
         )

@@ -27,9 +27,7 @@ def contact_declared(level: Level) -> Iterator[Fault]:
     contact = level.effects.contact
     if contact:
         if contact.piles and contact.slop is not None:
-            rule = Message(
-                "'piles' choose the overlap that is left alone; leave out one of the two"
-            )
+            rule = Message("'piles' already chooses the 'slop'; leave out one")
             yield Fault(("effects", "contact", "slop"), rule)
         if contact.solver == "direct":
             yield from _left_to_pymunk(level)
@@ -47,12 +45,12 @@ def _left_to_pymunk(level: Level) -> Iterator[Fault]:
     for name, joint in level.joints.items():
         if isinstance(joint, Own) and not joint.exact:
             rule = Message(
-                "is left to pymunk's solver, which a 'direct' solver of contacts does not ask"
+                "pymunk's own joints cannot be combined with the 'direct' solver of contacts"
             )
             yield Fault(("joints", name, "exact"), rule)
     friction = level.effects.friction
     if friction and friction.located:
-        rule = Message("the end of slipping is located by the 'iterative' solver of contacts only")
+        rule = Message("only the 'iterative' solver of contacts can locate the end of slipping")
         yield Fault(("effects", "friction", "located"), rule)
 
 
@@ -69,7 +67,7 @@ def coefficients_fit(level: Level, kind: str) -> Iterator[Fault]:
         yield Fault(("effects", kind), Message("'{kind}' needs the effect 'contact'", kind=kind))
     if kind == "friction" and level.effects.in_sequence:
         rule = Message(
-            "impacts in 'sequence' do not rub; leave out 'friction', or let them be 'together'"
+            "impacts in 'sequence' are frictionless; leave out 'friction', or choose 'together'"
         )
         yield Fault(("effects", "restitution", "impacts"), rule)
     paired = {name for pair in effect.pairs for name in pair.bodies}
@@ -85,18 +83,18 @@ def coefficients_fit(level: Level, kind: str) -> Iterator[Fault]:
             yield Fault(
                 ("bodies", name),
                 Message(
-                    "needs a '{kind}' coefficient, for the level declares '{kind}' (1 leaves the"
-                    " other body's as it is, 0 is none)",
+                    "needs a '{kind}' coefficient, since the level declares '{kind}' (1 keeps"
+                    " the other body's, 0 is none)",
                     kind=kind,
                 ),
             )
-    yield from _repeated_pairs(effect.pairs, kind, Message("has a coefficient already"))
+    yield from _repeated_pairs(effect.pairs, kind, Message("already has a coefficient"))
 
 
 def _static_alone(level: Level) -> Iterator[Fault]:
     for name, body in level.bodies.items():
         if body.static_friction is not None and body.friction is None:
-            rule = Message("needs 'friction' beside it, the coefficient while the body slips")
+            rule = Message("needs 'friction', too: the coefficient while the body slips")
             yield Fault(("bodies", name, "static_friction"), rule)
 
 
@@ -109,7 +107,8 @@ def sensors_untouched(level: Level) -> Iterator[Fault]:
         touches = mention.of == "couple" or path[:2] == ("effects", "contact")
         for name in sorted(sensors.intersection(names)) if touches else ():
             rule = Message(
-                "'{name}' is a sensor, which nothing touches; wait for '.within.'", name=brief(name)
+                "'{name}' is a sensor, which nothing touches; use a quantity with '.within.'",
+                name=brief(name),
             )
             yield Fault(path, rule)
 
@@ -120,7 +119,9 @@ def apart_fits(level: Level) -> Iterator[Fault]:
     if contact is None:
         return
     if sum(len(group) ** 2 // 2 for group in contact.apart) > MOST_PAIRS:
-        rule = Message("keep more than {most:,} pairs of bodies apart", most=MOST_PAIRS)
+        rule = Message(
+            "separates more than {most:,} pairs of bodies, the most allowed", most=MOST_PAIRS
+        )
         yield Fault(("effects", "contact", "apart"), rule)
         return
     never = apart(level)
@@ -130,7 +131,7 @@ def apart_fits(level: Level) -> Iterator[Fault]:
             one, other = sorted(pair.bodies)
             if (one, other) in never:
                 rule = Message(
-                    "'{one}' and '{other}' never meet, as 'contact' says",
+                    "'{one}' and '{other}' never touch, because of 'contact'",
                     one=brief(one),
                     other=brief(other),
                 )
@@ -145,12 +146,12 @@ def sticking_fits(level: Level) -> Iterator[Fault]:
     if level.effects.contact is None:
         yield Fault(("effects", "sticking"), Message("'sticking' needs the effect 'contact'"))
     if level.effects.in_sequence:
-        rule = Message("what sticks cannot be declared with impacts in 'sequence'")
+        rule = Message("'sticking' cannot be combined with impacts in 'sequence'")
         yield Fault(("effects", "sticking"), rule)
     located = (level.effects.contact and level.effects.contact.located) or ()
     for name in {name for pair in sticking.pairs for name in pair.bodies}.intersection(located):
         rule = Message(
-            "'{name}' sticks at its first touch; such an impact cannot be located in time",
+            "'{name}' sticks when it first touches; such an impact cannot be located in time",
             name=brief(name),
         )
         yield Fault(("effects", "contact", "located", located.index(name)), rule)
@@ -159,7 +160,7 @@ def sticking_fits(level: Level) -> Iterator[Fault]:
         if len(held) == 2 and not any(body.type == "dynamic" for body in held):
             path = ("effects", "sticking", "pairs", index)
             yield Fault(path, Message("at least one of the two must be a dynamic body"))
-    yield from _repeated_pairs(sticking.pairs, "sticking", Message("is named already"))
+    yield from _repeated_pairs(sticking.pairs, "sticking", Message("is already named"))
 
 
 def located_slips_fit(level: Level) -> Iterator[Fault]:
@@ -170,15 +171,15 @@ def located_slips_fit(level: Level) -> Iterator[Fault]:
         path = ("effects", "friction", "located", index)
         if body in flows:
             rule = Message(
-                "'{body}' changes its mass, so where slipping ends cannot be located",
+                "the mass of '{body}' changes, so the end of its slipping cannot be located",
                 body=brief(body),
             )
             yield Fault(path, rule)
         for name, joint in level.joints.items():
             if body in bodies_of(joint) and is_exact(joint) and not is_alone(name, level):
                 rule = Message(
-                    "'{body}' is held by '{name}'; where slipping ends can be located for bodies"
-                    " that are free, on springs, or on one string over pegs",
+                    "'{body}' is held by '{name}'; the end of slipping can be located only for"
+                    " bodies that are free, on springs, or on one string over pegs",
                     body=brief(body),
                     name=brief(name),
                 )
@@ -193,13 +194,13 @@ def impacts_of_constant_masses(level: Level) -> Iterator[Fault]:
     contact, effect = level.effects.contact, brief(changing[0])
     if level.effects.in_sequence:
         rule = Message(
-            "'{effect}' changes its mass; those that collide in 'sequence' must keep theirs",
+            "the mass of '{effect}' changes; impacts in 'sequence' need constant masses",
             effect=effect,
         )
         yield Fault(("effects", "restitution", "impacts"), rule)
     if contact and contact.located:
         rule = Message(
-            "'{effect}' changes its mass; where impacts are located, all bodies must keep theirs",
+            "the mass of '{effect}' changes; located impacts need constant masses",
             effect=effect,
         )
         yield Fault(("effects", "contact", "located"), rule)
@@ -216,7 +217,7 @@ def arcs_fit(level: Level) -> Iterator[Fault]:
     if arcs and contact and contact.located:
         name, kind = next(iter(arcs.items()))
         rule = Message(
-            "'{name}' is {kind}; where there is one, no impacts can be located",
+            "'{name}' is {kind}; a level with one cannot have located impacts",
             name=brief(name),
             kind=kind,
         )
@@ -241,8 +242,8 @@ def curves_fit(level: Level) -> Iterator[Fault]:
     for name, body in level.bodies.items() if curves and level.effects.contact else ():
         if isinstance(body.shape, Arc) and body.type == "dynamic":
             rule = Message(
-                "'{name}' is an arc that moves, and cannot touch the curve '{curve}'; make it a"
-                " hoop, or the curve of arcs",
+                "'{name}' is a dynamic arc and cannot touch the curve '{curve}'; use a hoop, or"
+                " arcs instead of the curve",
                 name=brief(name),
                 curve=brief(curves[0]),
             )
@@ -258,7 +259,7 @@ def sticking_or_bouncing(level: Level) -> Iterator[Fault]:
     for index, pair in enumerate(effects.restitution.pairs):
         if set(pair.bodies) in stuck:
             rule = Message(
-                "the two stick at their first touch, so they do not bounce; leave out one"
+                "these bodies stick together when they touch, so they do not bounce; leave out one"
             )
             yield Fault(("effects", "restitution", "pairs", index), rule)
 
@@ -284,7 +285,7 @@ def _no_belt(name: str, body: Body) -> Iterator[Message]:
         yield Message("'{name}' is dynamic, but a belt is static or kinematic", name=brief(name))
     if isinstance(body.shape, Disc | Hoop | Arc | Curve):
         yield Message(
-            "'{name}' is round, but a belt has straight sides; let a kinematic one turn",
+            "'{name}' is round, but a belt has straight sides; use a rotating kinematic body",
             name=brief(name),
         )
     if body.type == "kinematic" and given(body, "angular_velocity"):

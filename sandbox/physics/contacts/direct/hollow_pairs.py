@@ -18,7 +18,7 @@ from sandbox.physics.contacts.direct.convex_parts import Pair
 from sandbox.physics.contacts.direct.corner_contacts import LEAST
 from sandbox.physics.contacts.hollow_contacts import Hollows
 from sandbox.physics.contacts.time_of_impact import TOUCH, Hit, Motion, Path, meet
-from sandbox.physics.geometry.arcs import Piece, Placed, Touch
+from sandbox.physics.geometry.arcs import Piece, Placed, Touch, put
 from sandbox.physics.geometry.curves import verdict
 from sandbox.physics.geometry.distance import FEELER, Outline, dot, outline_of
 from sandbox.physics.geometry.roots import root
@@ -101,23 +101,31 @@ class _Line(NamedTuple):
 
 
 class _Shape(NamedTuple):
-    """A shape: its exact geometry, and its outline if it can be met as a convex one."""
+    """A shape.
+
+    Attributes
+    ----------
+    piece
+        Its exact geometry.
+    outline
+        Its outline if it can be met as a convex one; None of curves and feelers.
+    middle, size
+        The centre and radius of a disc around it, along the axes of its body [m].
+    """
 
     piece: Piece
     outline: Outline | None
+    middle: complex
+    size: float
 
     @classmethod
     def of(cls, shape: pymunk.Shape, piece: Piece) -> "_Shape":
-        """Return a shape; curves and feelers are not met as convex ones."""
+        """Return a shape."""
         convex = piece.curve is None and shape.filter.categories != FEELER
-        return cls(piece, outline_of(shape, piece.body) if convex else None)
-
-    @property
-    def size(self) -> float:
-        """The radius of a disc around it [m]."""
-        core = self.piece.core
-        middle = sum(core) / len(core)
-        return max(abs(corner - middle) for corner in core) + self.piece.radius
+        middle = sum(piece.core) / len(piece.core)
+        around = piece.radius + (piece.curve.half if piece.curve else 0.0)
+        size = max(abs(corner - middle) for corner in piece.core) + around
+        return cls(piece, outline_of(shape, piece.body) if convex else None, middle, size)
 
 
 class HollowPairs:
@@ -207,14 +215,14 @@ class HollowPairs:
 
     def _outside(self, pair: Pair, places: Places) -> Iterator[HollowCorner]:
         """Yield the possible contacts with the outside and the ends of arcs and curves."""
-        for one, other in self._combined(pair):
+        for one, other in self._close(pair, places):
             both = one.outline, other.outline
             if both[0] and both[1] and verdict(one.piece, other.piece, *places) is True:
                 yield HollowCorner(pair, 0, trace_convex(both[0], both[1]))
 
     def _convex(self, path: Path, lasts: float, pair: Pair, gives: Array) -> Iterator[Hit]:
         """Yield the impacts of convex shapes, which are apart at the start."""
-        for one, other in self._combined(pair):
+        for one, other in product(self._shapes[pair[0]], self._shapes[pair[1]]):
             if one.outline and other.outline:
                 hit = meet(path, one.outline, other.outline, 0.0, lasts, gives)
                 if hit and hit.time:
@@ -231,7 +239,7 @@ class HollowPairs:
 
     def _contacts(self, pair: Pair, places: Places) -> Iterator[tuple[HollowCorner, Piece]]:
         """Yield the contacts of two bodies from inside or with a curve, and who is the guest."""
-        for shapes in self._combined(pair):
+        for shapes in self._close(pair, places):
             pieces = shapes[0].piece, shapes[1].piece
             found = verdict(*pieces, *places)
             if not isinstance(found, bool):
@@ -240,9 +248,15 @@ class HollowPairs:
                 traced = trace(found, hollow, guest, places[own], places[1 - own])
                 yield HollowCorner(pair, own, traced), guest
 
-    def _combined(self, pair: Pair) -> Iterator[tuple[_Shape, _Shape]]:
-        """Return the pairs of shapes of two bodies."""
-        return product(self._shapes[pair[0]], self._shapes[pair[1]])
+    def _close(self, pair: Pair, places: Places) -> Iterator[tuple[_Shape, _Shape]]:
+        """Yield the pairs of shapes of two bodies that may overlap."""
+        first, second = (
+            [(shape, put(place, shape.middle)) for shape in self._shapes[body]]
+            for body, place in zip(pair, places, strict=True)
+        )
+        for (one, here), (other, there) in product(first, second):
+            if abs(there - here) < one.size + other.size:
+                yield one, other
 
     def _touches(self, corner: HollowCorner, guest: Piece, places: Places) -> bool:
         """Return whether a shape touches the hollow body of a contact.

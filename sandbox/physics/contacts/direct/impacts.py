@@ -4,10 +4,12 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.constraint_rows import Active
+from sandbox.physics.contacts.direct.convex_parts import Pair
 from sandbox.physics.contacts.direct.kick_system import Kick
 from sandbox.physics.contacts.direct.newton import solve_rows
-from sandbox.physics.contacts.sequential_impacts import Impacts
-from sandbox.physics.engine.batch import Booleans
+from sandbox.physics.contacts.impact_outcome import ImpactOutcome
+from sandbox.physics.contacts.simultaneous_impacts import Pile
+from sandbox.physics.engine.batch import Booleans, Integers
 from sandbox.physics.joints.exact.constraints import QUADRATIC, angles, order, planes
 from sandbox.physics.joints.exact.shake import TAUT
 from sandbox.physics.state.errors import JointFailure, NoForces
@@ -23,7 +25,7 @@ HALVINGS = 50
 """The bisections in the search for the largest rebound that adds no energy."""
 
 
-def struck(kick: Kick, came: Array, acts: Array, change: Array, *, looks: bool) -> Booleans:
+def struck(kick: Kick, came: Array, acts: Array, change: Array) -> Booleans:
     """Return which gaps close faster than forces within a step explain: (k,).
 
     Parameters
@@ -32,12 +34,8 @@ def struck(kick: Kick, came: Array, acts: Array, change: Array, *, looks: bool) 
         (3 N,), the velocities at the step [m/s, rad/s].
     acts, change
         (3 N,), the velocity changes by forces in a step, and in the last step [m/s, rad/s].
-    looks
-        Whether impacts are found here; otherwise there are none.
     """
     jacobian = kick.here.jacobian[kick.layout.gaps]
-    if not looks:
-        return np.zeros(len(jacobian), dtype=bool)
     rates = np.array((came, acts, change)).dot(jacobian.T)
     closing, (acting, changing) = rates[0], np.abs(rates[1:])
     if kick.closes:
@@ -46,11 +44,15 @@ def struck(kick: Kick, came: Array, acts: Array, change: Array, *, looks: bool) 
     far: Booleans = closing < -gives
     if not np.count_nonzero(far):  # bodies at rest need no closer look
         return far
-    swift = np.abs(came) + np.abs(acts)
-    around = np.repeat(np.abs(planes(swift)), 2)  # rounding has no direction
-    speeds = np.abs(jacobian) @ np.concatenate((around, angles(swift)))
-    allowed = gives + ROUNDING * speeds + kick.blur
+    allowed = gives + _rounding(kick, np.abs(came) + np.abs(acts))
     return np.asarray(closing < -allowed)
+
+
+def _rounding(kick: Kick, swift: Array) -> Array:
+    """Return the rounding errors of the gaps' rates, (k,), from the sizes of velocities, (3 N,)."""
+    around = np.repeat(np.abs(planes(swift)), 2)  # rounding has no direction
+    speeds = np.abs(kick.here.jacobian[kick.layout.gaps]) @ np.append(around, angles(swift))
+    return np.asarray(ROUNDING * speeds + kick.blur)
 
 
 def come(
@@ -76,8 +78,8 @@ def come(
 
 def bounce(
     kick: Kick, came: Array, strikes: Booleans, held: Active | None = None
-) -> tuple[Array, Array]:
-    """Return the velocities after the impacts of a step, and their impulses.
+) -> tuple[Array, Array, list[Pair]]:
+    """Return the velocities after the impacts of a step, their impulses, and who collided.
 
     Newton's law of restitution ignores friction, and can add energy with it (Kane and Levinson
     1985). Nor do wedged bodies always have impulses that separate them. In these cases the largest
@@ -97,11 +99,55 @@ def bounce(
     JointFailure, NoForces
         If there are no impulses even without a rebound.
     """
+    if kick.layout.in_sequence:
+        impulse, met = _in_sequence(kick, came)
+    else:
+        impulse, met = _together(kick, came, strikes, held), [np.flatnonzero(strikes)]
+    pairs = [pair for gaps in met for pair in kick.layout.touching.pairs(gaps)]
+    return came + impulse @ kick.response, impulse, pairs
+
+
+def _together(kick: Kick, came: Array, strikes: Booleans, held: Active | None) -> Array:
+    """Return the impulses of impacts that are solved all at once, (r,); see `bounce`."""
     rebound = _Rebound(kick, came, strikes, held)
     impulse = rebound.taken(1.0, EXACT)
     if impulse is None:
         impulse = rebound.impulses(_largest(rebound) if rebound.leaves.any() else 0.0)
-    return came + impulse @ kick.response, impulse
+    return impulse
+
+
+def _in_sequence(kick: Kick, came: Array) -> tuple[Array, list[Integers]]:
+    """Return the impulses of impacts that come one after the other, (r,), and their gaps in turn.
+
+    Bilateral joints pass them on; ropes react to the velocities after them. See `Pile`.
+    """
+    layout, jacobian = kick.layout, kick.here.jacobian
+    impulse, takes = np.zeros(len(jacobian)), np.zeros(len(jacobian), dtype=bool)
+    for rows, _, _ in layout.islands:
+        takes[rows] = True
+    near = np.flatnonzero(takes[layout.gaps] & ~kick.ahead)
+    across = jacobian[near + layout.gaps.start]
+    response = _through_joints(kick, kick.response[near + layout.gaps.start])
+    partner = layout.touching.partner[near]
+    pile = Pile(
+        response @ across.T,
+        across @ came,
+        _rounding(kick, np.abs(came))[near],
+        layout.restitution[near],
+        np.where(partner < 0, -1, np.searchsorted(near, partner)),
+    )
+    impulse[near + layout.gaps.start] = pile.settle(layout.touching.bodies.T[near])
+    takes[layout.joints], takes[layout.gaps] = False, True
+    came = came + impulse @ kick.response
+    impulse += impulses(kick, came, np.zeros_like(impulse), takes)
+    return impulse, [near[gaps] for gaps in pile.met]
+
+
+def _through_joints(kick: Kick, response: Array) -> Array:
+    """Return velocity changes, (k, 3 N), after bilateral joints have passed the impulses on."""
+    free = kick.layout.problem.free
+    jacobian, held = kick.here.jacobian[free], kick.response[free]
+    return response - np.linalg.solve(jacobian @ held.T, jacobian @ response.T).T @ held
 
 
 def _largest(rebound: "_Rebound") -> float:
@@ -157,7 +203,7 @@ class _Rebound:
         return impulse if work <= rounding * float(np.abs(impulse) @ np.abs(self._rates)) else None
 
 
-def recorded(kick: Kick, left: Array, pushes: Array) -> Impacts:
+def recorded(kick: Kick, left: Array, pushes: Array) -> ImpactOutcome:
     """Return the record of impacts, from the velocities after them, (3 N,), and impulses, (r,)."""
     places = order(kick.response.shape[1] // 3 - 1)
     jump = (pushes @ kick.response)[places]
@@ -166,7 +212,7 @@ def recorded(kick: Kick, left: Array, pushes: Array) -> Impacts:
         if pushes[rows].any():
             reached |= kick.response[rows][:, places].any(axis=(0, 2))
     jump = np.where(reached[:, None], jump, 0.0)
-    return Impacts(reached, jump, left[places], np.zeros(len(jump)))
+    return ImpactOutcome(reached, jump, left[places], np.zeros(len(jump)))
 
 
 def impulses(

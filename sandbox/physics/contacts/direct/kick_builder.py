@@ -147,7 +147,8 @@ class KickBuilder:
         contacts = kick.contacts.and_(ahead)
         layout = self._layouts.anew(contacts)
         running, closes = self._surfaces.running, kick.closes + len(ahead.bodies)
-        return Kick.at(kick.place, self._joints, contacts, layout, running, self._lengths, closes)
+        lengths = kick.before, kick.after
+        return Kick.at(kick.place, self._joints, contacts, layout, running, lengths, closes)
 
     def anew(self, place: Coordinates, contacts: Contacts, lengths: tuple[Array, Array]) -> Kick:
         """Return the system of contacts at given positions, between lengths of the joints."""

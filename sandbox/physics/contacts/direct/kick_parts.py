@@ -7,7 +7,7 @@ import numpy as np
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.constraint_rows import Active
 from sandbox.physics.contacts.direct.kick_system import Kick
-from sandbox.physics.contacts.sequential_impacts import Impacts
+from sandbox.physics.contacts.impact_outcome import ImpactOutcome
 from sandbox.physics.engine.batch import Booleans, Contacts
 from sandbox.physics.joints.exact.constraints import Coordinates
 
@@ -87,7 +87,7 @@ class Taken(NamedTuple):
     forces: Array
     active: Active
     total: Array
-    impacts: Impacts | None
+    impacts: ImpactOutcome | None
     stages: tuple[Stage, ...]
     begun: Array
     lasts: float

@@ -19,22 +19,24 @@ from typing import NamedTuple
 import numpy as np
 
 from sandbox.model.expressions import Array
+from sandbox.physics.contacts.contact_queries import pairs_of
 from sandbox.physics.contacts.direct import impacts
+from sandbox.physics.contacts.direct.closing_gaps import closed
 from sandbox.physics.contacts.direct.constraint_impulses import hold
 from sandbox.physics.contacts.direct.constraint_rows import Active
 from sandbox.physics.contacts.direct.convex_parts import Pair
 from sandbox.physics.contacts.direct.drift_parts import Part, concerned
+from sandbox.physics.contacts.direct.drifts import Struck
 from sandbox.physics.contacts.direct.kick_builder import KickBuilder
 from sandbox.physics.contacts.direct.kick_parts import Stage
 from sandbox.physics.contacts.direct.kick_system import Kick
 from sandbox.physics.contacts.direct.speculative_contacts import (
-    LOOKS,
     AnyCorner,
     SpeculativeContacts,
 )
 from sandbox.physics.contacts.direct.warm_start import recalled
 from sandbox.physics.contacts.time_of_impact import TOUCH, Hit, Path
-from sandbox.physics.engine.batch import NO_CONTACTS, Booleans
+from sandbox.physics.engine.batch import NO_CONTACTS, Booleans, Contacts, Integers
 from sandbox.physics.geometry.roots import root
 from sandbox.physics.joints.exact.constraints import Coordinates, order
 from sandbox.physics.state.errors import JointFailure, NoForces
@@ -103,7 +105,11 @@ class Landings:
     pushed
         (n,), the sums of the sizes of their impulses on each body [N s].
     met
-        The contacts of all landings, without impulses.
+        The contacts that take part in them, without impulses.
+    struck
+        Who collided in them, in turn.
+    given
+        Their normal impulses, by pair, in turn [N s].
     """
 
     def __init__(
@@ -118,21 +124,24 @@ class Landings:
         self._speculative, self._build = speculative, build
         self._laws, self._until, self._driven = laws, until, driven
         count = len(laws) // 3 - 1
-        self._order = order(count)
+        self._order, self._whole = order(count), 0.0
         self.reached: Booleans = np.zeros(count, dtype=bool)
         self.pushed: Array = np.zeros(count)
         self.met = NO_CONTACTS
+        self.struck: list[Struck] = []
+        self.given: dict[Pair, float] = {}
 
     def follow(self, whole: Part) -> list[Part]:
         """Return the parts of the drift after a kick: the drift itself if nothing lands."""
-        parts = [whole]
+        parts, joints, self._whole = [whole], whole.kick.joints, whole.drift
+        kick = joints.kick
         try:
             while len(parts) <= MOST and (found := self._cut(parts[-1])):
                 parts[-1:] = found
             if len(parts) > 1:
                 parts[-1] = self._lasting(parts[-1], whole.drift)
         finally:
-            whole.kick.joints.time(whole.drift, whole.drift)
+            joints.time(kick, whole.drift)
         return parts
 
     def _lasting(self, last: Part, drift: float) -> Part:
@@ -238,7 +247,6 @@ class Landings:
         kick = self._build.anew(place, shorter.kick.contacts_at(place).and_(down), lengths)
         forces, active = recalled(shorter.kick, shorter.forces, shorter.active, kick)
         self.reached = self.reached | self._around(kick, down.bodies.tolist())
-        self.met = self.met.and_(down)
         part = shorter._replace(kick=kick, forces=forces, active=active)
         struck = kick.layout.touching.pair >= len(kick.contacts.bodies) - len(down.bodies)
         begun, stages = self._struck(part, struck)
@@ -254,13 +262,27 @@ class Landings:
         some = replace(part.kick, layout=part.kick.layout.around(mine))
         half = part.drift / 2
         came, to_it = impacts.come(some, part.moved + half * drive, struck, part.active)
-        begun, pushes = impacts.bounce(some, came, struck, part.active)
+        begun, pushes, pairs = impacts.bounce(some, came, struck, part.active)
+        time = self._whole - part.left + part.drift
+        self.struck += (Struck(pair, time) for pair in pairs)
+        self.given |= {pair: self.given.get(pair, 0.0) for pair in pairs}
         stages = (
             Stage.of(part.kick, half, came[self._order], to_it + half * others),
             Stage.of(part.kick, 0.0, begun[self._order], pushes),
         )
         self.pushed = self.pushed + stages[1].normal(len(self.pushed))
+        self._note(stages[1].contacts, part.kick.layout.touching.pair[struck])
         return begun, stages
+
+    def _note(self, pushed: Contacts, landed: Integers) -> None:
+        """Note the contacts of an impact, with their impulses, of which some have landed."""
+        takes = pushed.normal > 0
+        takes[landed] = True
+        none = 0.0 * pushed.normal
+        calm = pushed._replace(normal=none, friction=none, impulse=0.0 * pushed.impulse)
+        self.met = self.met.and_(Contacts._make(field[takes] for field in calm))
+        for pair, push in zip(pairs_of(pushed), pushed.normal.tolist(), strict=True):
+            self.given[pair] = self.given.get(pair, 0.0) + push
 
     def _others(self, part: Part) -> tuple[Booleans, Array, Array]:
         """Return which rows act on `reached` bodies, and the forces of the others: (r,) each.
@@ -302,26 +324,14 @@ class Landings:
         )
 
     def closed(self, part: Part) -> Part:
-        """Return a part in which the gaps of slow corners close, and go no further.
+        """Return a part in which slow corners have come down; see `closed`."""
+        return closed(part, self._speculative, self._build, self._laws, self._again)[0]
 
-        Corners that close faster than forces explain are located instead.
-        """
-        for _ in range(LOOKS):
-            corners = self._speculative.corners(part.kick, part.moved)
-            if not corners:
-                break
-            ahead = self._speculative.contacts(corners, part.kick.place, part.kick.joints.origin)
-            kick = self._build.with_ahead(part.kick, ahead)
-            if kick.strikes(part.moved, self._laws, part.pulls):
-                break
-            kick.before, kick.after = part.kick.before, part.kick.after
-            forces, active = recalled(part.kick, part.forces, part.active, kick)
-            more = part._replace(kick=kick, forces=forces, active=active)
-            try:
-                part = self._solved(more, part.drift, part.lasts)
-            except (JointFailure, NoForces):
-                break
-        return part
+    def _again(self, part: Part, kick: Kick) -> Part:
+        """Return a part, solved with more rows."""
+        forces, active = recalled(part.kick, part.forces, part.active, kick)
+        more = part._replace(kick=kick, forces=forces, active=active)
+        return self._solved(more, part.drift, part.lasts)
 
 
 def _secant(

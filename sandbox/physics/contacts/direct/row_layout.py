@@ -42,7 +42,9 @@ class Surfaces(NamedTuple):
     slop
         The overlap that is left alone [m].
     lands
-        (n, n), which pairs are stopped where they come down on each other, without an impact.
+        (n, n), which pairs land where they meet within a drift, and wait for nothing else.
+    in_sequence
+        Whether impacts at the same time come one after the other.
     """
 
     figures: Figures
@@ -53,6 +55,7 @@ class Surfaces(NamedTuple):
     correction: float
     slop: float
     lands: Booleans
+    in_sequence: bool = False
 
 
 class Island(NamedTuple):
@@ -85,8 +88,8 @@ class Layout:
         The same, island by island.
     touching
         The points of the gaps and slips.
-    restitution
-        (k,), the coefficients of the gaps.
+    restitution, in_sequence
+        (k,), the coefficients of the gaps, and whether their impacts come one after the other.
     joints, gaps, slips, touch
         Their places among all rows; `touch` is gaps and slips together.
     joined, ties
@@ -102,6 +105,7 @@ class Layout:
     slips: slice
     joined: Integers
     ties: Integers
+    in_sequence: bool
 
     @property
     def touch(self) -> slice:
@@ -190,6 +194,7 @@ def lay_out(contacts: Contacts, joints: ExactJoints, surfaces: Surfaces, moves: 
         gaps,
         slice(gaps.stop, whole),
         *_joined(touch.tolist(), joints, moves),
+        surfaces.in_sequence,
     )
 
 
@@ -275,8 +280,8 @@ def _refuse_large(parts: Sequence[Island], touching: Touching) -> None:
     body = int(np.bincount(touching.bodies[touching.bodies >= 0]).argmax())
     most = max(len(part.rows) for part in parts)
     reason = Message(
-        "{count:,} conditions of contacts and joints hang together, and {most:,} can be solved"
-        " directly: let fewer touch each other, or leave out the 'solver' \"direct\"",
+        "{count:,} constraints of contacts and joints are coupled, but at most {most:,} can be"
+        " solved directly: let fewer bodies touch, or leave out the 'solver' \"direct\"",
         count=most,
         most=MOST_ROWS,
     )

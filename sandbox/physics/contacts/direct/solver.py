@@ -23,6 +23,7 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.contact_queries import Query
+from sandbox.physics.contacts.direct.closing_gaps import closed
 from sandbox.physics.contacts.direct.constraint_rows import Active
 from sandbox.physics.contacts.direct.drift_parts import Landed, Part
 from sandbox.physics.contacts.direct.drift_subdivision import through
@@ -32,10 +33,10 @@ from sandbox.physics.contacts.direct.kick_parts import Stage, Taken
 from sandbox.physics.contacts.direct.kick_system import Kick
 from sandbox.physics.contacts.direct.landing_drifts import Landings
 from sandbox.physics.contacts.direct.row_layout import Surfaces
-from sandbox.physics.contacts.direct.speculative_contacts import LOOKS, SpeculativeContacts
+from sandbox.physics.contacts.direct.speculative_contacts import SpeculativeContacts
 from sandbox.physics.contacts.direct.warm_start import WarmStart
 from sandbox.physics.contacts.direct.whole_kick import Beginning, take
-from sandbox.physics.contacts.sequential_impacts import Impacts
+from sandbox.physics.contacts.impact_outcome import ImpactOutcome
 from sandbox.physics.engine.batch import Batch, Booleans, Contacts
 from sandbox.physics.joints.exact.constraints import Coordinates, order
 from sandbox.physics.joints.exact.shake import ExactJoints
@@ -59,8 +60,6 @@ class Direct:
         The time step [s].
     query
         Finds the contacts of bodies that were moved.
-    strikes
-        Whether impacts are found here, and not by another stage.
 
     Attributes
     ----------
@@ -80,16 +79,13 @@ class Direct:
         inertia: Array,
         dt: float,
         query: Query,
-        *,
-        strikes: bool,
     ) -> None:
-        self._batch, self._joints = batch, joints
-        self._dt, self._strikes = dt, strikes
+        self._batch, self._joints, self._dt = batch, joints, dt
         self._moves: Booleans = inertia[:, 0] > 0
         self._fixed = np.flatnonzero(~self._moves)
         self._lands, self._runs = bool(surfaces.lands.any()), bool(surfaces.running.any())
         self._order = order(len(inertia))
-        self._calm = Impacts.none(len(inertia))
+        self._calm = ImpactOutcome.none(len(inertia))
         self._begun = self._acceleration = self._change = self._calm.jump
         self._lead, self._starts = 0.0, True
         self._until = 0.0  # s, the end of the drift that follows
@@ -126,6 +122,8 @@ class Direct:
         start
             Whether this is the first kick, which begins at its step.
         """
+        if start and self._starts:  # it is repeated
+            self.drifts.forget()
         self._begun, self._acceleration = self.velocity(), acceleration
         self._starts = start
         self._lead = 0.0 if start else self._joints.kick - self._dt / 2
@@ -240,30 +238,22 @@ class Direct:
         self._report(taken.kick, taken.total, taken.active)
 
     def _closed(self, taken: Taken, start: Beginning) -> Taken:
-        """Return a kick after which the gaps of slow corners close, and go no further.
+        """Return a kick after which slow corners have come down; see `closed`."""
+        look, build, laws = self._speculative, self._build, start.acceleration
 
-        Corners that close faster than forces explain are located in the drift: see `_land`.
-        """
-        for _ in range(LOOKS):
-            corners = self._speculative.corners(taken.kick, taken.moved)
-            if not corners:
-                return taken
-            origin = self._joints.origin
-            ahead = self._speculative.contacts(corners, taken.kick.place, origin)
-            kick = self._build.with_ahead(taken.kick, ahead)
-            pulls = taken.forces @ taken.kick.response
-            if self._locates and kick.strikes(taken.moved, start.acceleration, pulls):
-                return taken._replace(strikes=True)
-            try:
-                taken = take(kick, start, self._known)
-            except (JointFailure, NoForces):
-                break  # at the end of the drift it will be found as a contact
-        return taken
+        def again(_: Taken, kick: Kick) -> Taken:
+            return take(kick, start, self._known)
+
+        taken, strikes = closed(taken, look, build, laws, again, locates=self._locates)
+        return taken._replace(strikes=True) if strikes else taken
 
     @property
     def _locates(self) -> bool:
         """Whether landings are located in the drift after this kick."""
-        return self._lands and self._is_whole
+        joints, dt = self._joints, self._dt
+        return (
+            self._lands and joints.drift == dt and joints.kick == (dt / 2 if self._starts else dt)
+        )
 
     def _divides(self, kick: Kick) -> bool:
         """Whether a drift can be taken in parts: it is a whole one, and nothing drives bodies."""
@@ -306,7 +296,7 @@ class Direct:
         ways = (divided.end - start) / self._dt
         mean = np.where(landed.reached[:, None], ways, divided.left)
         self.drifts.divide(divided, mean)
-        self.drifts.land(landings.met, landings.pushed)
+        self.drifts.land(landings.met, landings.pushed, landings.struck, landings.given)
         self._batch.set_velocity(mean)
         self._known.note(last.kick, last.steady, last.active)
         return landed
@@ -318,13 +308,13 @@ class Direct:
             return Part.after(self._taken, dt, moved)
         begun, taut = self._spread(self._begun)[0], joints.expected()[1]
         held = Active(taut, np.zeros(0, dtype=np.intp))
-        return Part(self._build.at(place), dt, dt, begun, dt, joints.tension, held, moved)
+        lasts, kick = joints.kick, self._build.at(place)
+        return Part(kick, dt, dt, begun, lasts, joints.tension, held, moved)
 
     def _beginning(self) -> Beginning:
         """Return the state and the forces at the beginning of this kick."""
         begun, acts, change = self._spread(self._begun, self._acceleration, self._change)
-        lead, looks, driven = self._lead, self._strikes, self._driven()
-        return Beginning(begun, acts, change, lead, self._dt, looks, driven)
+        return Beginning(begun, acts, change, self._lead, self._dt, self._driven())
 
     def _spread(self, *rates: Array) -> Array:
         """Return s arrays of rates (n, 3) in the order of coordinates: (s, 3 N)."""

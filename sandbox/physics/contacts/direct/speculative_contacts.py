@@ -8,7 +8,7 @@ do not yet, get a row of their own: the gap may close but no further. Then the k
 exceeds the gap; the impact at the next step removes the rest. Neither adds energy.
 
 That is for corners that come down gently. Those that strike, and bodies that do not touch yet, are
-located within the drift (see `landing_drifts`). Other corners of what bounces wait for theirs.
+located within the drift (see `landing_drifts`).
 """
 
 from collections.abc import Iterator, Sequence
@@ -79,7 +79,7 @@ class SpeculativeContacts:
         self._bodies, self._shapes = query.bodies, Shapes(query.bodies)
         shapes, self._hollows = self._shapes, HollowPairs(query.hollows, len(moves))
         looks = shapes.sided[:, None] & shapes.sided | self._hollows.pairs
-        self._looks = looks & (surfaces.restitution == 0)
+        self._looks = looks & ((surfaces.restitution == 0) | surfaces.lands)
         self._looks &= moves[:, None] | moves
         self._any = bool(self._looks.any())
         several = ~(shapes.single[:, None] & shapes.single)

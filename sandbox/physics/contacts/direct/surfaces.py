@@ -53,20 +53,30 @@ def surfaces_of(level: Level, values: Values, bodies: Sequence[pymunk.Body]) -> 
         CORRECTION if contact.correction is None else contact.correction(values),
         SLOP if contact.slop is None else contact.slop(values),
         _left_to_it(level),
+        in_sequence=_in_sequence(level),
     )
+
+
+def _in_sequence(level: Level) -> bool:
+    """Return whether impacts at the same time come one after the other.
+
+    Those that a level locates do, too, so that a row passes a shot on, unless friction needs them
+    all at once.
+    """
+    effects = level.effects
+    located = effects.contact is not None and effects.contact.located is not None
+    alone = located and effects.restitution is not None and effects.friction is None
+    return effects.in_sequence or alone
 
 
 def _left_to_it(level: Level) -> Booleans:
     """Return which pairs, (n, n), nothing else waits for.
 
-    That is what locates impacts itself, or sticks, and joints that break: for a whole blow at one
-    step, not for its parts.
+    What waits is what sticks, and joints that break: for a whole blow at one step, not its parts.
     """
-    effects, names = level.effects, list(level.bodies)
-    located = effects.contact is not None and effects.contact.located is not None
-    others = effects.in_sequence or located or any(breakable(level.joints))
-    left = np.full((len(names), len(names)), not others)
-    for pair in effects.sticking.pairs if effects.sticking else ():
+    sticking, names = level.effects.sticking, list(level.bodies)
+    left = np.full((len(names), len(names)), not any(breakable(level.joints)))
+    for pair in sticking.pairs if sticking else ():
         a, b = (names.index(name) for name in pair.bodies)
         left[a, b] = left[b, a] = False
     return left

@@ -88,6 +88,19 @@ class Touching(NamedTuple):
             yields,
         )
 
+    @property
+    def partner(self) -> Integers:
+        """(k,), the other point of the same contact; −1 if there is none."""
+        seconds = np.flatnonzero(self.point)
+        found = np.full(len(self.pair), -1)
+        found[seconds] = self.pair[seconds]
+        found[self.pair[seconds]] = seconds
+        return found
+
+    def pairs(self, points: Integers) -> list[tuple[int, int]]:
+        """Return the pairs of bodies at some of the points, each once, the lower index first."""
+        return sorted({(min(pair), max(pair)) for pair in self.bodies.T[points].tolist()})
+
     def rubbing_at(self, points: Integers) -> "Touching":
         """Return the same with friction at other points: (f,)."""
         rows = np.concatenate((np.arange(len(self.pair)), points))

@@ -28,8 +28,6 @@ class Beginning(NamedTuple):
         The time from its beginning to its step [s].
     step
         The time step [s].
-    strikes
-        Whether impacts are looked for.
     driven
         Whether running surfaces or kinematic bodies may add energy.
     """
@@ -39,7 +37,6 @@ class Beginning(NamedTuple):
     change: Array
     lead: float
     step: float
-    strikes: bool
     driven: bool
 
 
@@ -64,12 +61,12 @@ def take(kick: Kick, start: Beginning, known: WarmStart, *, placed: bool = False
     """
     velocity, acceleration, lead = start.velocity, start.acceleration, start.lead
     at_step, acts = velocity + acceleration * lead, acceleration * start.step
-    strikes = impacts.struck(kick, at_step, acts, start.change, looks=start.strikes)
+    strikes = impacts.struck(kick, at_step, acts, start.change)
     if not (np.count_nonzero(strikes) or np.count_nonzero(kick.joints.added)):
         return _onwards(kick, start, velocity, kick.joints.kick, known, placed=placed)
     places = order(len(velocity) // 3 - 1)
     came, before = impacts.come(kick, at_step, strikes)
-    left, pushes = impacts.bounce(kick, came, strikes)
+    left, pushes, _ = impacts.bounce(kick, came, strikes)
     rest = _onwards(kick, start, left, kick.joints.kick - lead, known, placed=placed)
     stages = (
         Stage.of(kick, lead, came[places], before),

@@ -44,8 +44,8 @@ def refuse_too_many(equations: Sequence[Condition], inverse: Array) -> None:
     if count * bodies > MOST_TERMS or not are_apart(equations, np.append(inverse, 0.0)):
         most = min(MOST_TERMS // bodies, int((MOST_PRODUCTS / bodies) ** 0.5))
         reason = Message(
-            "the exact joints make {count:,} equations among {bodies:,} bodies, and {most:,} are"
-            " the most; let most of them be springs, or split the level",
+            "the exact joints make {count:,} equations among {bodies:,} bodies; at most"
+            " {most:,} can be solved, so make most joints springs, or split the level",
             count=count,
             bodies=bodies,
             most=most,

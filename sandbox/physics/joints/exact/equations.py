@@ -102,7 +102,9 @@ class Equations:
                 raise JointFailure(
                     name,
                     Message(
-                        "what '{name}' keeps has no finite value at t = {t:.3g} s", name=name, t=t
+                        "the constraint of '{name}' has no finite value at t = {t:.3g} s",
+                        name=name,
+                        t=t,
                     ),
                 )
         return length

@@ -28,11 +28,9 @@ REACHED = 1e-9
 def overlapping(names: Sequence[str], row: int) -> JointFailure:
     """Return the failure of a joint that is redundant, given the joint of each equation (m,)."""
     name = names[row]
-    reason = Message(
-        "'{name}' holds what is held already, or cannot hold it; leave it out", name=name
-    )
+    reason = Message("'{name}' is redundant, or cannot hold; leave it out", name=name)
     if names.count(name) > 1:
-        reason = Message("{reason}, or take a rod or a rail, if it is to hold less", reason=reason)
+        reason = Message("{reason}, or use a rod or a rail, which holds less", reason=reason)
     return JointFailure(name, reason)
 
 
@@ -104,7 +102,7 @@ def lost(
         if free < LOCKED * independent:
             name = joints.names[taut[np.argmax(shares)]]
             reason = Message(
-                "'{name}' and the joints beside it are stretched: none gives way in a step",
+                "'{name}' and the joints beside it are stretched, and none yields in a step",
                 name=name,
             )
             return JointFailure(name, reason, None if joints.is_driven(motion.values) else finer)

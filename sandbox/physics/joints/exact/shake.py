@@ -29,7 +29,6 @@ from sandbox.physics.joints.exact.constraints import (
 )
 from sandbox.physics.joints.exact.distances import Row
 from sandbox.physics.joints.exact.joint_failures import check_independent, lost, overlapping
-from sandbox.physics.joints.exact.joint_system import coordinates_of
 from sandbox.physics.joints.exact.rattle import motion
 from sandbox.physics.joints.exact.separate_joints import alone
 from sandbox.physics.joints.exact.solvability import solved
@@ -86,38 +85,6 @@ class ExactJoints(ConstraintForces):
         """
         velocity, acceleration, self.tension = motion(self, mean, smooth, self.drift)
         return velocity, acceleration
-
-    def hold(self, place: Array, velocity: Array, acceleration: Array) -> Array:
-        """Return the forces that would keep the joints through a drift from another state: (m,).
-
-        Ropes stay slack or taut, and joints that change with time keep their forces.
-
-        Parameters
-        ----------
-        place, velocity
-            (n, 3), the state at the start of that drift [m, rad, m/s, rad/s].
-        acceleration
-            (n, 3), the accelerations without the joints [m/s², rad/s²].
-
-        Raises
-        ------
-        JointFailure
-            If there are no such forces.
-        """
-        if not self._joints:
-            return self.tension
-        half = self.drift / 2
-        begin = self.at(place)
-        with np.errstate(all="ignore"):  # values that are not finite fail to converge, by name
-            impulse, _, _ = self._newton(
-                begin,
-                coordinates_of(velocity + acceleration * half),
-                self.look(begin).jacobian * self.inverse,
-                self.length,
-                self.tension * half,
-                ~self._taut | self.changes,
-            )
-        return np.where(self._pulls_only, np.maximum(impulse, 0.0), impulse) / half
 
     def solve(self, until: float) -> None:
         """Find the impulses that keep the joints through the next drift, and apply them.

@@ -129,6 +129,6 @@ class WireEquation:
         curve = self._curve
         if not curve.closed and not -SLACK <= at <= curve.count + SLACK:
             reason = Message(
-                "the bead has come to the end of '{joint}'; make the wire longer", joint=self.joint
+                "the bead has reached the end of '{joint}'; make the wire longer", joint=self.joint
             )
             raise JointFailure(self.joint, reason)

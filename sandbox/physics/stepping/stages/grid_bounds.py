@@ -25,7 +25,7 @@ def make(setup: Setup) -> Stage:
 def beyond(name: str, scene: Scene, t: float) -> SimulationError:
     """Return the message for a body that leaves the grid of a scene at a time [s]."""
     reason = Message(
-        "'{name}' leaves the {reach:.3g} m around the origin that so many shapes may be in",
+        "'{name}' is more than {reach:.3g} m from the origin, the limit for so many shapes",
         name=name,
         reach=scene.reach,
     )

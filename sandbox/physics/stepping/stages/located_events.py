@@ -25,7 +25,7 @@ def make(setup: Setup) -> Stage:
         before_drift=cuts.cut,
         after_step=stops.look if stops else None,
         started=cuts.start,
-        contacts=cuts.contacts if stops and not setup.scene.direct else None,
+        contacts=cuts.contacts if stops else None,
         begun=cuts.begun,
         impacts=(lambda: located.impacts) if located else None,
         record=cuts.record,
@@ -64,7 +64,7 @@ class Cuts:
         if cut := located.cut(self._forces.smooth, sequence.last.jump if sequence else None):
             self._forces.shift(cut.jump)
             if sequence:
-                sequence.shift(cut.struck, cut.place, cut.jump, cut.change)
+                sequence.shift(cut.jump, cut.change)
 
     def contacts(self) -> Contacts:
         """Return the contacts of the last kick, which may have been taken again."""

@@ -34,9 +34,9 @@ def _has_motions(setup: Setup) -> bool:
 
 
 def _has_cuts(setup: Setup) -> bool:
-    effects = setup.level.effects
+    effects, alone = setup.level.effects, setup.scene.direct is None
     named = (effect and effect.located for effect in (effects.contact, effects.friction))
-    return setup.leapfrog and any(located is not None for located in named)
+    return setup.leapfrog and alone and any(located is not None for located in named)
 
 
 STAGES: Mapping[str, tuple[Callable[[Setup], bool], Callable[[Setup], Stage]]] = {

@@ -426,7 +426,7 @@ def test_what_is_left_to_pymunk_is_not_solved_directly(solver: str | None) -> No
     contact = {"solver": solver} if solver else {}
     bodies = {"a": disc((0, 2)), "ground": floor(-9)}
     if solver:
-        with pytest.raises(LevelError, match="'direct' solver of contacts does not ask"):
+        with pytest.raises(LevelError, match="combined with the 'direct' solver of contacts"):
             level(bodies, {**GRAVITY, "contact": contact}, joints=rod)
         return
     assert build(level(bodies, {**GRAVITY, "contact": contact}, joints=rod)).scene.direct is None

@@ -1,0 +1,36 @@
+"""The outcome of the impacts of a step."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+from sandbox.physics.engine.batch import Booleans
+
+
+class ImpactOutcome(NamedTuple):
+    """The outcome of the impacts of a step; n bodies.
+
+    Attributes
+    ----------
+    struck
+        (n,), the bodies that they reached.
+    jump
+        (n, 3), the changes of the velocities [m/s, rad/s].
+    velocity
+        (n, 3), the velocities at the step, right after the impacts [m/s, rad/s].
+    impulse
+        (n,), the sum of the magnitudes of the impulses on each body [N s].
+    """
+
+    struck: Booleans
+    jump: Array
+    velocity: Array
+    impulse: Array
+
+    @classmethod
+    def none(cls, count: int) -> "ImpactOutcome":
+        """Return the outcome without impacts, for a number of bodies."""
+        none: Array = np.zeros((count, 3))
+        none.setflags(write=False)
+        return cls(np.zeros(count, dtype=bool), none, none, none[:, 0])
