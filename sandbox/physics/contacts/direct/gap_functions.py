@@ -30,7 +30,7 @@ from sandbox.physics.contacts.direct.curve_contacts import (
     on_curves,
     roll_on_curves,
 )
-from sandbox.physics.contacts.direct.outlines import Outlines
+from sandbox.physics.contacts.direct.outlines import SHARP, Outlines
 from sandbox.physics.contacts.direct.touching import FROM_TO, Touching
 from sandbox.physics.engine.batch import Booleans, Contacts, Integers
 from sandbox.physics.joints.exact.constraints import Coordinates
@@ -175,12 +175,13 @@ def features(
     curved = tuple(on_curves(figures, bodies, n, surfaces, (place.plane, place.turned)))
     is_round, center = _with_curves(curved, place, is_round, center, owns)
     corners, corner = _corners(outlines, is_round, owns)
-    core = surfaces if corner is None else surfaces - out * np.where(corner, outlines.rounding, 0.0)
+    bends = _bends(outlines, is_round, owns, corner)
+    core = surfaces if bends is None else surfaces - out * np.where(bends, outlines.rounding, 0.0)
     at = np.where(is_round, center, core)
     d = at[1] - at[0]
     sign, rounds = (None, None) if corner is None else _rounds(corner, d, n)
     side = np.where(owns[1], bodies[1], bodies[0])
-    rolls = _rolls(touching, is_round, owns, sign)
+    rolls = _rolls(touching, is_round, owns, sign, bends)
     if curved:
         roll_on_curves(curved, owns[0] | owns[1], rubs, figures, rolls)
     circles = _circles(sign, curved, rubs)
@@ -262,7 +263,26 @@ def _corners(
     return sharp, corner if np.count_nonzero(corner) else None
 
 
-def _rolls(touching: Touching, is_round: Booleans, owns: Booleans, sign: Array | None) -> Array:
+def _bends(
+    outlines: Outlines, is_round: Booleans, owns: Booleans, corner: Booleans | None
+) -> Booleans | None:
+    """Return where bodies touch with a rounded corner or end: (2, k), None if nowhere.
+
+    A corner on a side counts as sharp, unless its rounding is that of a thick line.
+    """
+    if not outlines.figures.thick:
+        return None if corner is None else np.stack((corner, corner))
+    bends = ~(owns | is_round) & (outlines.rounding > SHARP)
+    return bends if corner is None else bends | corner
+
+
+def _rolls(
+    touching: Touching,
+    is_round: Booleans,
+    owns: Booleans,
+    sign: Array | None,
+    bends: Booleans | None,
+) -> Array:
     """Return the radii by which the angles of the two bodies count in the slip: (2, f) [m].
 
     Parameters
@@ -273,19 +293,21 @@ def _rolls(touching: Touching, is_round: Booleans, owns: Booleans, sign: Array |
         (2, k), which body has the side.
     sign
         (k,), s above, and 0 where there is a side; None if there is one everywhere.
+    bends
+        (2, k), where they have rounded corners; None if nowhere.
     """
     outlines, rubs = touching.outlines, touching.rubs
     if not len(rubs):
         return np.zeros((2, 0))
     if sign is None:
-        radius = np.where(is_round, outlines.radius, 0.0).take(rubs, axis=1)
+        radius = outlines.rolls(is_round, bends, None).take(rubs, axis=1)
         return np.where(owns.take(rubs, axis=1), radius[::-1], -radius)
     inner = None
     if touching.figures.hollow:
         inner = (sign < 0) & (outlines.inner > 0)
         inner[1] &= ~inner[0] | (outlines.inner[1] > outlines.inner[0])
         inner[0] &= ~inner[1]
-    radius = outlines.rolls(is_round, sign != 0, inner).take(rubs, axis=1)
+    radius = outlines.rolls(is_round, bends, inner).take(rubs, axis=1)
     own = -radius if inner is None else np.where(inner.take(rubs, axis=1), radius, -radius)
     return np.where(owns.take(rubs, axis=1), radius[::-1], own)
 

@@ -58,6 +58,8 @@ class Figures:
         (n,), whether it is an arc with ends.
     courses
         The shapes of curves, by the indices of their bodies.
+    thick
+        Whether any body has rounded corners or ends that are not sharp.
     plain
         Whether all round bodies are full circles about their bodies' centres.
     hollow
@@ -72,6 +74,7 @@ class Figures:
         self.inner = np.array([figure.inner for figure in figures])
         self.center = np.array([figure.center for figure in figures])
         self.ends = np.array([figure.ends for figure in figures], dtype=bool)
+        self.thick = bool((self.rounding > SHARP).any())
         self.hollow = bool((self.inner > 0).any())
         self.plain = not (self.center.any() or self.ends.any())
         self.convex: Booleans = ~np.array([bool(f.ends or f.course) for f in figures], dtype=bool)
@@ -150,7 +153,8 @@ class Outlines(NamedTuple):
         is_end = np.abs((n.conj() * out).imag) > PARALLEL * np.abs(out)
         return self.rounds & ~(self.figures.ends[self.body] & is_end), center
 
-    def rolls(self, is_round: Booleans, corner: Booleans, within: Booleans | None) -> Array:
+    def rolls(self, is_round: Booleans, bends: Booleans | None, within: Booleans | None) -> Array:
         """Return the radii with which they roll at the contact points: (2, k) [m]."""
         radius = self.radius if within is None else np.where(within, self.inner, self.radius)
-        return np.where(is_round, radius, np.where(corner, self.rounding, 0.0))
+        ends = 0.0 if bends is None else np.where(bends, self.rounding, 0.0)
+        return np.where(is_round, radius, ends)
