@@ -7,6 +7,10 @@ of lengths times masses, stay within the range of a float. Whether a rate is hig
 is checked elsewhere.
 """
 
+from typing import Annotated
+
+from pydantic import Field
+
 from sandbox.model.expressions import Expression, NonNegative, Positive
 from sandbox.model.formulas import Formula, Function
 
@@ -18,6 +22,9 @@ MOST_PAIRS = 20_000
 
 LARGEST_PARAMETER = 1e100
 """The largest bound of a parameter, whatever its sign."""
+
+Finite = Annotated[float, Field(allow_inf_nan=False, ge=-LARGEST_PARAMETER, le=LARGEST_PARAMETER)]
+"""A number of a parameter."""
 
 
 class Mass(Positive):

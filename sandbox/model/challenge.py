@@ -6,6 +6,7 @@ from typing import Annotated
 from pydantic import Field
 
 from sandbox.model.base import Model
+from sandbox.model.bounds import Finite
 from sandbox.model.expressions import Expression
 from sandbox.model.measuring_instants import Instant
 from sandbox.model.naming import Name
@@ -46,7 +47,7 @@ class Challenge(Model):
     """the goals for the second and the third star"""
     hints: Annotated[tuple[Sentence, ...], Field(max_length=5)] = ()
     """hints, from a nudge to almost the answer"""
-    solution: Mapping[Name, Annotated[float, Field(allow_inf_nan=False)]]
+    solution: Mapping[Name, Finite]
     """values of the free parameters that earn every star; never shown"""
 
     @property

@@ -22,7 +22,7 @@ from pydantic_core import PydanticCustomError
 from sandbox.model.acting_events import MOST_EVENTS, Event, bouncing, breakable, cut, tied
 from sandbox.model.base import Model
 from sandbox.model.body import MAX_BODIES, Body
-from sandbox.model.bounds import LARGEST_PARAMETER, Duration
+from sandbox.model.bounds import Duration, Finite
 from sandbox.model.challenge import Challenge
 from sandbox.model.constants import define
 from sandbox.model.effects import Effects
@@ -62,7 +62,6 @@ HIGHEST_RATE = 100_000
 FINEST = 1e-14
 """The smallest accuracy that may be asked for; anything below is rounding."""
 
-Finite = Annotated[float, Field(allow_inf_nan=False, ge=-LARGEST_PARAMETER, le=LARGEST_PARAMETER)]
 Scheme = Literal["leapfrog", "fourth-order", "symplectic-euler", "explicit-euler"]
 
 

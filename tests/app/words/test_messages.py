@@ -27,10 +27,20 @@ OURS = re.compile("(Sandbox|Level|Expression|Simulation)Error").search
 def calls() -> Iterator[tuple[str, ast.Call]]:
     """Yield where messages are made that the window may show: `mypy` lets errors take no other."""
     for path in said_in(Path(sandbox.__file__).parent):
-        if path.name != "message.py":
+        if path.parts[-2:] not in {("model", "message.py"), ("model", "errors.py")}:
             for node in ast.walk(ast.parse(path.read_text("utf-8"))):
-                if isinstance(node, ast.Call) and ast.unparse(node.func) == "Message":
+                if isinstance(node, ast.Call) and makes_a_message(node):
                     yield f"{path.name}:{node.lineno}", node
+
+
+def makes_a_message(call: ast.Call) -> bool:
+    """Whether a call makes a message, or an error with one."""
+    match call:
+        case ast.Call(func=ast.Name(id="Message")):
+            return True
+        case ast.Call(func=ast.Name(id=name), args=[ast.Constant(value=str()), *_]):
+            return name.endswith("Error")
+    return False
 
 
 def bare(value: ast.AST) -> Iterator[str]:

@@ -63,11 +63,11 @@ def test_eulers_scheme_does_not_close() -> None:
 
 
 def test_what_overlaps_gave_is_told() -> None:
-    """Arcs are met where steps end, and so in each other."""
+    """The iterative solver meets arcs where steps end, and so in each other."""
     arc = {"type": "arc", "radius": 50, "start": "260*deg", "end": "280*deg"}
     scene = level(
         {"ball": disc((0, 1), radius=0.1), "bowl": fixed(arc, (0, 50))},
-        {**GRAVITY, "contact": {"solver": "direct"}},
+        {**GRAVITY, "contact": {"solver": "iterative"}},
     )
     found = closing(scene)
 
