@@ -1,8 +1,12 @@
 """What is known of a fall that nobody can foretell."""
 
+from json import loads
+
 import numpy as np
 import pytest
 
+from sandbox import make
+from sandbox.model import catalog
 from sandbox.physics.run import simulate
 from validation.case import textbook
 
@@ -22,10 +26,17 @@ def test_a_ragdoll_gains_no_energy_but_what_lifts_it_out_of_the_stairs() -> None
 
 
 @pytest.mark.sweep
-def test_the_books_of_a_ragdoll_close_where_it_lies_in_a_heap() -> None:
-    """Measured: 1.6 J of 2000. Read as impacts that give energy, its landings there left 11.5 J."""
-    level = textbook("machines/ragdoll")
+def test_the_books_of_ragdolls_close_where_they_lie_in_a_heap() -> None:
+    """Measured: 0.9 to 8.3 J of 2000 in falls that differ in gravity by a thousandth each.
 
-    trace = simulate(level, record=["system.unexplained_energy"])
+    The mean is 3.8 J; with thick lines that roll on sharp ends it was 5.2.
+    """
+    data = loads(catalog.find("machines/ragdoll").read_text())
+    unexplained = []
+    for thousandths in range(-8, 9):
+        data["effects"]["gravity"]["acceleration"] = [0, -9.81 * (1 + thousandths / 1000)]
+        trace = simulate(make(data), record=["system.unexplained_energy"])
+        unexplained.append(abs(trace.columns["system.unexplained_energy"]).max())
 
-    assert abs(trace.columns["system.unexplained_energy"]).max() < 2.5
+    assert np.mean(unexplained) < 4.5
+    assert max(unexplained) < 9
