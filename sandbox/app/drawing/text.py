@@ -168,8 +168,8 @@ def _box() -> tuple[tuple[int, int], bytes]:
 
 
 def _shape(letter: str) -> tuple[tuple[int, int], bytes]:
-    """Return the size and the pixels of a character in Noto Sans."""
-    shown = _drawn(_font(16, False), letter, theme.TEXT)
+    """Return the size and the pixels of a character in Noto Sans, in black whatever the theme."""
+    shown = _drawn(_font(16, False), letter, (0, 0, 0))
     return shown.size, shown.get_buffer().raw
 
 

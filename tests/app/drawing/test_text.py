@@ -8,6 +8,7 @@ from time import process_time
 import pygame
 import pytest
 
+from sandbox.app.drawing import text, theme
 from sandbox.app.drawing.text import Pen, legible, typed
 from sandbox.app.widgets.text_field import LONGEST
 from tests.app.person import Person
@@ -136,6 +137,19 @@ def test_every_character_can_be_written() -> None:
 def test_letters_keep_their_accents() -> None:
     assert legible("e\u0301x\u0302") == "éx\u0302"
     assert typed("e\u0301") == "é"
+
+
+def test_a_sign_that_the_font_lacks_is_drawn_after_a_change_of_theme(pen: Pen) -> None:
+    """Its pixels were compared with a box in the colour of the theme before."""
+    text._lacks.cache_clear()
+    text._box.cache_clear()
+    before = theme.used()
+    try:
+        pen.write("\u2192")
+        theme.use("light" if before == "dark" else "dark")
+        assert text._lacks("\u2713")
+    finally:
+        theme.use(before)
 
 
 def test_as_much_of_a_text_is_shown_as_fits(pen: Pen) -> None:
