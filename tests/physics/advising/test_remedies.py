@@ -81,7 +81,7 @@ def test_the_rate_that_the_start_needs_is_tried_as_well() -> None:
     assert found.rate is not None
     assert 1000 < found.rate < 10_000
     assert "Hz it stops as well, but at" in str(found)
-    assert "it holds to its end, t = 0.6" in str(found)
+    assert "it runs to its end, t = 0.6" in str(found)
 
 
 @pytest.mark.sweep
