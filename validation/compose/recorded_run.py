@@ -11,7 +11,7 @@ from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Array
 from sandbox.model.level import HIGHEST_RATE, Level
 from sandbox.physics.energy.ledger import Ledger
-from sandbox.physics.guarding.rate_limits import needs
+from sandbox.physics.guarding.rate_limits import needed
 from sandbox.physics.measuring.recording import count_steps
 from sandbox.physics.run import build
 from sandbox.physics.scene.stability_limits import MARGIN
@@ -106,7 +106,7 @@ def start(level: Level, rate: float | None = None) -> World:
                 raise Refused(str(error)) from error
             rate = error.rate
             continue
-        asked = max((need.rate for need in needs(world.scene, world.snapshot)), default=0.0)
+        asked = needed(world.scene, world.snapshot)
         if MARGIN * asked <= rate:
             return world
         rate = ceil(MARGIN * asked)

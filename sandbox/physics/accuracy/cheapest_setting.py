@@ -21,7 +21,7 @@ from sandbox.physics.accuracy.event_errors import onset
 from sandbox.physics.accuracy.refinement import NEARLY, foot, furthest, step_durations
 from sandbox.physics.accuracy.refinement_search import FEWEST, Progress, Refiner, cost, refine
 from sandbox.physics.accuracy.richardson import ORDERS
-from sandbox.physics.guarding.rate_limits import needs
+from sandbox.physics.guarding.rate_limits import needed
 from sandbox.physics.measuring.recording import Trace
 from sandbox.physics.state.errors import SimulationError
 from sandbox.physics.stepping.make_world import make_world
@@ -218,5 +218,4 @@ def _floor(level: Level, values: Values) -> float:
     except SimulationError:
         return 0.0
     contact = level.effects.contact
-    found = needs(world.scene, now, (contact and contact.located) or ())
-    return max((need.rate for need in found), default=0.0)
+    return needed(world.scene, now, (contact and contact.located) or ())

@@ -17,7 +17,7 @@ from sandbox.model.expressions import Values
 from sandbox.model.joints import Own, is_exact
 from sandbox.model.level import HIGHEST_RATE, Level, Stepping, is_direct
 from sandbox.model.message import NOTHING, Message, both, joined
-from sandbox.physics.guarding.rate_limits import needs
+from sandbox.physics.guarding.rate_limits import needed
 from sandbox.physics.measuring.recording import count_steps
 from sandbox.physics.run import build
 from sandbox.physics.scene.stability_limits import MARGIN
@@ -192,19 +192,19 @@ def _finer(
     if stepping.is_stock:
         return
     first = error.rate or FINER * stepping.rate
-    known = MARGIN * _needed(level, values, stepping)
+    known = MARGIN * _foreseen(level, values, stepping)
     for rate in sorted({float(first), 2.0 * first, float(ceil(max(first, known)))}):
         if stepping.rate < rate <= HIGHEST_RATE:
             yield Message("at {rate:,.0f} Hz", rate=rate), None, stepping.at(rate), rate
 
 
-def _needed(level: Level, values: Values, stepping: Stepping) -> float:
+def _foreseen(level: Level, values: Values, stepping: Stepping) -> float:
     """Return the rate that the state at the start needs, if it is known; else 0 [Hz]."""
     try:
         world = build(level, values, stepping)
     except SandboxError:
         return 0.0
-    return max((need.rate for need in needs(world.scene, world.snapshot)), default=0.0)
+    return needed(world.scene, world.snapshot)
 
 
 def _others(level: Level, stepping: Stepping) -> Iterator[Remedy]:

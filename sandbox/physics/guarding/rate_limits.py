@@ -63,6 +63,11 @@ def needs(scene: Scene, now: Snapshot, located: Container[str] = ()) -> list[Nee
     return sorted((*_springs(scene, now), *_taut(scene, now), *fast), reverse=True)
 
 
+def needed(scene: Scene, now: Snapshot, located: Container[str] = ()) -> float:
+    """Return the highest of the lower bounds on the rate, 0 if there are none; see `needs` [Hz]."""
+    return max((need.rate for need in needs(scene, now, located)), default=0.0)
+
+
 def _springs(scene: Scene, now: Snapshot) -> Iterator[Need]:
     rate, name = limit(scene.joints.springs, scene.inverse_mass, now.angle)
     if rate:

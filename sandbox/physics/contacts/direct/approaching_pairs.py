@@ -137,16 +137,15 @@ class ApproachingPairs:
         for row in np.flatnonzero(self._room < ahead).tolist():
             pair = int(self._first[row]), int(self._second[row])
             if pair in touch:  # computed again in each search
-                self._room[row], room[row] = 0.0, np.inf
-                if self._beside[row]:
-                    room[row] = self._shapes.gap(pair, here, beside=True)
-                if LEAST < ahead[row] >= room[row]:
-                    found.append(pair)
-                continue
-            gap = self._gap(pair, here)
-            if (first or gap <= ahead[row]) and (self._never_meet(pair) or self._within(pair, gap)):
-                gap = np.inf
-            self._room[row] = room[row] = gap
+                beside = self._beside[row]
+                gap = self._shapes.gap(pair, here, beside=True) if beside else np.inf
+                self._room[row], room[row] = 0.0, gap
+            else:
+                gap = self._gap(pair, here)
+                near = first or gap <= ahead[row]
+                if near and (self._never_meet(pair) or self._within(pair, gap)):
+                    gap = np.inf
+                self._room[row] = room[row] = gap
             if LEAST < ahead[row] >= gap and not self._is_let(pair, place):
                 found.append(pair)
         self._calm = float(room.min())
