@@ -7,6 +7,7 @@ import pygame
 from sandbox.app.building import painting
 from sandbox.app.building.applying_changes import Applying
 from sandbox.app.building.edited_level import Work
+from sandbox.app.building.foreseeing import Foreseeing
 from sandbox.app.building.live_edits import Live
 from sandbox.app.building.pointer import Spot
 from sandbox.app.building.toolbox import FIRST, Toolbox
@@ -23,6 +24,7 @@ class EditorOnStage:
         self._work, self._live, self._tools, self._applying = work, live, tools, applying
         self._spot: Spot | None = None
         self._picture = painting.Picture()
+        self._foreseeing = Foreseeing()
 
     # the mouse
 
@@ -94,7 +96,14 @@ class EditorOnStage:
         if self._spot is not None and tools.tool not in ("select", "delete"):
             painting.caught(surface, camera, pen, self._spot.snapped)
         tools.hand.draw(surface, pen)
-        painting.draw_hint(surface, pen, say(tools.hand.hint))
+        self._draw_foreseen(surface, pen, say(tools.hand.hint))
+
+    def _draw_foreseen(self, surface: pygame.Surface, pen: Pen, hint: str) -> None:
+        """Mark the faults of what the tool would make, or give a hint if there are none."""
+        bench, ahead = self._tools.bench, self._foreseeing
+        ahead.look(bench, self._tools.hand, self._spot)
+        if not ahead.draw(surface, pen, bench):
+            painting.draw_hint(surface, pen, hint)
 
     def draw_over(self, surface: pygame.Surface, stage: Stage, pen: Pen) -> None:
         """Draw the selection over the run, and the preview of what is added to it."""
@@ -112,4 +121,4 @@ class EditorOnStage:
         if live.fresh:
             tools.hand.draw(surface, pen)
         message = say("{hint}; time stands still until then", hint=say(tools.hand.hint))
-        painting.draw_hint(surface, pen, message)
+        self._draw_foreseen(surface, pen, message)

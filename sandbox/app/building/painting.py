@@ -7,7 +7,7 @@ import pygame
 
 from sandbox.app.building import preview
 from sandbox.app.building.edited_level import Work
-from sandbox.app.building.partial_level import Sketch
+from sandbox.app.building.partial_level import Parts, Sketch
 from sandbox.app.building.pointer import Part
 from sandbox.app.drawing import lines, theme
 from sandbox.app.drawing.camera import Camera
@@ -65,7 +65,7 @@ def draw_groups(surface: pygame.Surface, work: Work) -> None:
 
 
 def draw_culprits(
-    surface: pygame.Surface, sketch: Sketch, names: Collection[str], camera: Camera
+    surface: pygame.Surface, sketch: Parts, names: Collection[str], camera: Camera
 ) -> None:
     """Mark the parts because of which the level cannot run."""
     for name in names:
@@ -79,7 +79,7 @@ def draw_culprits(
 
 
 def _around(
-    surface: pygame.Surface, sketch: Sketch, family: str, name: str, camera: Camera, color: Color
+    surface: pygame.Surface, sketch: Parts, family: str, name: str, camera: Camera, color: Color
 ) -> XY | None:
     """Draw a line around a part, and return a point of it on the stage [px]."""
     points: Sequence[XY] = ()
@@ -124,14 +124,14 @@ def draw_around(
     return corners[0] if not closed else max(corners, key=lambda corner: corner[0] - corner[1])
 
 
-def draw_hint(surface: pygame.Surface, pen: Pen, text: str) -> None:
-    """Write at the bottom of the stage what to do next."""
+def draw_hint(surface: pygame.Surface, pen: Pen, text: str, *, refused: bool = False) -> None:
+    """Write at the bottom of the stage what to do next, or why it is refused."""
     lines_of_text = pen.paragraph(text, surface.width - 80, 13)
     width = max(line.width for line in lines_of_text) + 2 * PADDING
     box = pygame.Rect(0, 0, width, sum(line.height for line in lines_of_text) + PADDING)
     box.midbottom = surface.width // 2, surface.height - pen.px(RULER) - 34
     pygame.draw.rect(surface, theme.PANEL, box, border_radius=5)
-    pygame.draw.rect(surface, theme.EDGE, box, 1, border_radius=5)
+    pygame.draw.rect(surface, theme.FAILED if refused else theme.EDGE, box, 1, border_radius=5)
     y = box.y + PADDING // 2
     for line in lines_of_text:
         surface.blit(line, line.get_rect(midtop=(box.centerx, y)))

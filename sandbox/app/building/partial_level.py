@@ -28,6 +28,7 @@ from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Expression, Values
 from sandbox.model.joint_ends import place
 from sandbox.model.joints import AngleStop, Joint, Rail, Stop, Winding, Wire, body_of, points
+from sandbox.model.level import Level
 from sandbox.model.shapes import XY, evaluate
 from sandbox.model.view import View
 from sandbox.model.wires import along
@@ -68,7 +69,22 @@ class Tied:
     path: tuple[XY, ...]
 
 
-class Sketch:
+@dataclass
+class Parts:
+    """Bodies and joints that can be drawn, by name."""
+
+    bodies: Mapping[str, Drawn]
+    joints: Mapping[str, Tied]
+
+
+def parts_of(level: Level) -> Parts:
+    """Return the parts of a level at its start."""
+    values = level.defaults
+    bodies, joints = _drawn(level.bodies, values), _tied(level.joints, level.bodies, values)
+    return Parts(dict(bodies), dict(joints))
+
+
+class Sketch(Parts):
     """The drawable content of a level's text.
 
     Attributes
@@ -91,8 +107,10 @@ class Sketch:
             for name, part in _mapping(document, "bodies").items()
             if (spec := _body(json.dumps(part))) is not None
         }
-        self.bodies = dict(_drawn(specs, self.values))
-        self.joints = dict(_tied(_mapping(document, "joints"), specs, self.values))
+        parts = _mapping(document, "joints").items()
+        tied = {name: j for name, part in parts if (j := _joint(json.dumps(part))) is not None}
+        drawn, paths = _drawn(specs, self.values), _tied(tied, specs, self.values)
+        super().__init__(dict(drawn), dict(paths))
         self._open = _open(_mapping(document, "events"))
         self.view = _view(json.dumps(document.get("view", {})))
 
@@ -203,13 +221,11 @@ def _drawn(specs: Mapping[str, Body], values: Values) -> Iterator[tuple[str, Dra
 
 
 def _tied(
-    parts: Mapping[str, Any], specs: Mapping[str, Body], values: Values
+    tied: Mapping[str, Joint], specs: Mapping[str, Body], values: Values
 ) -> Iterator[tuple[str, Tied]]:
-    for name, part in parts.items():
-        joint = _joint(json.dumps(part))
+    for name, joint in tied.items():
         try:
-            if joint is not None:
-                yield name, Tied(joint, tuple(_path(joint, specs, values)))
+            yield name, Tied(joint, tuple(_path(joint, specs, values)))
         except (SandboxError, ArithmeticError, LookupError):  # or an end at a missing body
             continue
 

@@ -3,6 +3,7 @@
 The length of a new joint is left out, which makes it the distance of the ends at the start.
 """
 
+import json
 from collections.abc import Callable, Mapping, Sequence
 from math import pi
 from typing import NamedTuple
@@ -105,7 +106,8 @@ def _apart(text: str, level: Level, chosen: Sequence[Pick], where: Bodies) -> st
         return text
     if distance(where[bodies[0]], where[bodies[1]]) > -OVERLAP:
         return text
-    return put(text, ("effects", "contact", "apart", len(contact.apart)), bodies)
+    known = json.loads(text).get("effects", {}).get("contact", {}).get("apart", ())
+    return put(text, ("effects", "contact", "apart", len(known)), bodies)
 
 
 def end(pick: Pick, where: Bodies) -> Json:

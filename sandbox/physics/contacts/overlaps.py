@@ -6,7 +6,7 @@ overlaps must allow them explicitly, or is refused.
 
 from collections.abc import Iterator, Mapping
 from itertools import islice
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import pymunk
 
@@ -28,6 +28,26 @@ ENOUGH = 1000
 """The most overlaps among which the worst is found, as a heap of n bodies has n² / 2."""
 
 
+class Overlap(NamedTuple):
+    """Two bodies that overlap, and how far [m]."""
+
+    depth: float
+    bodies: tuple[str, str]
+    """Their names, in order."""
+
+    @property
+    def reason(self) -> Message:
+        """The fault that it is at the start."""
+        one, other = self.bodies
+        return Message(
+            "'{one}' and '{other}' overlap by {depth:.3g} m at the start; move them apart, or"
+            " give 'contact' \"overlaps\": true",
+            one=one,
+            other=other,
+            depth=self.depth,
+        )
+
+
 def refuse_overlaps(
     space: pymunk.Space,
     bodies: Mapping[str, pymunk.Body],
@@ -45,35 +65,29 @@ def refuse_overlaps(
     SimulationError
         If two bodies overlap.
     """
-    least = max(TOUCHING, slop_of(space, contact, values))
-    found = max(islice(_pairs(space, bodies, least, hollows, gates), ENOUGH), default=None)
-    if found:
-        depth, one, other = found
-        rule = Message(
-            "'{one}' and '{other}' overlap by {depth:.3g} m at the start; move them apart, or"
-            " give 'contact' \"overlaps\": true",
-            one=one,
-            other=other,
-            depth=depth,
-        )
-        raise SimulationError(one, 0.0, rule)
+    least = tolerated(space, contact, values)
+    worst = max(islice(overlaps(space, bodies, least, hollows, gates), ENOUGH), default=None)
+    if worst:
+        raise SimulationError(worst.bodies[0], 0.0, worst.reason)
 
 
-def _pairs(
+def tolerated(space: pymunk.Space, contact: Contact, values: Values) -> float:
+    """Return the largest overlap that is allowed at the start [m]."""
+    return max(TOUCHING, slop_of(space, contact, values))
+
+
+def overlaps(
     space: pymunk.Space,
     bodies: Mapping[str, pymunk.Body],
     least: float,
     hollows: Hollows | None,
     gates: "Gates | None",
-) -> Iterator[tuple[float, str, str]]:
-    """Yield the overlaps of more than `least` [m], and the names of the two bodies.
-
-    The names are in order.
-    """
+) -> Iterator[Overlap]:
+    """Yield the overlaps of more than `least` [m]; that of two movable bodies twice."""
     names = {body: name for name, body in bodies.items()}
     for name, body in bodies.items():
         for shape in body.shapes if body.body_type == pymunk.Body.DYNAMIC else ():
             for found in touched(space, shape, hollows, gates):
                 if found.depth > least and found.body is not body:
                     other = names[found.body]
-                    yield found.depth, min(name, other), max(name, other)
+                    yield Overlap(found.depth, (min(name, other), max(name, other)))

@@ -24,6 +24,10 @@ class DeleteTool:
         self._under: Part | None = None
         self._spot: Spot | None = None
 
+    @property
+    def proposed(self) -> None:
+        """Nothing, as what is deleted brings no faults."""
+
     def press(self, spot: Spot) -> None:
         """Delete the part there."""
         part = self._bench.part_at(spot.pixel)

@@ -1,6 +1,7 @@
 """The tools for discs and boxes, drawn from one point to another."""
 
 from abc import ABC, abstractmethod
+from collections.abc import Callable
 from functools import partial
 from math import cos, dist, sin, tau
 
@@ -12,7 +13,10 @@ from sandbox.app.building.tools.tool import STILL, Bench
 from sandbox.app.drawing.text import Pen
 from sandbox.app.words.language import later, say
 from sandbox.editing.edits import bodies
+from sandbox.editing.edits.edit_result import Made
+from sandbox.editing.foreseen import Proposed
 from sandbox.editing.snapping import grid_step
+from sandbox.model.level import Level
 from sandbox.model.shapes import XY
 
 FINER = 10
@@ -24,6 +28,8 @@ class Stretching(ABC):
 
     begins = ""
     """The hint for the first point."""
+    said = ""
+    """The description of the edit."""
 
     def __init__(self, bench: Bench) -> None:
         self._bench = bench
@@ -39,6 +45,14 @@ class Stretching(ABC):
     def hint(self) -> str:
         """A hint at what to do next."""
         return later("Release, or click, where it ends") if self.busy else self.begins
+
+    @property
+    def proposed(self) -> Proposed[Made] | None:
+        """The edit that adds the shape."""
+        if self._start is None or self._end is None:
+            return None
+        one, other = self._start.point, self._reached(self._start, self._end)
+        return None if self.is_flat(one, other) else Proposed(self.edit(one, other))
 
     def press(self, spot: Spot) -> None:
         """Set the first point."""
@@ -56,7 +70,7 @@ class Stretching(ABC):
             return
         one, other = self._start.point, self._reached(self._start, spot)
         self.cancel()
-        self.make(one, other)
+        self._bench.make(say(self.said), self.edit(one, other))
 
     def finish(self) -> None:  # noqa: B027 (nothing to do for those that inherit it either)
         """Do nothing, as the second point finishes the shape."""
@@ -92,8 +106,8 @@ class Stretching(ABC):
         """Return whether the shape would have no area."""
 
     @abstractmethod
-    def make(self, one: XY, other: XY) -> None:
-        """Add the shape to the level."""
+    def edit(self, one: XY, other: XY) -> Callable[[str, Level], Made]:
+        """Return the edit that adds the shape to the level."""
 
     @abstractmethod
     def corners(self, one: XY, other: XY) -> list[XY]:
@@ -108,14 +122,15 @@ class DiscTool(Stretching):
     """Draws discs from their centres."""
 
     begins = later("Press at the disc's centre, and drag to its rim")
+    said = later("draw a disc")
 
     def is_flat(self, one: XY, other: XY) -> bool:
         """Return whether the radius is zero."""
         return one == other
 
-    def make(self, one: XY, other: XY) -> None:
-        """Add a disc to the level."""
-        self._bench.make(say("draw a disc"), partial(bodies.add_disc, center=one, rim=other))
+    def edit(self, one: XY, other: XY) -> Callable[[str, Level], Made]:
+        """Return the edit that adds a disc to the level."""
+        return partial(bodies.add_disc, center=one, rim=other)
 
     def corners(self, one: XY, other: XY) -> list[XY]:
         """Return points of the circle [m]."""
@@ -132,14 +147,15 @@ class BoxTool(Stretching):
     """Draws boxes from corner to corner."""
 
     begins = later("Press at one corner of the box, and drag to the opposite one")
+    said = later("draw a box")
 
     def is_flat(self, one: XY, other: XY) -> bool:
         """Return whether the width or the height is zero."""
         return one[0] == other[0] or one[1] == other[1]
 
-    def make(self, one: XY, other: XY) -> None:
-        """Add a box to the level."""
-        self._bench.make(say("draw a box"), partial(bodies.add_box, corner=one, opposite=other))
+    def edit(self, one: XY, other: XY) -> Callable[[str, Level], Made]:
+        """Return the edit that adds a box to the level."""
+        return partial(bodies.add_box, corner=one, opposite=other)
 
     def corners(self, one: XY, other: XY) -> list[XY]:
         """Return the corners of the rectangle [m]."""

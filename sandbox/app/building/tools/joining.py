@@ -1,6 +1,6 @@
 """The tool that makes joints of any kind."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from functools import partial
 from math import dist
 from typing import NamedTuple, get_args
@@ -13,7 +13,9 @@ from sandbox.app.building.tools.tool import Bench
 from sandbox.app.drawing.text import Pen
 from sandbox.app.words.language import later, say
 from sandbox.editing.edits import joints
+from sandbox.editing.edits.edit_result import Made
 from sandbox.editing.edits.joints import Pick
+from sandbox.editing.foreseen import Proposed
 from sandbox.model.joints import KINDS, Joint
 
 ON = 6.0  # px, the largest distance at which a click is on a body
@@ -92,20 +94,37 @@ class JoinTool:
 
     def press(self, spot: Spot) -> None:
         """Set the next point, and make the joint with the last."""
-        found = self._bodies_at(spot)
-        if len(self._clicks.hints) == 1:
-            ends = (*found, None, None)[:2]
-            self._places = [Pick(spot.point, body) for body in ends]
-            self._make()
-            return
         if self._clicks.several and self._ends(spot):
             self.finish()
             return
-        self._places.append(Pick(spot.point, found[0] if found else None))
-        full = len(self._places) == len(self._clicks.hints) and not self._clicks.several
-        hangs = self.kind == "pulley" and len(self._places) > 2 and found and not spot.shift
-        if full or hangs:
+        self._places = self._with(spot)
+        if self._complete(self._places, spot):
             self._make()
+
+    @property
+    def proposed(self) -> Proposed[Made] | None:
+        """The edit that a click here would make."""
+        if self._spot is None or (self._clicks.several and self._ends(self._spot)):
+            return None
+        places = self._with(self._spot)
+        return self._tie(places) if self._complete(places, self._spot) else None
+
+    def _tie(self, places: Sequence[Pick]) -> Proposed[Made]:
+        """Return the edit that makes the joint."""
+        edit = partial(joints.add_joint, kind=self.kind, chosen=tuple(places))
+        return Proposed(edit, {place.body for place in places if place.body})
+
+    def _with(self, spot: Spot) -> list[Pick]:
+        """Return the points, with the one that a click here would add."""
+        found = self._bodies_at(spot)
+        if len(self._clicks.hints) == 1:
+            return [Pick(spot.point, body) for body in (*found, None, None)[:2]]
+        return [*self._places, Pick(spot.point, found[0] if found else None)]
+
+    def _complete(self, places: Sequence[Pick], spot: Spot) -> bool:
+        """Return whether the last point, clicked here, makes the joint."""
+        ends = not self._clicks.several or (places[-1].body is not None and not spot.shift)
+        return ends and len(places) >= max(2, len(self._clicks.hints))
 
     def _bodies_at(self, spot: Spot) -> list[str]:
         """Return the moving bodies at a point, the topmost first."""
@@ -136,12 +155,12 @@ class JoinTool:
             self._make()
 
     def _make(self) -> None:
-        kind, picks = self.kind, tuple(self._places)
+        picks = tuple(self._places)
         self._places.clear()
-        edit = partial(joints.add_joint, kind=kind, chosen=picks)
         first, second = (pick.body or say("the plane") for pick in (picks[0], picks[-1]))
         self._bench.tell(say("Tied: {first} to {second}", first=first, second=second))
-        self._bench.make(say("tie a {joint}", joint=say(kind)), edit, "joints")
+        said = say("tie a {joint}", joint=say(self.kind))
+        self._bench.make(said, self._tie(picks).edit, "joints")
 
     def cancel(self) -> None:
         """Remove the last point."""

@@ -19,6 +19,7 @@ from sandbox.app.words.formatting import number
 from sandbox.app.words.language import later, say
 from sandbox.editing.edits import transforms
 from sandbox.editing.edits.handles import drag_handle
+from sandbox.editing.foreseen import Proposed
 from sandbox.model.shapes import XY
 
 STEP = radians(5)
@@ -39,6 +40,14 @@ class Doing(Enum):
     TURNING = auto()
     RESIZING = auto()
     CATCHING = auto()
+
+
+SAID = {
+    Doing.MOVING: later("move"),
+    Doing.TURNING: later("turn"),
+    Doing.RESIZING: later("resize"),
+}
+"""The descriptions of the edits."""
 
 
 class SelectTool:
@@ -67,6 +76,21 @@ class SelectTool:
         if self._bench.selected:
             return later("Drag to move, a handle to turn or resize; arrows nudge, Delete removes")
         return later("Click a body or a joint to change it, or drag a frame around several")
+
+    @property
+    def proposed(self) -> Proposed[str] | None:
+        """The edit of the drag."""
+        now, body, moved = self._now, self._single, self._moved
+        if now is None or self._start is None or dist(now.pixel, self._start.pixel) < STILL:
+            return None
+        match self._doing:
+            case Doing.MOVING if moved and self._way.point != (0.0, 0.0):
+                return Proposed(partial(transforms.move, names=moved, by=self._way.point), moved)
+            case Doing.TURNING if body and (angle := self._turn):
+                return _turning(body, angle)
+            case Doing.RESIZING if body and self._handle:
+                return _resizing(body, self._handle, now.point)
+        return None
 
     def press(self, spot: Spot) -> None:
         """Start dragging a handle, a part, or a rubber band."""
@@ -133,8 +157,7 @@ class SelectTool:
             return
         self.move(spot)
         still = dist(spot.pixel, start.pixel) < STILL
-        by, turned, handle = self._way.point, self._turn, self._handle
-        body, caught = self._single, self._caught()
+        proposed, caught = self.proposed, self._caught()
         self.cancel()
         if doing is Doing.CATCHING:
             kept = self._bench.selected if spot.shift else ()
@@ -143,23 +166,8 @@ class SelectTool:
         elif still:
             if doing is Doing.MOVING and self._again and not spot.shift:
                 self._bench.select((self._again,))
-        elif doing is Doing.MOVING and by != (0.0, 0.0):
-            self._move_by(by)
-        elif doing is Doing.TURNING and body and turned:
-            self._turn_by(body, turned)
-        elif doing is Doing.RESIZING and body and handle:
-            self._drag_handle(body.outline.name, handle.index, spot.point)
-
-    def _move_by(self, by: XY) -> None:
-        if moved := self._moved:
-            self._bench.change(say("move"), partial(transforms.move, names=moved, by=by))
-
-    def _turn_by(self, body: Drawn, by: float) -> None:
-        edit = partial(transforms.turn, names=[body.outline.name], angle=by, about=body.position)
-        self._bench.change(say("turn"), edit)
-
-    def _drag_handle(self, name: str, index: int, to: XY) -> None:
-        self._bench.change(say("resize"), partial(drag_handle, name=name, index=index, to=to))
+        elif proposed:
+            self._bench.change(say(SAID[doing]), proposed.edit)
 
     def finish(self) -> None:
         """Do nothing, as releasing the mouse ends the drag."""
@@ -254,6 +262,16 @@ class SelectTool:
         if body.outline.radius is not None:
             message = f"r {preview.metres(width / 2)}"
         preview.measure(surface, pen, now.pixel, message)
+
+
+def _turning(body: Drawn, angle: float) -> Proposed[str]:
+    names = [body.outline.name]
+    return Proposed(partial(transforms.turn, names=names, angle=angle, about=body.position), names)
+
+
+def _resizing(body: Drawn, handle: Handle, to: XY) -> Proposed[str]:
+    name = body.outline.name
+    return Proposed(partial(drag_handle, name=name, index=handle.index, to=to), [name])
 
 
 def _frame(bodies: Sequence[Drawn]) -> list[XY]:

@@ -11,6 +11,7 @@ from sandbox.app.building.pointer import Part, Snapped, Spot
 from sandbox.app.drawing.camera import Camera
 from sandbox.app.drawing.text import Pen
 from sandbox.editing.edits.edit_result import Made
+from sandbox.editing.foreseen import Proposed
 from sandbox.model.level import Level
 from sandbox.model.shapes import XY
 
@@ -61,6 +62,10 @@ class Tool(Protocol):
     @property
     def hint(self) -> str:
         """A hint at what to do next."""
+
+    @property
+    def proposed(self) -> Proposed[str | Made] | None:
+        """The edit that letting go or a click would make here; None if that makes none."""
 
     def press(self, spot: Spot) -> None:
         """Start, or set the next point."""

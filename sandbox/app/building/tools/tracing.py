@@ -1,5 +1,6 @@
 """The tools for polygons, surfaces and freehand strokes, drawn through several points."""
 
+from collections.abc import Callable
 from functools import partial
 from math import atan2, degrees, dist
 
@@ -12,6 +13,9 @@ from sandbox.app.drawing.text import Pen
 from sandbox.app.words.formatting import number
 from sandbox.app.words.language import later, say
 from sandbox.editing.edits import bodies
+from sandbox.editing.edits.edit_result import Made
+from sandbox.editing.foreseen import Proposed
+from sandbox.model.level import Level
 from sandbox.model.shapes import XY
 
 CLOSE = 9.0  # px, the largest distance from the first corner at which a click closes a polygon
@@ -24,6 +28,7 @@ class Tracing:
 
     least = 2
     closed = False
+    said = later("draw a surface")
     begins = later("Click where the surface begins")
     goes_on = later(
         "Click the next point; Enter or a double click ends it, Backspace takes one back"
@@ -43,6 +48,14 @@ class Tracing:
     def hint(self) -> str:
         """A hint at what to do next."""
         return self.goes_on if self.busy else self.begins
+
+    @property
+    def proposed(self) -> Proposed[Made] | None:
+        """The edit that adds the shape, if it ended at the mouse."""
+        if not self._points or self._spot is None:
+            return None
+        points = tuple(dict.fromkeys((*self._points, self._spot.point)))
+        return Proposed(self.edit(points)) if len(points) >= self.least else None
 
     def press(self, spot: Spot) -> None:
         """Set the next point, or finish."""
@@ -71,7 +84,7 @@ class Tracing:
         points = tuple(self._points)
         if len(points) >= self.least:
             self._points.clear()
-            self.make(points)
+            self._bench.make(say(self.said), self.edit(points))
 
     def cancel(self) -> None:
         """Remove the last point."""
@@ -91,9 +104,9 @@ class Tracing:
         )
         preview.measure(surface, pen, self._spot.pixel, message)
 
-    def make(self, points: tuple[XY, ...]) -> None:
-        """Add the surface to the level."""
-        self._bench.make(say("draw a surface"), partial(bodies.add_surface, points=points))
+    def edit(self, points: tuple[XY, ...]) -> Callable[[str, Level], Made]:
+        """Return the edit that adds the surface to the level."""
+        return partial(bodies.add_surface, points=points)
 
 
 class SurfaceTool(Tracing):
@@ -105,14 +118,15 @@ class PolygonTool(Tracing):
 
     least = 3
     closed = True
+    said = later("draw a polygon")
     begins = later("Click the corners of the polygon, one after the other")
     goes_on = later(
         "Click the next corner; the first one or Enter closes it, Backspace takes one back"
     )
 
-    def make(self, points: tuple[XY, ...]) -> None:
-        """Add a polygon to the level."""
-        self._bench.make(say("draw a polygon"), partial(bodies.add_polygon, points=points))
+    def edit(self, points: tuple[XY, ...]) -> Callable[[str, Level], Made]:
+        """Return the edit that adds a polygon to the level."""
+        return partial(bodies.add_polygon, points=points)
 
 
 class CurveTool:
@@ -133,6 +147,15 @@ class CurveTool:
         """A hint at what to do next."""
         return later("Draw while you press; come back to the beginning for a closed body")
 
+    @property
+    def proposed(self) -> Proposed[Made] | None:
+        """The edit that adds the shape of the stroke."""
+        if len(self._points) < 3:
+            return None
+        tolerance = OFF / self._bench.camera.scale
+        edit = partial(bodies.add_curve, points=tuple(self._points), tolerance=tolerance)
+        return Proposed(edit)
+
     def press(self, spot: Spot) -> None:
         """Start a stroke."""
         self._points, self._pixels = [spot.point], [spot.pixel]
@@ -146,12 +169,10 @@ class CurveTool:
     def release(self, spot: Spot) -> None:
         """Make the shape of the stroke, if it is more than a click."""
         self.move(spot)
-        points = tuple(self._points)
+        proposed = self.proposed
         self.cancel()
-        if len(points) > 2:
-            tolerance = OFF / self._bench.camera.scale
-            edit = partial(bodies.add_curve, points=points, tolerance=tolerance)
-            self._bench.make(say("draw freely"), edit)
+        if proposed:
+            self._bench.make(say("draw freely"), proposed.edit)
 
     def finish(self) -> None:
         """Do nothing, as releasing the mouse ends the stroke."""
