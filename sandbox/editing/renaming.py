@@ -2,7 +2,7 @@
 
 import json
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 
 from sandbox.editing.cleanup import accepted
 from sandbox.editing.formulas import renamed
@@ -51,8 +51,32 @@ def rename(text: str, path: Path, name: str) -> str:
     if name == old:
         return text
     _refuse_taken(level, str(part), name)
-    renamed = dict(_renamed(level, str(part), str(old), name))
-    return accepted(_replaced(text, {path: name, **renamed}, name))
+    return accepted(_renamed_in(text, level, path, name))
+
+
+def rename_numbers(text: str, level: Level, names: Mapping[str, str]) -> str:
+    """Return a level in which parameters and constants have new names, free ones.
+
+    Parameters
+    ----------
+    text, level
+        The text of the level, and the level, which may have mistakes beyond its form.
+    names
+        The new names, by the old ones.
+    """
+    for old, name in names.items():
+        part = "parameters" if old in level.parameters else "constants"
+        text = _renamed_in(text, level, (part, old), name)
+        level = Level.model_validate_json(text)
+    return text
+
+
+def _renamed_in(text: str, level: Level, path: Path, name: str) -> str:
+    part, old = map(str, path)
+    kind = "parameters" if part == "constants" else part  # formulas mention both alike
+    renamed = dict(_renamed(level, kind, old, name))
+    solution: list[Path] = [("challenge", "solution", old)] if kind == "parameters" else []
+    return _replaced(text, renamed, [path, *solution], name)
 
 
 def _refuse_taken(level: Level, part: str, name: str) -> None:
@@ -94,18 +118,17 @@ def _quantity(text: str, level: Level, old: str, name: str) -> str:
 
 
 def _in_formulas(level: Level, old: str, name: str) -> Iterator[tuple[Path, str]]:
-    yield ("challenge", "solution", old), name
     for path, expression in expressions(level):
         if old in expression.written:
             yield path, renamed(str(expression.source), old, name)
 
 
-def _replaced(text: str, renamed: Mapping[Path, str], name: str) -> str:
+def _replaced(text: str, renamed: Mapping[Path, str], keys: Collection[Path], name: str) -> str:
     """Return a text in which strings at some paths are replaced, and the keys of other values."""
     found, pieces = Spans(text), []
-    for path in filter(found.__contains__, renamed):
+    for path in filter(found.__contains__, (*renamed, *keys)):
         span = found[path]
-        is_word = text.startswith('"', span.begin)
+        is_word = path not in keys and text.startswith('"', span.begin)
         start = span.begin if is_word else span.start
         end = json.JSONDecoder().raw_decode(text, start)[1]
         pieces.append((start, end, json.dumps(renamed[path] if is_word else name)))

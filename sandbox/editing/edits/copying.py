@@ -3,6 +3,7 @@
 import json
 from collections.abc import Collection, Mapping
 from functools import reduce
+from itertools import count
 from typing import Any, cast
 
 from pydantic import ValidationError
@@ -10,7 +11,9 @@ from pydantic import ValidationError
 from sandbox.editing.attached_bodies import shifted_point
 from sandbox.editing.cleanup import without_meaning
 from sandbox.editing.edits.edit_result import Made, new_name
+from sandbox.editing.renaming import rename_numbers
 from sandbox.editing.text_patches import Changes, put_all
+from sandbox.model.arithmetic import RESERVED
 from sandbox.model.errors import SandboxError
 from sandbox.model.joints import Joint, Wire, bodies_of, body_of, ends_of
 from sandbox.model.level import Level
@@ -62,7 +65,8 @@ def paste(text: str, level: Level, copied: str, by: XY = (0.0, 0.0)) -> Made:
     """Return a level with displaced copies of bodies, under new names.
 
     Fields without a meaning in the level, such as friction if it is not declared, are left out.
-    Parameters and constants are copied if the level has none of the same name.
+    Parameters and constants keep their values: one that the level has, too, is shared if it is the
+    same there, else its copy gets a new name.
 
     Raises
     ------
@@ -73,6 +77,9 @@ def paste(text: str, level: Level, copied: str, by: XY = (0.0, 0.0)) -> Made:
         source, data = Level.model_validate_json(copied), json.loads(copied)
     except ValidationError:
         raise SandboxError("what was copied is not part of a level") from None
+    if numbers := _numbers_in_conflict(source, level):
+        copied = rename_numbers(copied, source, numbers)
+        source, data = Level.model_validate_json(copied), json.loads(copied)
     names = _new_names(source, level)
     changes = Changes()
     for name, body in source.bodies.items():
@@ -101,6 +108,37 @@ def _new_names(source: Level, level: Level) -> Mapping[str, str]:
     for name in (*source.bodies, *source.joints):
         names[name] = new_name(name.rstrip("0123456789")[:28], level, besides=names.values())
     return names
+
+
+def _numbers_in_conflict(source: Level, level: Level) -> Mapping[str, str]:
+    """Return new names for parameters and constants that are something else in a level."""
+    known = level.parameters.keys() | level.constants.keys()
+    others = {name for name in _numbers(source) if name in known and not _same(name, source, level)}
+    while using := {
+        name
+        for name, formula in source.constants.items()
+        if name in known and name not in others and not others.isdisjoint(formula.written)
+    }:
+        others |= using
+    taken = known | source.parameters.keys() | source.constants.keys() | RESERVED
+    names = dict[str, str]()
+    for name in sorted(others):
+        stem = name.rstrip("0123456789")[:28]
+        free = (f"{stem}{number}" for number in count(1))
+        names[name] = next(one for one in free if one not in taken | set(names.values()))
+    return names
+
+
+def _numbers(level: Level) -> tuple[str, ...]:
+    return (*level.parameters, *level.constants)
+
+
+def _same(name: str, one: Level, other: Level) -> bool:
+    """Return whether two levels have the same parameter or constant of a name."""
+    if name in one.constants and name in other.constants:
+        return one.constants[name].source == other.constants[name].source
+    a, b = one.parameters.get(name), other.parameters.get(name)
+    return a is not None and b is not None and (a.value, a.unit) == (b.value, b.unit)
 
 
 def _joint(joint: Joint, said: Data, names: Mapping[str, str], by: complex) -> Data:

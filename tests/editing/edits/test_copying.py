@@ -58,6 +58,46 @@ def test_what_is_copied_can_be_pasted_into_an_empty_scene(name: str) -> None:
     assert len(after.bodies) == len(level.bodies) + 1
 
 
+def swing(mass: float, unit: str = "kg") -> str:
+    """A ball whose mass and place come from a parameter and constants."""
+    ball = {"shape": {"type": "disc", "radius": 0.1}, "mass": "m", "position": ["2*r", "r + m"]}
+    return json.dumps(
+        {
+            "format": 1,
+            "title": "T",
+            "parameters": {"m": {"value": mass, "min": 0.1, "max": 9, "unit": unit}},
+            "constants": {"r": "3*m"},
+            "bodies": {"ball": ball},
+        }
+    )
+
+
+def test_a_pasted_parameter_keeps_its_value_beside_one_of_the_same_name() -> None:
+    text, other = swing(1), swing(2)
+    pasted = parse(paste(text, parse(text), copy(other, parse(other), ["ball"])).text)
+    assert {name: one.value for name, one in pasted.parameters.items()} == {"m": 1, "m1": 2}
+    assert {name: one.source for name, one in pasted.constants.items()} == {
+        "r": "3*m",
+        "r1": "3*m1",  # it uses another mass, so it is another number, too
+    }
+    old, new = (placed(pasted)[name] for name in ("ball", "ball1"))
+    assert (old.center, new.center) == (6 + 4j, 12 + 8j)
+    assert str(pasted.bodies["ball1"].mass.source) == "m1"  # type: ignore[union-attr]
+
+
+def test_a_pasted_parameter_that_is_the_same_is_shared() -> None:
+    text = swing(1)
+    pasted = parse(paste(text, parse(text), copy(text, parse(text), ["ball"])).text)
+    assert list(pasted.parameters) == ["m"]
+    assert list(pasted.constants) == ["r"]
+
+
+def test_a_parameter_with_another_unit_is_another() -> None:
+    text, other = swing(1), swing(1, "g")
+    pasted = parse(paste(text, parse(text), copy(other, parse(other), ["ball"])).text)
+    assert list(pasted.parameters) == ["m", "m1"]
+
+
 @pytest.mark.parametrize("copied", ["", "{}", "[1]", '{"bodies": 3}', "hello"])
 def test_what_is_no_level_is_not_pasted(copied: str) -> None:
     empty = Draft.empty().text
