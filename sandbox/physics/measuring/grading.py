@@ -210,4 +210,5 @@ def time_of(
 def _crossing(
     trace: Trace, quantity: str, value: float, direction: Literal["up", "down", "either"]
 ) -> float | None:
-    return crossing(trace.t, trace.columns[quantity], value, direction, smooth=trace.smooth)
+    column, impacts = trace.columns[quantity], trace.impacts
+    return crossing(trace.t, column, value, direction, smooth=trace.smooth, impacts=impacts)

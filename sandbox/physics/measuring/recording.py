@@ -94,6 +94,12 @@ class Trace:
         return self.stepping.scheme == "fourth-order"
 
     @property
+    def impacts(self) -> list[float]:
+        """The times of all impacts that were located, in order [s]."""
+        times = {m.time for met in self.meetings.values() for m in met if m.time is not None}
+        return sorted(times)
+
+    @property
     def complete(self) -> bool:
         """Whether it lasts for the duration of its level, apart from rounding."""
         return bool(self.t[-1] >= self.level.duration(self.values) * (1 - 1e-12))

@@ -90,3 +90,55 @@ def test_an_impact_right_after_a_crossing_spoils_nothing() -> None:
     fall[9:] = 100
 
     assert crossing(t, fall, 0.0, "down") == pytest.approx(np.sqrt(6 / 9.81), rel=1e-12)
+
+
+KINK = 9.3 / 7
+"""A time between two samples."""
+
+BOUNCE = np.where(T < KINK, 2 - T**2, 2 - KINK**2 + 3 * (T - KINK) - (T - KINK) ** 2)
+"""A parabola that turns into another one at the kink, at its lowest point."""
+
+
+def after(height: float) -> float:
+    """When the second parabola reaches a height above the kink on its way up."""
+    return KINK + 1.5 - np.sqrt(2.25 - height)
+
+
+@pytest.mark.parametrize("height", [0.12, 0.3, 0.5, 0.9, 1.4])
+def test_a_crossing_soon_after_a_kink_is_on_the_curve_after_it(height: float) -> None:
+    """In the step of the kink, and in the next: the cubic was off by up to 0.4 of a step."""
+    found = crossing(T, BOUNCE, 2 - KINK**2 + height, "up")
+
+    assert found == pytest.approx(after(height), abs=1e-12)
+
+
+def test_a_crossing_just_before_a_kink_is_on_the_curve_before_it() -> None:
+    found = crossing(T, BOUNCE, 2 - (KINK - 0.02) ** 2, "down", impacts=[KINK])
+
+    assert found == pytest.approx(KINK - 0.02, abs=1e-12)
+
+
+@pytest.mark.parametrize("at", [KINK - 0.01, KINK + 0.01, KINK + 0.1, KINK + 0.2])
+def test_the_value_near_a_kink_is_on_the_curve_on_its_side(at: float) -> None:
+    expected = 2 - at**2 if at < KINK else 2 - KINK**2 + 3 * (at - KINK) - (at - KINK) ** 2
+
+    assert value_at(T, BOUNCE, at) == pytest.approx(expected, abs=1e-12)
+
+
+def test_a_value_that_is_only_crossed_between_two_samples_is_found_at_a_known_impact() -> None:
+    level = 2 - KINK**2 + 1e-3  # below every sample
+    assert level < BOUNCE.min()
+    assert crossing(T, BOUNCE, level, "up") is None
+
+    found = crossing(T, BOUNCE, level, "up", impacts=[0.4, KINK])
+
+    assert found == pytest.approx(after(1e-3), abs=1e-12)
+
+
+def test_a_jump_is_crossed_at_the_impact_and_what_follows_it_after_it() -> None:
+    speed = np.where(T < KINK, -2 * T, 3 - 2 * (T - KINK))
+
+    assert crossing(T, speed, 0.0, "up", impacts=[KINK]) == pytest.approx(KINK, abs=1e-12)
+    found = crossing(T, speed, 2.9, "down", impacts=[KINK])
+    assert found == pytest.approx(KINK + 0.05, abs=1e-12)
+    assert value_at(T, speed, T[10]) == speed[10]
