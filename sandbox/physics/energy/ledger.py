@@ -209,6 +209,9 @@ class Ledger:
     def _drifted(self) -> Array:
         """Book the events within the last drift; return the velocities at its end: (n, 3)."""
         step = self._step
+        if step.acted and step.divided:  # at the start of a drift with landings
+            self._entries.put_in({"events": step.acted.switched})
+            return self._divide(step.divided)
         if step.acted:
             return self._act(step.acted)
         if step.stop:

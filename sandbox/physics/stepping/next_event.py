@@ -3,7 +3,10 @@
 A force that is only known at steps, such as that of a rod, is extrapolated from the last drift.
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
+from itertools import pairwise
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -12,8 +15,12 @@ from sandbox.model.expressions import Array
 from sandbox.physics.events.drift_events import NEAR, Part, crosses, within
 from sandbox.physics.events.joint_breaking import SUDDEN
 from sandbox.physics.quantities.meter import Meter
+from sandbox.physics.state.motion import Instant
 from sandbox.physics.state.snapshot import Snapshot
 from sandbox.physics.stepping.stage import Setup
+
+if TYPE_CHECKING:
+    from sandbox.physics.contacts.direct.drift_subdivision import Between
 
 Value = Callable[[str, float], float]
 """Returns a quantity, by name, at a time after the start of a part [s]."""
@@ -42,6 +49,7 @@ class Waiting:
         """Start from a motion without history."""
         self._was: dict[str, float] = {}
         self._pulled: tuple[Array, Array] | None = None  # tensions and torques at the last step
+        self._passed = set[str]()  # what happened in a drift with landings
 
     def note(self) -> None:
         """Note the forces in the last part of a drift, for the extrapolation in the next."""
@@ -72,12 +80,37 @@ class Waiting:
         first = min(waits, key=lambda name: waits[name])
         return first, waits[first][0]
 
+    def pass_by(self, part: Part, landings: "Sequence[Between]") -> None:
+        """Note which quantities cross their values in a drift with landings, and perhaps return.
+
+        The first and the last of the landings are only corrections of the kicks around the drift.
+        """
+        still = [np.zeros_like(pulls) for pulls in self._pulls()]
+        path = [self._snapshot(part, 0.0, still)]
+        path += [self._there(path[0], landing) for landing in landings[1:-1]]
+        values = [self._meter(place) for place in path]
+        for name, (waited, *_) in self._pending.items():
+            if waited.quantity != "t":
+                seen = [float(value[waited.quantity]) for value in values]
+                if any(crosses(waited, *two) for two in pairwise(seen)):
+                    self._passed.add(name)
+                self._was[name] = seen[-1]
+
+    @staticmethod
+    def _there(start: Snapshot, landing: "Between") -> Snapshot:
+        """Return the state at a landing, with the forces at the start of its drift."""
+        motion = Instant.at(float(start.t), landing.place, landing.stage.velocity)
+        return replace(start, **motion._asdict())
+
     def _wait(self, name: str, waited: Crossing, part: Part, value: Value) -> float | None:
         """Return the time until a quantity crosses its value [s]; None if not in this part."""
         latest = part.lasts - NEAR * self._dt
         if waited.quantity == "t":
             wait = max(waited.value - part.t, 0.0)
             return wait if wait <= max(latest, 0.0) else None
+        if name in self._passed:
+            self._passed.discard(name)
+            return 0.0
         now, then = (value(waited.quantity, time) for time in (0.0, part.lasts))
         was = self._was.get(name, now)
         self._was[name] = now

@@ -6,6 +6,9 @@ pymunk is then given the positions and velocities of a straight drift with the s
 schemes have no velocities at the steps, and errors of a step in time anyway: there, events act at
 the step that finds them.
 
+In a drift with landings, an event waits for the start of the next one, where landings are located
+as at the start of a run: from an event within a drift they could not be located again.
+
 A joint that breaks is an event like others, which waits for its force. If several joints are
 overloaded at once, the most overloaded one breaks first, and may relieve the rest. For a blow see
 `events/joint_breaking.py`. Tying a joint, or a bounce off a stop, changes velocities at once, in a
@@ -14,6 +17,7 @@ overloaded at once, the most overloaded one breaks first, and may relieve the re
 
 from collections.abc import Callable, Iterator, Sequence
 from functools import partial
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -31,6 +35,9 @@ from sandbox.physics.joints.joint_forces import Pulls, pulls_of
 from sandbox.physics.state.motion import Instant
 from sandbox.physics.stepping.next_event import Waiting
 from sandbox.physics.stepping.stage import Setup, Stage
+
+if TYPE_CHECKING:
+    from sandbox.physics.contacts.direct.drift_subdivision import Divided
 
 Act = Callable[[float], None]
 """Performs an event at a time [s]."""
@@ -95,7 +102,7 @@ class Acting:
         """Perform the events of the coming drift."""
         state, self._parts, self._switched = self._scene.batch.state(), [], 0.0
         self._jolts = []
-        before, self._begun = self._begun, state[:, 3:]
+        before, self._begun = self._before(), state[:, 3:]
         for broken in self._pending.keys() & self._scene.happened.keys():
             del self._pending[broken]  # by a blow
         if self._bounces:
@@ -107,9 +114,20 @@ class Acting:
             self._parts = parts
             self._go_on(parts[-1], state)
 
+    @property
+    def _landing(self) -> "Divided | None":
+        """The coming drift, if it is taken in parts."""
+        return self._scene.direct.drifts.divided if self._scene.direct else None
+
+    def _before(self) -> Array:
+        """Return the velocities before the last kick: (n, 3) [m/s, rad/s]."""
+        drifted = self._scene.direct.drifts.drifted if self._scene.direct else None
+        return drifted.begun if drifted else self._begun
+
     def _whole(self, state: Array, before: Array) -> Part:
-        """Return the coming drift without events, given states (n, 6)."""
-        after, smooth = state[:, 3:], self._forces.smooth
+        """Return the coming drift without events and landings, given states (n, 6)."""
+        landing, smooth = self._landing, self._forces.smooth
+        after = landing.left if landing else state[:, 3:]
         acceleration = (after - before) / self._dt
         struck = self._struck() | self._jerked()
         acceleration[struck] = smooth[struck]
@@ -143,7 +161,7 @@ class Acting:
     def _follow(self, part: Part) -> Iterator[Part]:
         """Yield the parts of a drift, from one event or bounce to the next."""
         for _ in range(MOST):
-            found = self._waiting.first(part) if self._pending else None
+            found = self._first(part) if self._pending else None
             bounce = self._bounces.first(part) if self._bounces else None
             if bounce is not None and (found is None or bounce[1] < found[1]):
                 wait, jolts = bounce[1], True
@@ -160,6 +178,15 @@ class Acting:
             part = self._happen(part, left, act)
         self._waiting.note()
         yield from self._halves(part) if self._jolts and self._leapfrog else (part,)
+
+    def _first(self, part: Part) -> tuple[str, float] | None:
+        """Return the first event in a part, and the time from its start [s]; None if none."""
+        if landing := self._landing:
+            at_start = self._waiting.first(part._replace(lasts=0.0))
+            if at_start is None:
+                self._waiting.pass_by(part, landing.between)
+            return at_start
+        return self._waiting.first(part)
 
     def _until(self, part: Part, wait: float) -> Sequence[Part]:
         """Return the parts up to a jolt, with the force there at their end; see `_halves`."""
@@ -191,8 +218,12 @@ class Acting:
             scene.batch.set_velocity(velocity)
         if not self._leapfrog:
             return part._replace(velocity=velocity, lasts=left)
+        if scene.direct:
+            scene.direct.drifts.forget()
         with self._kicks.held():
             after = self._kicks.settle(ahead, velocity, left / 2, left, at_step=True)
+        if landing := self._landing:
+            after = landing.left
         acceleration = (after - velocity) / (left / 2)
         acceleration[self._fixed] = 0.0
         return Part(t, left, place, velocity, acceleration, self._forces.smooth)
@@ -267,7 +298,11 @@ class Acting:
             with self._kicks.held():
                 self._kicks.settle(1.0, begun, dt, dt)
         scene.joints.time(dt, dt)
-        scene.batch.set_state(np.concatenate((place, begun), axis=1))
+        mean = begun
+        if landing := self._landing:
+            place, mean = last.place, (landing.end - last.place) / dt
+            mean = np.where(landing.reached[:, None], mean, begun)
+        scene.batch.set_state(np.concatenate((place, mean), axis=1))
         self._forces.restart(begun - last.acceleration * dt)
         self._begun = begun
 
