@@ -6,6 +6,7 @@ from sandbox.editing.formulas import shifted
 from sandbox.editing.json_layout import Json
 from sandbox.editing.placement import Placed, placed, xy
 from sandbox.editing.text_patches import Changes, put_all
+from sandbox.model.comments import read_level
 from sandbox.model.expressions import Expression
 from sandbox.model.joint_ends import place
 from sandbox.model.joints import (
@@ -57,7 +58,7 @@ def attached(text: str, before: Level, moved: Collection[str]) -> str:
     """
     if all(set(bodies_of(joint)).isdisjoint(moved) for joint in before.joints.values()):
         return text
-    level = Level.model_validate_json(text)
+    level = read_level(text)
     values = level.defaults
     where = placed(level)
     changes = Changes()

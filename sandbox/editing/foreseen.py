@@ -17,6 +17,7 @@ from sandbox.editing.cleanup import without_meaning
 from sandbox.editing.edits.edit_result import Made
 from sandbox.editing.placement import Placed, placed
 from sandbox.model.body import Body
+from sandbox.model.comments import read_level
 from sandbox.model.effects import Effects
 from sandbox.model.effects.contact import Contact
 from sandbox.model.errors import LevelError, SandboxError
@@ -71,7 +72,7 @@ class Foresight:
         try:
             made = proposed.edit(part, self._level)
             text = made.text if isinstance(made, Made) else made
-            level = Level.model_validate_json(text)
+            level = read_level(text)
         except LevelError as error:
             return Foreseen([Fault(error.mistakes[0].rule, frozenset())])
         except SandboxError as error:

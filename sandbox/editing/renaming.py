@@ -9,6 +9,7 @@ from sandbox.editing.formulas import renamed
 from sandbox.editing.json_spans import Spans
 from sandbox.editing.text_patches import spliced
 from sandbox.model.arithmetic import RESERVED
+from sandbox.model.comments import read_level
 from sandbox.model.errors import SandboxError, brief
 from sandbox.model.json_positions import Path
 from sandbox.model.level import Level
@@ -67,7 +68,7 @@ def rename_numbers(text: str, level: Level, names: Mapping[str, str]) -> str:
     for old, name in names.items():
         part = "parameters" if old in level.parameters else "constants"
         text = _renamed_in(text, level, (part, old), name)
-        level = Level.model_validate_json(text)
+        level = read_level(text)
     return text
 
 

@@ -8,7 +8,7 @@ and the length of the source is bounded, which bounds the time. A condition is 1
 import ast
 import re
 import warnings
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from functools import lru_cache
 from types import CodeType
 from typing import Any
@@ -50,7 +50,6 @@ FUNCTIONS: Mapping[str, Callable[..., Any]] = {
 
 RESERVED = frozenset({"t", *CONSTANTS, *FUNCTIONS})
 
-_PRODUCT = re.compile(r"[\d)]\s*[A-Za-z(]")  # a product as written on paper
 _ARGUMENTS = {"atan2": 2, "hypot": 2, "max": 2, "min": 2, "where": 3}
 _OPERATORS = (ast.Add, ast.Sub, ast.Mult, ast.Div, ast.Mod, ast.Pow)
 _COMPARISONS = (ast.Lt, ast.LtE, ast.Gt, ast.GtE, ast.Eq, ast.NotEq)
@@ -63,7 +62,17 @@ _REFUSED: Mapping[str, Message] = {
     "Tuple": Message("one number is needed; a decimal point is written ., not a comma"),
 }
 ONLY_ARITHMETIC = Message("only arithmetic is allowed")
-NO_PRODUCT = Message("; a product is written 2*m, not 2m")
+_SLIPS: Sequence[tuple[re.Pattern[str], Message]] = (
+    (re.compile("°"), Message("; an angle in degrees is written 30*deg")),
+    (re.compile(r"(?<![<>=!])=(?!=)"), Message("; write only what is right of the =")),
+    (
+        re.compile(r"^[\d.]+(\s*(kg|[ckm]m|ms|Hz|rad|N/m|m/s.*|kg.*)|\s+[JNsW])$"),
+        Message("; write no unit, all numbers are in SI units"),
+    ),
+    (re.compile(r"[\d)]\s*[A-Za-z(]"), Message("; a product is written 2*m, not 2m")),
+)
+"""How formulas look that are written as on paper, and what to write instead."""
+
 _NAMESPACE = {
     "__builtins__": {},
     **CONSTANTS,
@@ -115,7 +124,7 @@ def _made(source: str) -> tuple[CodeType, frozenset[str]]:
             "'{source}': {error}", source=brief(source), error=error.message
         ) from None
     except (SyntaxError, ValueError):
-        hint = NO_PRODUCT if _PRODUCT.search(source) else NOTHING
+        hint = next((hint for form, hint in _SLIPS if form.search(source)), NOTHING)
         raise ExpressionError(
             "'{source}' is not arithmetic{hint}", source=brief(source), hint=hint
         ) from None

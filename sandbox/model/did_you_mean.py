@@ -4,15 +4,25 @@ from collections.abc import Iterable
 from difflib import get_close_matches
 
 from sandbox.model.message import NOTHING, Message
+from sandbox.model.other_words import called
 
 LONGEST = 100  # characters; nothing longer resembles a name
 
+TYPED, ALIKE = 0.85, 0.6
+"""The likeness of a name with a typing error, and the least likeness that counts. Words that mean
+the same come in between."""
+
 
 def closest(name: str, known: Iterable[str]) -> str | None:
-    """Return the known name that resembles the given one, if any does."""
+    """Return the known name that a name stands for elsewhere, or else resembles, if any."""
     choices = {choice.casefold(): choice for choice in sorted(known)}
-    close = get_close_matches(name[:LONGEST].casefold(), choices, n=1, cutoff=0.6)
-    return choices[close[0]] if close else None
+    name = name[:LONGEST].casefold()
+    found = (
+        *get_close_matches(name, choices, n=1, cutoff=TYPED),
+        *called(name, choices),
+        *get_close_matches(name, choices, n=1, cutoff=ALIKE),
+    )
+    return choices[found[0]] if found else None
 
 
 def meant(name: str, known: Iterable[str]) -> Message:

@@ -9,6 +9,7 @@ from itertools import islice
 from typing import Any, NoReturn
 
 from sandbox.model import json_positions, parse_messages
+from sandbox.model.comments import members
 from sandbox.model.errors import MAX_MISTAKES, LevelError, Mistake, brief
 from sandbox.model.json_positions import Path, Position, Value
 from sandbox.model.level_parts import Fault
@@ -39,15 +40,14 @@ class Document(Origin):
         suspects: list[str] = []
 
         def pairs(items: list[tuple[str, Any]]) -> dict[str, Any]:
-            found = dict(items)
-            if len(found) < len(items):
+            if len(dict(items)) < len(items):
                 suspects.append("a key")
-            return found
+            return members(items)
 
         try:
             data = json.loads(self.text, object_pairs_hook=pairs, parse_constant=suspects.append)
         except json.JSONDecodeError as error:
-            refuse(self.source, parse_messages.syntax(error.msg), (error.lineno, error.colno))
+            refuse(self.source, parse_messages.syntax(error), (error.lineno, error.colno))
         except RecursionError:
             self.refuse_depth()
         except ValueError:

@@ -16,6 +16,7 @@ from pydantic_core import ErrorDetails
 
 from sandbox.model import parse_messages
 from sandbox.model.arithmetic import MAX_LENGTH
+from sandbox.model.comments import without_comments
 from sandbox.model.did_you_mean import meant
 from sandbox.model.document import Document, refuse
 from sandbox.model.errors import MAX_MISTAKES, LevelError, Mistake, ValueRangeError, brief
@@ -148,11 +149,12 @@ def _parsed(text: str, source: str) -> Level:
         )
         refuse(source, rule)
     try:
-        level = Level.model_validate_json(text if data is typed else json.dumps(data))
+        whole = without_comments(text) if data is typed else json.dumps(data)
+        level = Level.model_validate_json(whole)
     except ValidationError as error:
         details = error.errors(include_url=False)
         if details[0]["type"] == "json_invalid":  # the two JSON parsers differ in details
-            _refuse_json(document, details[0]["ctx"]["error"], typed=data is typed)
+            _refuse_json(document, details[0]["ctx"]["error"], typed=whole is text)
         document.refuse(_faults(document, data, details))
     if found := faults.faults(level):
         document.refuse(made.hinted(fault, typed) for fault in found)

@@ -1,17 +1,18 @@
 """The errors of the JSON parser and of pydantic, in the words of the level format."""
 
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
+from json import JSONDecodeError
 from math import isnan
-from types import UnionType
+from types import NoneType, UnionType
 from typing import Annotated, Any, Union, get_args, get_origin
 
 from pydantic_core import ErrorDetails
 
-from sandbox.model.did_you_mean import meant, suggestion
-from sandbox.model.effects import Effects
+from sandbox.model.did_you_mean import closest, meant, suggestion
+from sandbox.model.effects import EFFECTS, Effects
 from sandbox.model.errors import brief
-from sandbox.model.joints import ENDS
+from sandbox.model.joints import ENDS, KINDS
 from sandbox.model.json_positions import Path, Position
 from sandbox.model.level import Level
 from sandbox.model.message import NOTHING, Message, either
@@ -32,6 +33,17 @@ _SYNTAX: Mapping[str, Message] = {
     "Invalid \\uXXXX escape": Message("Invalid \\uXXXX escape"),
 }
 
+_SLIPS = (
+    (re.compile(""), re.compile("//|/\\*|#"), Message('comments are keys: "//": "..."')),
+    (re.compile(""), re.compile("'"), Message("text needs double quotes, not single ones")),
+    (
+        re.compile(r"\d,$"),
+        re.compile(r"\d"),
+        Message("a decimal point is written ., not a comma"),
+    ),
+)
+"""What often stands before and behind an error of JSON's syntax, and what to write instead."""
+
 _OBJECT = Message("must be an object, {...}")
 
 _TYPES: Mapping[str, Message] = {
@@ -50,6 +62,9 @@ _TYPES: Mapping[str, Message] = {
     "tuple_type": Message("must be a list, [...]"),
 }
 
+_WHOLE = (_OBJECT, _TYPES["tuple_type"])
+"""The messages that the form of the part takes the place of, if it is known."""
+
 _BOUNDS: Mapping[str, Message] = {
     "greater_than": Message("must be greater than {gt:g}"),
     "greater_than_equal": Message("must be at least {ge:g}"),
@@ -62,9 +77,12 @@ _BOUNDS: Mapping[str, Message] = {
 """Messages for pydantic's bounds, with placeholders for the values."""
 
 
-def syntax(message: str) -> Message:
+def syntax(error: JSONDecodeError) -> Message:
     """Return the message for an error of the JSON parser."""
-    return Message("is not JSON: {reason}", reason=_SYNTAX.get(message, message))
+    before, behind = error.doc[: error.pos], error.doc[error.pos :]
+    slips = (slip for first, then, slip in _SLIPS if first.search(before) and then.match(behind))
+    reason = next(slips, _SYNTAX.get(error.msg, error.msg))
+    return Message("is not JSON: {reason}", reason=reason)
 
 
 def refused(message: str) -> tuple[Message, Position | None]:
@@ -121,7 +139,7 @@ def rule(detail: ErrorDetails, whole: type = Level) -> Message:
         case "union_tag_invalid" | "union_tag_not_found" | "literal_error":
             return _choice(detail)
         case kind if kind in _TYPES or kind in _BOUNDS:
-            return _typical(kind, detail)
+            return _formed(detail, whole) or _typical(kind, detail)
     reason, message = detail.get("ctx", {}).get("reason"), detail["msg"]
     if isinstance(reason, Message):
         return reason
@@ -154,17 +172,30 @@ def _listed(expected: str) -> Message:
 
 def _unknown(name: str, loc: tuple[int | str, ...], whole: type) -> Message:
     """Name an unknown key, and the key of the same object that was probably meant."""
-    part: Any = whole
-    for step in loc[:-1]:
-        part = _inside(part, step)
+    part = _type_at(loc[:-1], whole)
     models = (getattr(choice, "model_fields", {}) for choice in _alternatives(part))
     known = [field.alias or key for fields in models for key, field in fields.items()]
     if len(loc) == 1:
         known.append(GROUPS)  # written out by now
-    hint = _owners(name, loc) or (suggestion(name, known, most=20) if known else NOTHING)
+    hint = _elsewhere(name, loc, known) or (suggestion(name, known, most=20) if known else NOTHING)
     if loc[:-1] == ("effects",):
         return Message("unknown effect '{name}'{hint}", name=brief(name), hint=hint)
     return Message("unknown key '{name}'{hint}", name=brief(name), hint=hint)
+
+
+def _elsewhere(name: str, loc: tuple[int | str, ...], known: Sequence[str]) -> Message:
+    """Say where the key belongs, if that is elsewhere."""
+    if loc[:-1] == ("effects",):
+        joint = name if name in KINDS else closest(name, KINDS)
+        if joint and closest(name, known) is None:
+            return Message("; '{joint}' is a joint, declared under 'joints'", joint=joint)
+    if loc[0] == "effects" and len(loc) == 3:
+        effect = EFFECTS.get(str(loc[1]))
+        if effect and effect.coefficient and closest(name, known) is None:
+            return Message("; the coefficient belongs to each body, as its '{key}'", key=loc[1])
+    if loc[0] == "bodies" and name in EFFECTS:
+        return Message("; it is an effect, declared under 'effects'")
+    return _owners(name, loc)
 
 
 def _owners(name: str, loc: tuple[int | str, ...]) -> Message:
@@ -179,6 +210,56 @@ def _owners(name: str, loc: tuple[int | str, ...]) -> Message:
         if name in getattr(model, "model_fields", {})
     ]
     return Message("; it is a setting of {owners}", owners=", ".join(owners)) if owners else NOTHING
+
+
+def _formed(detail: ErrorDetails, whole: type) -> Message:
+    """Show the form of an object or a list, if it is known."""
+    kind = _TYPES.get(detail["type"])
+    form = _form_at(detail["loc"], whole) if kind in _WHOLE else ""
+    if not form:
+        return NOTHING
+    if kind == _OBJECT:
+        return Message("must be an object, {form}", form=form)
+    return Message("must be a list, {form}", form=form)
+
+
+def _form_at(loc: tuple[int | str, ...], whole: type) -> str:
+    """Return what the part at pydantic's location looks like in JSON; empty if not known."""
+    form = _form(_type_at(loc, whole))
+    is_effect = loc[:1] == ("effects",) and len(loc) == 2
+    return form or ("{}" if is_effect else "")
+
+
+def _form(part: Any) -> str:  # noqa: ANN401 (a type is any object)
+    """Return what a part looks like in JSON, with its required keys; empty if that is not known."""
+    choices = [choice for choice in _alternatives(part) if choice is not NoneType]
+    fields = [getattr(choice, "model_fields", None) for choice in choices]
+    if all(fields):
+        needed = [
+            {field.alias or key for key, field in one.items() if field.is_required()}
+            for one in fields
+            if one
+        ]
+        first = fields[0] or {}
+        keys = [key for key in first if all(key in some for some in needed)]
+        return "{" + ", ".join(f'"{key}": ...' for key in keys) + "}" if keys else ""
+    if len(choices) == 1 and get_origin(choices[0]) is tuple:
+        items = get_args(choices[0])
+        if Ellipsis not in items:
+            return f"[{', '.join('xy'[: len(items)])}]" if len(items) == 2 else ""
+        inner = _form(items[0])
+        return f"[{inner}]" if inner else ""
+    if len(choices) == 1 and get_origin(choices[0]) is Mapping:
+        return '{"name": ' + (_form(get_args(choices[0])[1]) or "...") + "}"
+    return ""
+
+
+def _type_at(loc: Sequence[int | str], whole: type) -> Any:  # noqa: ANN401 (a type is any object)
+    """Return the type of the part at pydantic's location."""
+    part: Any = whole
+    for step in loc:
+        part = _inside(part, step)
+    return part
 
 
 def _inside(part: Any, step: str | int) -> Any:  # noqa: ANN401 (a type is any object)

@@ -10,6 +10,7 @@ from pydantic_core import core_schema, to_jsonable_python
 
 from sandbox.model import catalog
 from sandbox.model.base import Model
+from sandbox.model.comments import SIGN
 from sandbox.model.expressions import Expression
 from sandbox.model.files import write_atomically
 from sandbox.model.generated_files import generate
@@ -76,7 +77,7 @@ def text() -> str:
     made = schema()
     levels = (read(catalog.find(name)) for name in catalog.names())
     add_examples(made, map(json.loads, levels))
-    return json.dumps(made, indent=2, ensure_ascii=False) + "\n"
+    return json.dumps(_with_comments(made), indent=2, ensure_ascii=False) + "\n"
 
 
 def write() -> Path:
@@ -112,6 +113,18 @@ def _explain(part: Any) -> Any:  # noqa: ANN401 (whatever JSON holds)
         made["description"] = " ".join(said.split())
     if isinstance(comment := made.pop("$comment", None), str):
         made["description"] = f"{made['description']}. {comment}" if said else comment
+    return made
+
+
+def _with_comments(part: Any) -> Any:  # noqa: ANN401 (whatever JSON holds)
+    """Allow comments in every object whose keys are known."""
+    if isinstance(part, list):
+        return [_with_comments(item) for item in part]
+    if not isinstance(part, dict):
+        return part
+    made = {key: _with_comments(value) for key, value in part.items()}
+    if made.get("additionalProperties") is False:
+        made["patternProperties"] = {**made.get("patternProperties", {}), f"^{SIGN}": {}}
     return made
 
 

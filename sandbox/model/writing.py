@@ -7,8 +7,10 @@ texts stay as typed, so that the level is the same afterwards, to the last bit.
 import json
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from operator import itemgetter
 from typing import Any
 
+from sandbox.model.comments import SIGN
 from sandbox.model.json_positions import TOKEN
 from sandbox.model.level import Level
 from sandbox.model.shorthand.repeating import GROUPS, order
@@ -116,10 +118,21 @@ def _read(typed: str) -> _Part:
     return whole.members[0]
 
 
+def _in_order(members: list[_Part]) -> list[_Part]:
+    """Return the top-level members in their order; a comment stays before what follows it."""
+    place, placed = len(ORDER), list[tuple[int, _Part]]()
+    for part in reversed(members):
+        place = place if part.name.startswith(SIGN) else ORDER.index(part.name)
+        placed.append((place, part))
+    placed.reverse()
+    placed.sort(key=itemgetter(0))
+    return [part for _, part in placed]
+
+
 def _written(level: _Part) -> str:
     """Return the text of a whole level."""
     chosen = level.spread
-    level.members.sort(key=lambda part: ORDER.index(part.name))
+    level.members = _in_order(level.members)
     for part in level.members:
         part.broken = True
         if part.name in NAMED and not chosen:  # no line breaks were typed

@@ -14,6 +14,7 @@ from sandbox.editing.draft import Draft
 from sandbox.editing.edits import bodies, copying, grouping, transforms
 from sandbox.editing.edits.edit_result import Made
 from sandbox.editing.written_out import plain
+from sandbox.model.comments import members
 from sandbox.model.errors import LevelError, Mistake, SandboxError
 from sandbox.model.level import Level
 from sandbox.model.message import Message
@@ -74,7 +75,7 @@ class Work:
     def refresh(self) -> None:
         """Draw the present text."""
         self.text = plain(self.draft.text)
-        self.document: Mapping[str, Any] = json.loads(self.text)
+        self.document: Mapping[str, Any] = json.loads(self.text, object_pairs_hook=members)
         self.sketch = Sketch(self.document)
         self.version = object()
         self.select(self.selected)

@@ -14,6 +14,7 @@ from sandbox.editing.edits.edit_result import Made, new_name
 from sandbox.editing.renaming import rename_numbers
 from sandbox.editing.text_patches import Changes, put_all
 from sandbox.model.arithmetic import RESERVED
+from sandbox.model.comments import read_level
 from sandbox.model.errors import SandboxError
 from sandbox.model.joints import Joint, Wire, bodies_of, body_of, ends_of
 from sandbox.model.level import Level
@@ -74,12 +75,12 @@ def paste(text: str, level: Level, copied: str, by: XY = (0.0, 0.0)) -> Made:
         If the copied text is not a level.
     """
     try:
-        source, data = Level.model_validate_json(copied), json.loads(copied)
+        source, data = read_level(copied), json.loads(copied)
     except ValidationError:
         raise SandboxError("what was copied is not part of a level") from None
     if numbers := _numbers_in_conflict(source, level):
         copied = rename_numbers(copied, source, numbers)
-        source, data = Level.model_validate_json(copied), json.loads(copied)
+        source, data = read_level(copied), json.loads(copied)
     names = _new_names(source, level)
     changes = Changes()
     for name, body in source.bodies.items():

@@ -12,6 +12,7 @@ from sandbox.editing.edits.bodies import SMALLEST, drawn_mass
 from sandbox.editing.formulas import scaled, towards
 from sandbox.editing.placement import Placed, placed, xy
 from sandbox.editing.text_patches import Changes, put_all
+from sandbox.model.comments import read_level
 from sandbox.model.errors import SandboxError
 from sandbox.model.json_positions import Path
 from sandbox.model.level import Level
@@ -183,7 +184,7 @@ def _settled(text: str, before: Level, body: Placed, fixed: int | None) -> str:
     A fixed corner stays where it is in the plane, although the centre of mass moves within the
     shape.
     """
-    level = Level.model_validate_json(text)
+    level = read_level(text)
     other = Placed(body.name, level.bodies[body.name], body.values)
     changes = Changes()
     if fixed is not None and (drift := body.local[fixed] - other.local[fixed]):

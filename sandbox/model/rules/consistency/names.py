@@ -8,9 +8,10 @@ from sandbox.model.constants import circle
 from sandbox.model.did_you_mean import suggestion
 from sandbox.model.errors import brief
 from sandbox.model.formulas import VARIABLES, Curve, Formula
+from sandbox.model.json_positions import Path
 from sandbox.model.level import Level
 from sandbox.model.level_parts import Fault, expressions
-from sandbox.model.message import Message
+from sandbox.model.message import NOTHING, Message
 from sandbox.model.quantities import QuantityError, quantity
 from sandbox.model.rules.consistency.mentions import couples, named_bodies, named_quantities
 
@@ -92,6 +93,10 @@ def _used(level: Level, *, scene: bool) -> set[str]:
     return set().union(*used)
 
 
+INSTANTS = ("apex", "contact", "crossing", "landing", "separation")
+"""The events at which a check can be made."""
+
+
 def known_names(level: Level) -> Iterator[Fault]:
     """Expressions use parameters that exist, and no part has a reserved name."""
     named = ((path, expression) for path, expression in expressions(level) if expression.written)
@@ -106,10 +111,17 @@ def known_names(level: Level) -> Iterator[Fault]:
                     Message(
                         "unknown parameter '{name}'{hint}",
                         name=brief(name),
-                        hint=suggestion(name, known),
+                        hint=_instant(path, name) or suggestion(name, known),
                     ),
                 )
     yield from _taken_names(level)
+
+
+def _instant(path: Path, name: str) -> Message:
+    """Say how an event is given as an instant, if a name is that of one."""
+    if path[-1] != "at" or name not in INSTANTS:
+        return NOTHING
+    return Message('; an event is written {{"event": "{name}", ...}}', name=name)
 
 
 def _taken_names(level: Level) -> Iterator[Fault]:
