@@ -1,6 +1,7 @@
-"""The handles of the selected body: one rotates it, the others change its shape."""
+"""The handles of the selection: one rotates it, those of a single body change its shape."""
 
 from cmath import rect
+from collections.abc import Sequence
 from dataclasses import dataclass
 from math import hypot
 
@@ -47,13 +48,22 @@ def size_of(body: Drawn) -> tuple[float, float, float, float]:
     return min(xs), min(ys), max(xs), max(ys)
 
 
-def of(body: Drawn, camera: Camera) -> list[Handle]:
-    """Return the handles of a body."""
-    places = (camera.to_screen(in_plane(body, local)) for local in _of_shape(body))
-    return [
-        Handle(TURN, _stalk(body, camera)[1]),
-        *map(Handle, range(len(_of_shape(body))), places),
-    ]
+def middle(bodies: Sequence[Drawn]) -> XY:
+    """Return the point about which bodies are rotated: the middle of several [m]."""
+    if len(bodies) == 1:
+        return bodies[0].position
+    left, low, right, high = _bounds(bodies)
+    return (left + right) / 2, (low + high) / 2
+
+
+def of(bodies: Sequence[Drawn], camera: Camera) -> list[Handle]:
+    """Return the handles of a body, or of several together."""
+    handles = [Handle(TURN, _stalk(bodies, camera)[1])]
+    if len(bodies) == 1:
+        (body,) = bodies
+        places = (camera.to_screen(in_plane(body, local)) for local in _of_shape(body))
+        handles += map(Handle, range(len(_of_shape(body))), places)
+    return handles
 
 
 def _of_shape(body: Drawn) -> list[XY]:
@@ -71,8 +81,19 @@ def _of_shape(body: Drawn) -> list[XY]:
     return points
 
 
-def _stalk(body: Drawn, camera: Camera) -> tuple[XY, XY]:
+def _bounds(bodies: Sequence[Drawn]) -> tuple[float, float, float, float]:
+    """Return left, bottom, right and top of several bodies in the plane [m]."""
+    xs, ys = zip(*(corner for body in bodies for corner in body.corners), strict=True)
+    return min(xs), min(ys), max(xs), max(ys)
+
+
+def _stalk(bodies: Sequence[Drawn], camera: Camera) -> tuple[XY, XY]:
     """Return both ends of the stalk of the rotation handle [px]."""
+    if len(bodies) > 1:
+        left, _, right, top = _bounds(bodies)
+        x, y = camera.to_screen(((left + right) / 2, top))
+        return (x, y), (x, y - STALK)
+    (body,) = bodies
     left, _, right, top = size_of(body)
     x, y = camera.to_screen(in_plane(body, ((left + right) / 2, top)))
     way = rect(STALK, body.angle)
@@ -86,10 +107,10 @@ def at(handles: list[Handle], pixel: XY) -> Handle | None:
     return handles[index] if distance <= REACH else None
 
 
-def draw(surface: pygame.Surface, body: Drawn, camera: Camera) -> None:
-    """Draw the handles of a body."""
-    lines.stroke(surface, theme.ACCENT, *_stalk(body, camera), 1)
-    for handle in of(body, camera):
+def draw(surface: pygame.Surface, bodies: Sequence[Drawn], camera: Camera) -> None:
+    """Draw the handles of a body, or of several together."""
+    lines.stroke(surface, theme.ACCENT, *_stalk(bodies, camera), 1)
+    for handle in of(bodies, camera):
         if handle.index == TURN:
             pygame.draw.aacircle(surface, theme.STAGE, handle.place, 6)
             pygame.draw.aacircle(surface, theme.ACCENT, handle.place, 5)

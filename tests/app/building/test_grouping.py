@@ -114,3 +114,19 @@ def test_a_frame_is_drawn_around_a_group_that_is_selected(mine: Builder) -> None
     assert np.count_nonzero(np.any(seen() != bare, axis=2)) > 10
     mine.at(0, 0)
     assert (seen() == bare).all()
+
+
+def test_several_bodies_are_turned_together_about_their_middle(mine: Builder) -> None:
+    """The handle stands above them."""
+    group(mine)
+    mine.at(0, 0)
+    x, y = mine.person.on_screen((-1.5, 0.4))
+    middle = mine.person.on_screen((-1.5, 0))
+    above = x, y - 30
+    away = middle[1] - above[1]
+    mine.person.drag(above, (middle[0] - away, middle[1]))  # a quarter turn to the left
+    mine.person.wait(0.1)
+    assert place(mine, "left") == pytest.approx((-1.5, -1.5), abs=1e-9)
+    assert place(mine, "middle") == pytest.approx((-1.5, 1.5), abs=1e-9)
+    assert mine.document["bodies"]["middle"]["angle"] == "90*deg"
+    assert place(mine, "right") == (3, 0)

@@ -1,6 +1,6 @@
 """The tool that selects, moves, rotates and resizes."""
 
-from cmath import phase
+from cmath import phase, rect
 from collections.abc import Sequence
 from enum import Enum, auto
 from functools import partial
@@ -27,7 +27,8 @@ STEP = radians(5)
 
 
 CROWD = 60
-"""The largest number of moved bodies whose outlines are drawn; the frame of more is drawn."""
+"""The largest number of bodies that are rotated, or whose outlines are drawn while they are moved;
+of more, the frame is drawn."""
 
 NOWHERE = Snapped((0.0, 0.0), "")
 
@@ -86,8 +87,8 @@ class SelectTool:
         match self._doing:
             case Doing.MOVING if moved and self._way.point != (0.0, 0.0):
                 return Proposed(partial(transforms.move, names=moved, by=self._way.point), moved)
-            case Doing.TURNING if body and (angle := self._turn):
-                return _turning(body, angle)
+            case Doing.TURNING if self._held and (angle := self._turn):
+                return _turning(self._held, angle)
             case Doing.RESIZING if body and self._handle:
                 return _resizing(body, self._handle, now.point)
         return None
@@ -97,8 +98,8 @@ class SelectTool:
         bench = self._bench
         self._start = self._now = spot
         self._way = NOWHERE
-        if body := self._single:
-            self._handle = handles.at(handles.of(body, bench.camera), spot.pixel)
+        if bodies := self._held:
+            self._handle = handles.at(handles.of(bodies, bench.camera), spot.pixel)
             if self._handle is not None:
                 turning = self._handle.index == handles.TURN
                 self._doing = Doing.TURNING if turning else Doing.RESIZING
@@ -124,12 +125,19 @@ class SelectTool:
             self._bench.select(group)
 
     @property
+    def _held(self) -> list[Drawn]:
+        """The selected bodies that the handles act on: a single one, or several to be rotated."""
+        chosen, bodies = self._bench.selected, self._bench.sketch.bodies
+        moved = self._moved
+        if len(chosen) == 1 or 1 < len(moved) <= CROWD:
+            return [bodies[name] for name in moved if name in bodies]
+        return []
+
+    @property
     def _single(self) -> Drawn | None:
         """The selected body, if a single one is selected."""
-        chosen = self._bench.selected
-        if len(chosen) == 1 and chosen[0][0] == "bodies":
-            return self._bench.sketch.bodies.get(chosen[0][1])
-        return None
+        held = self._held
+        return held[0] if len(held) == 1 else None
 
     @property
     def _moved(self) -> list[str]:
@@ -180,15 +188,18 @@ class SelectTool:
 
     @property
     def _turn(self) -> float:
-        """The rotation of the body [rad]."""
-        body, start, now = self._single, self._start, self._now
-        if self._doing is not Doing.TURNING or not (body and start and now):
+        """The rotation of the selection [rad]."""
+        held, start, now = self._held, self._start, self._now
+        if self._doing is not Doing.TURNING or not (held and start and now):
             return 0.0
-        center = complex(*body.position)
+        center, angle = complex(*handles.middle(held)), self._angle
         by = phase((complex(*now.free) - center) / ((complex(*start.free) - center) or 1))
-        if now.loose:
-            return by
-        return round((body.angle + by) / STEP) * STEP - body.angle
+        return by if now.loose else round((angle + by) / STEP) * STEP - angle
+
+    @property
+    def _angle(self) -> float:
+        """The angle of a single body; of several, 0, as they have none in common [rad]."""
+        return self._single.angle if self._single else 0.0
 
     def _caught(self) -> list[Part]:
         """Return the parts that are wholly within the rubber band."""
@@ -211,8 +222,8 @@ class SelectTool:
     def draw(self, surface: pygame.Surface, pen: Pen) -> None:
         """Draw the handles, or the preview of the drag."""
         start, now, body = self._start, self._now, self._single
-        if body and self._doing in (Doing.NOTHING, Doing.CATCHING):
-            handles.draw(surface, body, self._bench.camera)
+        if self._held and self._doing in (Doing.NOTHING, Doing.CATCHING):
+            handles.draw(surface, self._held, self._bench.camera)
         if start is None or now is None or dist(start.pixel, now.pixel) < STILL:
             return
         match self._doing:
@@ -220,8 +231,8 @@ class SelectTool:
                 self._draw_band(surface, start, now)
             case Doing.MOVING:
                 self._draw_moved(surface, pen, now)
-            case Doing.TURNING if body:
-                self._draw_turned(surface, pen, body, now)
+            case Doing.TURNING if self._held:
+                self._draw_turned(surface, pen, now)
             case Doing.RESIZING if body and self._handle:
                 self._draw_resized(surface, pen, body, self._handle, now)
 
@@ -243,11 +254,14 @@ class SelectTool:
         message = f"Δx {preview.metres(dx)}  Δy {preview.metres(dy)}  {self._way.by}"
         preview.measure(surface, pen, now.pixel, message.strip())
 
-    def _draw_turned(self, surface: pygame.Surface, pen: Pen, body: Drawn, now: Spot) -> None:
-        angle = body.angle + self._turn
-        corners = body.outline.placed(body.position, angle)
-        preview.outline(surface, self._bench.camera, corners, closed=body.outline.closed)
-        shown = degrees((angle + pi) % (2 * pi) - pi)
+    def _draw_turned(self, surface: pygame.Surface, pen: Pen, now: Spot) -> None:
+        held, turn = self._held, self._turn
+        center = complex(*handles.middle(held))
+        for body in held[:CROWD]:
+            place = center + (complex(*body.position) - center) * rect(1, turn)
+            corners = body.outline.placed((place.real, place.imag), body.angle + turn)
+            preview.outline(surface, self._bench.camera, corners, closed=body.outline.closed)
+        shown = degrees((self._angle + turn + pi) % (2 * pi) - pi)
         preview.measure(surface, pen, now.pixel, f"{number(shown, 4)}°")
 
     def _draw_resized(
@@ -264,9 +278,9 @@ class SelectTool:
         preview.measure(surface, pen, now.pixel, message)
 
 
-def _turning(body: Drawn, angle: float) -> Proposed[str]:
-    names = [body.outline.name]
-    return Proposed(partial(transforms.turn, names=names, angle=angle, about=body.position), names)
+def _turning(bodies: Sequence[Drawn], angle: float) -> Proposed[str]:
+    names, middle = [body.outline.name for body in bodies], handles.middle(bodies)
+    return Proposed(partial(transforms.turn, names=names, angle=angle, about=middle), names)
 
 
 def _resizing(body: Drawn, handle: Handle, to: XY) -> Proposed[str]:
