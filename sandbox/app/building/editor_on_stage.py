@@ -92,7 +92,9 @@ class EditorOnStage:
         """Draw the level under edit."""
         work, tools, camera = self._work, self._tools, stage.camera
         surface.blit(self._picture.of(work, pen), (0, 0))
-        painting.draw_culprits(surface, work.sketch, self._applying.culprits, camera)
+        self._foreseeing.look(work, tools.hand, self._spot)
+        if not self._foreseeing.found:  # what is dragged is no longer where it was
+            painting.draw_culprits(surface, work.sketch, self._applying.culprits, camera)
         if self._spot is not None and tools.tool not in ("select", "delete"):
             painting.caught(surface, camera, pen, self._spot.snapped)
         tools.hand.draw(surface, pen)
@@ -100,9 +102,7 @@ class EditorOnStage:
 
     def _draw_foreseen(self, surface: pygame.Surface, pen: Pen, hint: str) -> None:
         """Mark the faults of what the tool would make, or give a hint if there are none."""
-        bench, ahead = self._tools.bench, self._foreseeing
-        ahead.look(bench, self._tools.hand, self._spot)
-        if not ahead.draw(surface, pen, bench):
+        if not self._foreseeing.draw(surface, pen, self._tools.bench):
             painting.draw_hint(surface, pen, hint)
 
     def draw_over(self, surface: pygame.Surface, stage: Stage, pen: Pen) -> None:
@@ -120,5 +120,6 @@ class EditorOnStage:
             painting.caught(surface, stage.camera, pen, self._spot.snapped)
         if live.fresh:
             tools.hand.draw(surface, pen)
+        self._foreseeing.look(live, tools.hand, self._spot)
         message = say("{hint}; time stands still until then", hint=say(tools.hand.hint))
         self._draw_foreseen(surface, pen, message)

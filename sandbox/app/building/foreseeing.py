@@ -18,14 +18,20 @@ PATIENCE = 3
 
 
 class Foreseeing:
-    """Looks ahead at what the tool in hand would make."""
+    """Looks ahead at what the tool in hand would make.
+
+    Attributes
+    ----------
+    found
+        What it would make, and its faults; None if it would make nothing, or too much.
+    """
 
     def __init__(self) -> None:
         self._foresight: Foresight | None = None
         self._version: object = None  # of the level that it is for
         self._seen: object = None  # the place of the mouse that was looked at
         self._pause_ends = 0.0
-        self._found: Foreseen | None = None
+        self.found: Foreseen | None = None
 
     def look(self, work: Work, hand: Tool, spot: object) -> None:
         """Find the faults of what the tool would make with the mouse at a place."""
@@ -33,9 +39,9 @@ class Foreseeing:
         if seen == self._seen or perf_counter() < self._pause_ends:
             return
         begun, proposed = perf_counter(), hand.proposed
-        self._seen, self._found = seen, None
+        self._seen, self.found = seen, None
         if proposed is not None and (foresight := self._foresight_of(work)):
-            self._found = foresight.of(proposed)
+            self.found = foresight.of(proposed)
             self._pause_ends = begun + (1 + PATIENCE) * (perf_counter() - begun)
 
     def _foresight_of(self, work: Work) -> Foresight | None:
@@ -52,7 +58,7 @@ class Foreseeing:
 
         Return whether there are any.
         """
-        found = self._found
+        found = self.found
         if found is None or not found.faults:
             return False
         names = frozenset[str]().union(*(fault.names for fault in found.faults))

@@ -53,7 +53,7 @@ def draw_joint(
 ) -> None:
     """Draw a joint through points of the plane [m]; a slack rope is dashed."""
     corners = camera.path(path)
-    if lines.near(corners):
+    if isinstance(joint, Rail) or lines.near(corners):  # a rail is long, and clipped as it is drawn
         LOOKS.get(type(joint), _plain)(surface, corners, slack)
         if isinstance(joint, Stop | AngleStop) and joint.restitution is not None:
             for place, way in _faces(joint, corners):

@@ -4,6 +4,7 @@ import pygame
 import pytest
 
 from sandbox.app.building.tools.joining import CLICKS, PLAIN, kinds
+from sandbox.app.drawing import theme
 from sandbox.model.loading import parse
 from sandbox.physics.measuring.grading import grade
 from sandbox.physics.run import build, simulate
@@ -404,3 +405,21 @@ def test_a_marble_goes_round_a_loop_that_was_drawn_and_leaves_it(builder: Builde
         heights.append(world.snapshot.position[-1, 1])
     assert max(heights) > 3.5
     assert world.snapshot.position[-1, 0] > 4
+
+
+def test_a_rail_is_seen_where_it_was_laid(builder: Builder) -> None:
+    """It was invisible while building, as it runs far beyond the stage."""
+    builder.new()
+    builder.tool("box")
+    builder.drag((0, 2), (1, 3))
+    builder.tool("join")
+    builder.tool("rail")
+    builder.at(0.5, 2.5)
+    builder.at(-2, 2.5)
+    builder.tool("select")
+    builder.key(pygame.K_ESCAPE)
+    builder.person.wait(0.2)
+    x, y = map(round, builder.person.on_screen((-3, 2.5)))
+    column = builder.person.window.surface.subsurface(pygame.Rect(x, y - 3, 1, 7))
+    seen = pygame.mask.from_threshold(column, theme.SURFACE_EDGE, (40, 40, 40, 255))
+    assert seen.count() > 0
