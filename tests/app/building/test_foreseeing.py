@@ -1,5 +1,7 @@
 """What cannot run is marked on the stage while it is drawn, before the button is let go."""
 
+from time import perf_counter, sleep
+
 import pygame
 
 from sandbox.app.drawing import theme
@@ -11,6 +13,9 @@ from tests.app.building.builder import Builder
 
 def marked(builder: Builder, *point: float) -> bool:
     """Whether there is a mark in the colour of failures within 12 pixels of a point."""
+    ahead = builder.editor._on_stage._foreseeing
+    while perf_counter() < ahead._pause_ends:  # a look ahead takes a quarter of the time
+        sleep(0.01)
     builder.person.wait(0.1)
     x, y = map(round, builder.person.on_screen((point[0], point[1])))
     place = pygame.Rect(x - 12, y - 12, 25, 25)
