@@ -1,5 +1,11 @@
-"""Draws strings over pegs, with each peg as a small wheel inside the bend."""
+"""Draws strings over pegs, with a small wheel at each.
 
+In a wide bend the wheel is inside it, so that the string stays where it is. In a sharp one that
+would be far from the peg, such as a block that hangs in a loop; there the wheel is on the peg, and
+the string runs around it.
+"""
+
+from cmath import phase
 from collections.abc import Sequence
 from itertools import pairwise
 from math import acos, atan2, copysign, cos, dist, hypot, pi, sin, tan, tau
@@ -15,6 +21,10 @@ TWIST = 0.4
 """The share of shadow between the strands of a string."""
 SPOKES = 3
 WHEEL = 13.0  # px, the largest radius
+SHARP = 0.5
+"""Half the angle between the strands below which a bend is sharp."""
+ROUND = 16
+"""The chords of the arc around a wheel on a peg."""
 SHARE = 0.24
 """The largest distance from a peg to the tangent points, as a fraction of the shorter side: two
 neighbours fit."""
@@ -78,7 +88,9 @@ def _bend(before: XY, peg: XY, after: XY) -> Bend | None:
     if to_before is None or to_after is None:
         return None
     half = acos(max(-1.0, min(1.0, to_before[0] * to_after[0] + to_before[1] * to_after[1]))) / 2
-    if not 0.02 < half < pi / 2 - 0.02:
+    if half < SHARP:
+        return _around(peg, before, after)
+    if half > pi / 2 - 0.02:
         return None
     shorter = min(hypot(peg[0] - p[0], peg[1] - p[1]) for p in (before, after))
     radius = min(WHEEL, SHARE * shorter * tan(half))
@@ -87,6 +99,23 @@ def _bend(before: XY, peg: XY, after: XY) -> Bend | None:
     size = hypot(*middle)
     center = peg[0] + middle[0] / size * away, peg[1] + middle[1] / size * away
     return Bend(center, radius, _arc(center, radius, peg, to_before, to_after, radius / tan(half)))
+
+
+def _around(peg: XY, before: XY, after: XY) -> Bend | None:
+    """Return the bend around a wheel on a peg; None if an end is too near for one."""
+    ways = [complex(x - peg[0], y - peg[1]) for x, y in (before, after)]
+    radius = min(WHEEL, SHARE * min(map(abs, ways)))
+    if radius < 1:
+        return None
+    side = -1 if (ways[0].conjugate() * ways[1]).imag < 0 else 1  # on which the second strand is
+    first, last = (
+        phase(way) - turn * side * acos(radius / abs(way))
+        for way, turn in zip(ways, (1, -1), strict=True)
+    )
+    turn = -side * ((-side * (last - first)) % tau)
+    steps = [first + turn * i / ROUND for i in range(ROUND + 1)]
+    arc = [(peg[0] + radius * cos(a), peg[1] + radius * sin(a)) for a in steps]
+    return Bend(peg, radius, arc)
 
 
 def _arc(center: XY, radius: float, peg: XY, one: XY, other: XY, reach: float) -> list[XY]:
