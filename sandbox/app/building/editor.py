@@ -14,6 +14,7 @@ from sandbox.app.building.applying_changes import Applying
 from sandbox.app.building.drafts import Drafts
 from sandbox.app.building.edited_level import Work
 from sandbox.app.building.editor_on_stage import EditorOnStage
+from sandbox.app.building.effect_costs import EffectCosts
 from sandbox.app.building.live_edits import KEPT
 from sandbox.app.building.mode_switch import ModeSwitch
 from sandbox.app.building.saving import Saving
@@ -49,6 +50,8 @@ class Editor:
         Switches between building and the run.
     saving
         Saves and reads the level's file.
+    costs
+        Measures what each effect costs.
     complete
         Accepts the first name that the page offers, and returns whether there is one.
     """
@@ -59,6 +62,7 @@ class Editor:
         self.applying = Applying(self.work, self.drafts, self.tools)
         self.trying = ModeSwitch(self.work, self.trial, self.tools, self.applying)
         self.saving = Saving(self.work, self.drafts, self.tools)
+        self.costs = EffectCosts()
         self.complete: Callable[[], bool] = bool
         self._on_stage = EditorOnStage(self.work, self.trial.live, self.tools, self.applying)
 
@@ -70,7 +74,7 @@ class Editor:
     @property
     def news(self) -> object:
         """An object that differs whenever the display must change."""
-        return self.bench.news
+        return self.bench.news, self.costs.news
 
     @property
     def running(self) -> bool:
@@ -81,6 +85,7 @@ class Editor:
         """Edit the level that is shown, and apply its changes to the session."""
         if not watched:
             self.complete = bool  # else a closed page would stay in memory, with its session
+        self.costs.follow()
         self.applying.follow(session, seconds, watched=watched)
         if self.drafts.follow(self.work.draft, seconds):
             self.bench.show()
@@ -89,8 +94,9 @@ class Editor:
         return self.bench.take_message() or self.work.take_message()
 
     def cancel(self) -> None:
-        """Write recovery files for unsaved changes."""
+        """Write recovery files for unsaved changes, and stop timing effects."""
         self.drafts.keep()
+        self.costs.cancel()
 
     # levels
 
@@ -109,6 +115,11 @@ class Editor:
         """Save the level that is shown, whichever page is open, or ask for a name."""
         self.applying.take_up(session)
         self.saving.save()
+
+    def time_effects(self) -> None:
+        """Begin to measure what each effect costs, if the level is valid."""
+        if (level := self.work.draft.level) is not None:
+            self.costs.measure(level, self.work.version)
 
     def keep_run(self, session: Session) -> None:
         """Edit the present state of the run as a new level."""

@@ -1,6 +1,8 @@
 """Declaring and removing effects, and their cost."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import suppress
+from functools import partial
 from typing import Any, get_args, get_origin
 
 from sandbox.editing.cleanup import COEFFICIENTS, accepted, without_meaning
@@ -10,7 +12,8 @@ from sandbox.model.effect_variants import DEFAULTS, including, without
 from sandbox.model.effects import EFFECTS, Effects
 from sandbox.model.errors import SandboxError
 from sandbox.model.level import Level
-from sandbox.physics.run import costs
+from sandbox.physics.measuring.step_timing import brief_costs
+from sandbox.physics.run import build
 
 COEFFICIENT = 0.5
 """The default coefficient of a dynamic body; others get 1, which keeps that of the other body."""
@@ -69,20 +72,22 @@ def drop(text: str, level: Level, effect: str) -> str:
     return without_meaning(remove(text, ("effects", effect)))
 
 
-def cost(level: Level, effect: str) -> str:
-    """Return the present or possible cost of an effect, in words; measured, so not during a drag.
+def costs(level: Level) -> Iterator[tuple[str, float]]:
+    """Yield what each effect costs, or would cost, in a step [s]; measured, within seconds.
 
-    Raises
-    ------
-    SandboxError
-        If the level is invalid without it, or with it, or cannot run.
+    Effects without which the level is invalid, or with which it cannot run, are left out.
     """
+    for effect in EFFECTS:
+        with suppress(SandboxError):
+            yield effect, _cost(level, effect)
+
+
+def _cost(level: Level, effect: str) -> float:
     declared = effect in level.effects.declared
     other = without(level, effect)[0] if declared else including(level, effect, {})
     pair = (other, level) if declared else (level, other)
-    before, after = costs(pair, level.defaults)
-    more = f"{(after - before) * 1e6:+.2g} µs".replace("-", "−")
-    return f"{more} a step, of {after * 1e6:.2g} µs with it"
+    before, after = brief_costs(*(partial(build, each) for each in pair))
+    return after - before
 
 
 def _several(effect: str) -> bool:

@@ -1,14 +1,18 @@
 """Levels are built with the mouse, from nothing, and run."""
 
+import re
+
 import pygame
 import pytest
 
 from sandbox.app.building.tools.joining import CLICKS, PLAIN, kinds
 from sandbox.app.drawing import theme
+from sandbox.app.pages.build import sections
 from sandbox.model.loading import parse
 from sandbox.physics.measuring.grading import grade
 from sandbox.physics.run import build, simulate
 from tests.app.building.builder import Builder
+from tests.app.person import until
 from tests.sample import thinned
 
 
@@ -423,3 +427,20 @@ def test_a_rail_is_seen_where_it_was_laid(builder: Builder) -> None:
     column = builder.person.window.surface.subsurface(pygame.Rect(x, y - 3, 1, 7))
     seen = pygame.mask.from_threshold(column, theme.SURFACE_EDGE, (40, 40, 40, 255))
     assert seen.count() > 0
+
+
+@pytest.mark.sweep
+def test_the_page_tells_what_each_effect_costs(builder: Builder) -> None:
+    builder.key(pygame.K_ESCAPE)
+    builder.person.wait(0.2)
+    builder.act("What does each effect cost?")
+    costs = builder.editor.costs
+    until(builder.person, lambda: not costs.running)
+    builder.person.wait(0.2)
+    shown = " ".join(block.text for block in sections.subject(builder.editor))
+    assert re.search(r"Time of a step: .*drag [+-][\d.]+ µs", shown)
+    builder.at(-0.5, 0)
+    builder.key(pygame.K_RIGHT)  # what was measured was of another level
+    builder.key(pygame.K_ESCAPE)
+    builder.person.wait(0.2)
+    builder.reach(builder.page.button("What does each effect cost?"))

@@ -7,6 +7,7 @@ from sandbox.app.building import fields, inspection
 from sandbox.app.building.arranging import arrangements
 from sandbox.app.building.button_action import Act
 from sandbox.app.building.editor import Editor
+from sandbox.app.building.effect_costs import said
 from sandbox.app.building.level_actions import stated
 from sandbox.app.building.part_actions import part_actions
 from sandbox.app.building.recovery_choices import offers
@@ -97,6 +98,7 @@ def subject(editor: Editor) -> list[Block]:
             *_suggested(editor),
             Block("", acts=tuple(stated(work))),
             _switches(editor),
+            _costs(editor),
         ]
     if in_run:
         leave = Act(say("Select nothing"), "(Esc)", partial(work.select, ()))
@@ -125,6 +127,18 @@ def _suggested(editor: Editor) -> list[Block]:
 def _taking_out(editor: Editor) -> Act:
     tip = say("take it out of the run, and its joints (Delete)")
     return Act(say("Delete"), tip, editor.bench.delete)
+
+
+def _costs(editor: Editor) -> Block:
+    """Return the block with what each effect costs in a step, or would."""
+    work, costs = editor.work, editor.costs
+    if costs.is_for(work.version):
+        found = said(costs.of(work.version))
+        if found or not costs.running:
+            return Block(say("Time of a step: {costs}", costs=found or say("no effect to measure")))
+        return Block(say("The effects are being timed ..."))
+    tip = say("times a step of this level with and without each effect, which takes some seconds")
+    return Block("", acts=(Act(say("What does each effect cost?"), tip, editor.time_effects),))
 
 
 def _switches(editor: Editor) -> Block:
