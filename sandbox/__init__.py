@@ -4,6 +4,7 @@ What programs and notebooks need stands here, and is imported when it is asked f
 `build`, `simulate`, `grade`. `sandbox.api` says what each does.
 """
 
+import sys
 from typing import TYPE_CHECKING, Any
 
 from sandbox.version import __version__ as __version__
@@ -24,7 +25,18 @@ def __getattr__(name: str) -> Any:  # noqa: ANN401 (as different as what is aske
         raise AttributeError(f"module 'sandbox' has no attribute '{name}'")
     from sandbox import api
 
+    _show_in_notebooks()
     return getattr(api, name)
+
+
+def _show_in_notebooks() -> None:
+    """Let levels and traces show themselves if this runs in IPython."""
+    ipython = sys.modules.get("IPython")
+    shell = ipython.get_ipython() if ipython else None
+    if shell is not None:
+        from sandbox.notebook import load_ipython_extension
+
+        load_ipython_extension(shell)
 
 
 def __dir__() -> list[str]:

@@ -1,6 +1,8 @@
-"""Levels and traces that display themselves in a notebook: `%load_ext sandbox.notebook`.
+"""Levels and traces that display themselves in a notebook.
 
 A level is shown as a picture of its run, a trace as a table. `animation` makes a film of a trace.
+`from sandbox import load` is enough for that; after `import sandbox.api`, `%load_ext
+sandbox.notebook` does the same.
 """
 
 import os
@@ -18,9 +20,6 @@ from sandbox.physics.measuring.recording import Trace
 
 if TYPE_CHECKING:
     from IPython.core.interactiveshell import InteractiveShell
-
-os.environ.setdefault("SDL_VIDEODRIVER", "dummy")  # pictures are drawn without a window
-os.environ.setdefault("PYGAME_HIDE_SUPPORT_PROMPT", "1")
 
 
 class Animation:
@@ -48,6 +47,7 @@ def picture(level: Level, at: float | None = None) -> bytes:
     SandboxError
         If the run has to stop before that time.
     """
+    _draw_without_window()
     from sandbox.app.level_picture import png, render
 
     return png(render(level, level.defaults, at))
@@ -63,6 +63,7 @@ def animation(trace: Trace) -> Animation:
     SandboxError
         If it cannot be: PyAV and Pillow make the film, which the extra `film` brings.
     """
+    _draw_without_window()
     from sandbox.app.film import film
     from sandbox.app.runs.runfile import run_of
     from sandbox.app.runs.session import Session
@@ -76,6 +77,11 @@ def animation(trace: Trace) -> Animation:
         if not path.exists():
             raise SandboxError(Message("{outcome}", outcome=outcome))
         return Animation(path.read_bytes())
+
+
+def _draw_without_window() -> None:
+    os.environ.setdefault("SDL_VIDEODRIVER", "dummy")
+    os.environ.setdefault("PYGAME_HIDE_SUPPORT_PROMPT", "1")
 
 
 def load_ipython_extension(shell: "InteractiveShell") -> None:

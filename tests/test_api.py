@@ -98,3 +98,18 @@ def test_a_film_of_a_trace_lasts_as_long_as_the_trace() -> None:
 
     with Image.open(BytesIO(notebook.animation(trace).gif)) as film:
         assert film.n_frames == 11  # type: ignore[attr-defined] # of a GIF
+
+
+def test_in_ipython_levels_and_traces_show_themselves_without_an_extension() -> None:
+    code = (
+        "from IPython.core.interactiveshell import InteractiveShell\n"
+        "shell = InteractiveShell.instance()\n"
+        "shell.run_cell('from sandbox import load, simulate')\n"
+        "shell.run_cell('level = load(\"newton/atwood\"); trace = simulate(level)')\n"
+        "show = shell.display_formatter.format\n"
+        "print(*(sorted(show(shell.user_ns[name])[0]) for name in ('level', 'trace')))\n"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout.splitlines()[-1] == (
+        "['image/png', 'text/plain'] ['text/html', 'text/plain']"
+    )
