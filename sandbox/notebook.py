@@ -24,13 +24,7 @@ os.environ.setdefault("PYGAME_HIDE_SUPPORT_PROMPT", "1")
 
 
 class Animation:
-    """A film that a notebook shows.
-
-    Attributes
-    ----------
-    gif
-        The film as a GIF file.
-    """
+    """A film that a notebook shows."""
 
     def __init__(self, gif: bytes) -> None:
         self.gif = gif

@@ -17,11 +17,6 @@ LIMIT = 120.0
 def first_picture(level: str) -> float:
     """Return the time from the start of a program that plays a level to its first picture [s].
 
-    Parameters
-    ----------
-    level
-        A name or a path, as for the command `play`.
-
     Raises
     ------
     SandboxError

@@ -20,31 +20,18 @@ NEW = "<new level>"
 
 
 class Draft:
-    """A level under edit.
+    """A level under edit: its JSON text, which may have mistakes.
 
-    Parameters
-    ----------
-    text
-        The JSON text, which may have mistakes.
-    path
-        The file, if there is one.
-    held
-        The content of the file, if there is one.
-
-    Attributes
-    ----------
-    text
-        The present text.
-    path
-        The file; None if there is none yet.
-    saved
-        The saved text, or the initial one.
+    `held` is the content of its file, if there is one.
     """
 
     def __init__(self, text: str, path: Path | None = None, held: bytes = b"") -> None:
         self.text = text
+        """The present text."""
         self.path = path
+        """The file; None if there is none yet."""
         self.saved = text
+        """The saved text, or the initial one."""
         self._held = held
         self._done: deque[Step] = deque(maxlen=MOST_STEPS)
         self._undone: list[Step] = []
@@ -115,14 +102,7 @@ class Draft:
     def change(self, text: str, said: str, merge: str | None = None) -> None:
         """Change the text, by one step of undo.
 
-        Parameters
-        ----------
-        text
-            The new text.
-        said
-            The description of the edit.
-        merge
-            A key: successive changes with the same key are one step, such as those of a drag.
+        Successive changes with the same key `merge` are one step, such as those of a drag.
         """
         if text == self.text:
             return
@@ -166,12 +146,8 @@ class Draft:
     def save(self, path: Path | None = None, *, overwrite: bool = False) -> None:
         """Write the file; a draft without changes is written exactly as it was read.
 
-        Parameters
-        ----------
-        path
-            The file, from now on; the present one if left out.
-        overwrite
-            Whether to overwrite changes by another program, or another file.
+        A path is that of the draft from now on. `overwrite` replaces changes by another program, or
+        another file.
 
         Raises
         ------

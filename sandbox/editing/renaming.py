@@ -26,16 +26,8 @@ def rename(text: str, path: Path, name: str) -> str:
     """Return a level in which a body, a joint or a parameter has a new name.
 
     All mentions are replaced: in the ends of joints, effects, quantities and ghosts; for a
-    parameter, in formulas and the challenge. Prose is left unchanged.
-
-    Parameters
-    ----------
-    text
-        The text of a level that loads.
-    path
-        The path of the part, such as `("bodies", "box1")`.
-    name
-        The new name.
+    parameter, in formulas and the challenge. Prose is left unchanged. The path of a part is, for
+    example, `("bodies", "box1")`.
 
     Raises
     ------

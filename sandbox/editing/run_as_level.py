@@ -38,13 +38,8 @@ MOVES = ("position", "angle", "velocity", "angular_velocity")
 def as_it_stands(world: World, *, anew: bool) -> str:
     """Return a level that starts from the present state of a run, with the parameters of the run.
 
-    Parameters
-    ----------
-    world
-        The run.
-    anew
-        Whether time starts at 0 in the new level: formulas are then shifted in time. If not, the
-        level continues the run from its present time, and numbers have all their digits.
+    If `anew`, time starts at 0 in the new level: formulas are then shifted in time. If not, the
+    level continues the run from its present time, and numbers have all their digits.
 
     Raises
     ------

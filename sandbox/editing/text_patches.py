@@ -29,17 +29,9 @@ class PatchError(SandboxError):
 
 
 def put(text: str, path: Path, value: Json) -> str:
-    """Return a text with a value at a path.
+    """Return a text, which may have mistakes, with a value at a path; missing parents are created.
 
-    Parameters
-    ----------
-    text
-        The JSON of a level, which may have mistakes.
-    path
-        The path of a member or an item, present or not. The length of a list, as an index, appends
-        to it. Missing parents are created.
-    value
-        The value.
+    The length of a list, as an index, appends to it.
 
     Raises
     ------

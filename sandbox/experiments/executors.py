@@ -134,14 +134,9 @@ def _versions() -> dict[str, str]:
 
 @contextmanager
 def cluster(address: str, workers: int = 1) -> Iterator[Cluster]:
-    """Use a Dask cluster.
+    """Use a Dask cluster whose scheduler is at an address, such as `tcp://127.0.0.1:8786`.
 
-    Parameters
-    ----------
-    address
-        The address of its scheduler, such as `tcp://127.0.0.1:8786`.
-    workers
-        The number of workers to wait for, for at most as long as a scheduler may take to answer.
+    It waits for some workers, for at most as long as a scheduler may take to answer.
 
     Raises
     ------

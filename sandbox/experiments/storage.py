@@ -34,14 +34,7 @@ RESULTS, DESCRIPTION, PARTS = "results.parquet", "experiment.json", "parts"
 
 
 class Store:
-    """The folder of an experiment.
-
-    Parameters
-    ----------
-    folder
-        Its path; made if missing.
-    plan
-        The plan whose results are stored.
+    """The folder of an experiment, made if missing, which stores the results of its plan.
 
     Raises
     ------

@@ -88,11 +88,8 @@ def challenges() -> list[str]:
 def find(level: str) -> Path:
     """Return the path of a level's file.
 
-    Parameters
-    ----------
-    level
-        A path to a file, a name such as `newton/atwood`, or the last part of a name if only one
-        level's name ends with it.
+    The level is a path, a name such as `newton/atwood`, or the last part of a name if only one
+    level's name ends with it.
 
     Raises
     ------

@@ -135,15 +135,8 @@ def _cleared(level: Level, found: list[Fault], effect: str) -> Level:
 def including(level: Level, effect: str, settings: Settings) -> Level:
     """Return a level with one more effect, or with other settings of an effect that it declares.
 
-    Parameters
-    ----------
-    level
-        Any level.
-    effect
-        The name of the effect.
-    settings
-        Its fields, as in a file; for an effect that is a list, the fields of every entry. For
-        `friction` and `restitution`, the `coefficient` of every pair. `DEFAULTS` if empty.
+    The settings are its fields, as in a file, or `DEFAULTS`; for an effect that is a list, the
+    fields of every entry; for `friction` and `restitution`, the `coefficient` of every pair.
 
     Raises
     ------

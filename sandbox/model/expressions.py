@@ -22,10 +22,7 @@ Values = Mapping[str, float]
 class Expression:
     """A finite number, or a formula for one.
 
-    Parameters
-    ----------
-    source
-        A number, or arithmetic over parameters, ``pi``, ``deg`` and the functions of `FUNCTIONS`.
+    A formula is arithmetic over parameters, ``pi``, ``deg`` and the functions of `FUNCTIONS`.
 
     Raises
     ------
@@ -70,13 +67,7 @@ class Expression:
             self._constant = self._finite(self.source)
 
     def define(self, constants: Mapping[str, "Expression"]) -> None:
-        """Define names in its text as constants.
-
-        Parameters
-        ----------
-        constants
-            Constants by name, each after those that it uses.
-        """
+        """Define names in its text as constants, each after those that it uses."""
         names, used = set(self.written), list[tuple[str, Expression]]()
         for name, constant in reversed([*constants.items()]):
             if name in names:

@@ -37,18 +37,8 @@ def write_atomically(
     """Write a file under another name, then rename it, so that nobody ever reads half of it.
 
     Its permissions are kept, and its owner where that is allowed. Unfinished files that a killed
-    process has left in the folder are removed.
-
-    Parameters
-    ----------
-    path
-        The path of the file.
-    data
-        The content.
-    follow
-        Whether to write through a link of that name; otherwise the file replaces the link.
-    new
-        Whether the path must be free, even of a link.
+    process has left in the folder are removed. If `follow`, a link of that name is written through;
+    otherwise the file replaces the link. If `new`, the path must be free, even of a link.
 
     Raises
     ------

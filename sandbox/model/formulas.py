@@ -17,12 +17,7 @@ class Function(Expression):
     def at(self, values: Values, variables: Mapping[str, Array]) -> Array:
         """Return the value for given variables; not finite where it has none.
 
-        Parameters
-        ----------
-        values
-            The level's parameters.
-        variables
-            The variables by name; arrays that broadcast to the shape of the result.
+        The variables are arrays that broadcast to the shape of the result.
         """
         result = self._evaluate({**values, **variables}) if self._code else self._constant
         return np.asarray(result, dtype=float)
@@ -58,15 +53,7 @@ class Formula(Function):
         return self.variables[0]
 
     def over(self, values: Values, t: Array) -> Array:
-        """Return the value at each time; not finite where it has none.
-
-        Parameters
-        ----------
-        values
-            The level's parameters.
-        t
-            Times [s], of any shape, which the result has as well.
-        """
+        """Return the value at each time [s], in its shape; not finite where it has none."""
         found = self.at(values, {self.variable: t})
         return found if found.shape == np.shape(t) else np.broadcast_to(found, np.shape(t))
 

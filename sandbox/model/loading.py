@@ -101,14 +101,7 @@ def decoded(held: bytes, source: str) -> str:
 
 
 def parse(text: str, source: str = "<text>") -> Level:
-    """Make a level from JSON text.
-
-    Parameters
-    ----------
-    text
-        The JSON.
-    source
-        The origin of the text, for the messages.
+    """Make a level from JSON text; messages name its source.
 
     Raises
     ------
@@ -186,12 +179,7 @@ def choose(
 ) -> Values:
     """Return the values of a level's parameters, with some of them changed from their defaults.
 
-    Parameters
-    ----------
-    level, settings
-        The level, and the changed values by name.
-    among
-        The result of `faults.depending` for the level, if already known.
+    `among` is the result of `faults.depending` for the level, if already known.
 
     Raises
     ------

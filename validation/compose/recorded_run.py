@@ -83,14 +83,7 @@ class Course:
 
 
 def start(level: Level, rate: float | None = None) -> World:
-    """Return the world of a level, at a rate that the sandbox accepts.
-
-    Parameters
-    ----------
-    level
-        The level.
-    rate
-        The first rate to try; the level's own if left out [Hz].
+    """Return the world of a level at the first rate that the sandbox accepts, from one on [Hz].
 
     Raises
     ------

@@ -62,13 +62,7 @@ def _show(found: Sequence[Sweep]) -> None:
 
 
 def sample(levels: Iterable[str]) -> list[str]:
-    """Return the first of each `EACH` levels of every chapter.
-
-    Parameters
-    ----------
-    levels
-        Names such as `newton/atwood`, chapter by chapter.
-    """
+    """Return the first of each `EACH` levels of every chapter, from names chapter by chapter."""
     chapters = groupby(levels, lambda level: level.partition("/")[0])
     return [level for _, chapter in chapters for level in list(chapter)[::EACH]]
 

@@ -71,12 +71,7 @@ class Yardstick:
 def yardstick(level: Level, values: Values, budget: float) -> Yardstick | None:
     """Return the references for a level's runs; None if no check applies.
 
-    Parameters
-    ----------
-    level, values
-        The run.
-    budget
-        The time that the finest run may take, about [s].
+    The finest run may take about the budget [s].
 
     Raises
     ------

@@ -17,14 +17,8 @@ from validation.requests.trial import Trial, trial
 def measure(count: int, seed: int, json_file: Path | None, jobs: int | None) -> bool:
     """Request accuracies, print the missed ones, and return whether all promises hold.
 
-    Parameters
-    ----------
-    count, seed
-        The number of requests, and the seed of the first.
-    json_file
-        A file for the outcomes, if any.
-    jobs
-        The number of processes; None for as many as there are cores.
+    The seed is that of the first request. The outcomes go to the JSON file, if any. By default
+    there are as many processes as cores.
 
     Raises
     ------

@@ -18,20 +18,14 @@ OFTEN = 1.0  # s, between two checks of drafts and files
 
 
 class Drafts:
-    """The drafts under edit, with or without a file.
-
-    Attributes
-    ----------
-    left
-        Unsaved drafts of earlier windows, the newest first; None before the first search.
-    outside
-        Whether another program has written the file of the draft that is shown.
-    """
+    """The drafts under edit, with or without a file."""
 
     def __init__(self) -> None:
         self._kept: dict[Draft, Recovery] = {}
         self.left: list[Recoverable] | None = None  # not searched yet
+        """Unsaved drafts of earlier windows, the newest first; None before the first search."""
         self.outside = False
+        """Whether another program has written the file of the draft that is shown."""
         self._mine: Draft | None = None  # to be written over the changes of another program
         self._since = OFTEN
 

@@ -69,23 +69,14 @@ class Tied:
 
 
 class Sketch:
-    """The drawable content of a level's text.
-
-    Attributes
-    ----------
-    values
-        The parameters' default values, and those of constants, as far as they can be read.
-    bodies, joints
-        The bodies and joints that can be drawn, by name.
-    view
-        The part of the plane that the level asks to show.
-    """
+    """The drawable content of a level's text."""
 
     def __init__(self, document: Mapping[str, Any]) -> None:
         _body.begin()
         _joint.begin()
         parameters = dict(_numbers(_mapping(document, "parameters")))
         self.values = _with_constants(parameters, _mapping(document, "constants"))
+        """The parameters' default values, and those of constants, as far as they can be read."""
         specs = {
             name: spec
             for name, part in _mapping(document, "bodies").items()
@@ -93,8 +84,10 @@ class Sketch:
         }
         self.bodies = dict(_drawn(specs, self.values))
         self.joints = dict(_tied(_mapping(document, "joints"), specs, self.values))
+        """The bodies and joints that can be drawn, by name."""
         self._open = _open(_mapping(document, "events"))
         self.view = _view(json.dumps(document.get("view", {})))
+        """The part of the plane that the level asks to show."""
 
     def body_at(self, point: XY, margin: float) -> str | None:
         """Return the topmost body within a margin of a point [m]; moving bodies come first."""

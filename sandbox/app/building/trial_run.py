@@ -24,16 +24,11 @@ class Run(NamedTuple):
 
 
 class Trial:
-    """The runs of a level under edit.
-
-    Attributes
-    ----------
-    live
-        The run on the stage, as the tools see it.
-    """
+    """The runs of a level under edit."""
 
     def __init__(self) -> None:
         self.live = Live()
+        """The run on the stage, as the tools see it."""
         self._left: dict[str, Run] = {}
         self._undone: list[Action] = []
         self._latest: str | None = None  # the text whose run was left last, and can be redone

@@ -31,19 +31,7 @@ BEGINS = tuple("0123456789.-+")
 
 
 class SidePanel:
-    """The column of a session: a page, which scrolls if necessary, and below most pages the footer.
-
-    Attributes
-    ----------
-    page
-        The page of the chosen tab.
-    desk
-        The objects with which pages work.
-    foot
-        The footer below the page; None below a page that needs the room.
-    books
-        Whether the column shows where energy or momentum comes from and goes.
-    """
+    """The column of a session: a page, which scrolls if necessary, and mostly the footer below."""
 
     def __init__(
         self, manager: UIManager, pen: Pen, rect: pygame.Rect, session: Session, *,
@@ -52,6 +40,7 @@ class SidePanel:
         self._session, self._pen = session, pen
         self._workers = workers
         self.desk = Desk(session, workers.all, load, comfort)
+        """The objects with which pages work."""
         px = pen.px
         across = pygame.Rect(rect.x + px(MARGIN), px(TOP), rect.width - 2 * px(MARGIN), 0)
         self._tabs = Tabs(manager, pen, across, register.PAGES, page)
@@ -62,12 +51,15 @@ class SidePanel:
         )
         lowest = top + px(LEAST)
         self.foot = next((foot for foot in feet if foot.top >= least.get(foot.view, lowest)), None)
+        """The footer below the page; None below a page that needs the room."""
         end = self.foot.top if self.foot is not None else rect.bottom
         upper = pygame.Rect(rect.x, top, rect.width, max(end - top, 1))
         self._sheet = Sheet(manager, pen, upper)
         self.page: Panel = register.page(page).open(self._sheet, self.desk)
+        """The page of the chosen tab."""
         self._recalls = register.page(page).recalls
         self.books = register.page(page).books or bool(self.foot and self.foot.books)
+        """Whether the column shows where energy or momentum comes from and goes."""
         self._since, self._below = 0.0, False  # whether the footer is to be updated
         self._shown = self._state
 

@@ -28,14 +28,8 @@ class Beginning(NamedTuple):
 def begin(level: Level, values: Values, beside: Sequence[Variant], *, patient: bool) -> Beginning:
     """Build a level, and its companion runs.
 
-    Parameters
-    ----------
-    level, values
-        The level, and its parameters.
-    beside
-        The variants of the companion runs.
-    patient
-        Whether to search for an unknown setting that reaches the accuracy the level asks for.
+    If `patient`, search for the setting that reaches the accuracy the level asks for, unless it is
+    known.
 
     Raises
     ------

@@ -69,19 +69,6 @@ class Variant:
 class Companion:
     """A companion run.
 
-    Attributes
-    ----------
-    variant
-        The variant of the level.
-    world
-        The world of the run.
-    trail
-        The paths of its bodies.
-    clock
-        The computing time of its steps.
-    failure
-        The error that stopped the run, or None.
-
     Raises
     ------
     SandboxError
@@ -92,8 +79,12 @@ class Companion:
         self.variant = variant
         self.world = build(variant.level, values)
         self.trail = Trail(self.world.snapshot.position)
-        self.clock, self._patience = Clock(), Patience()
+        """The paths of its bodies."""
+        self.clock = Clock()
+        """The computing time of its steps."""
+        self._patience = Patience()
         self.failure: SandboxError | None = None
+        """The error that stopped the run, or None."""
         self._end = count_steps(self.world)
         self._recorder = Recorder(self.world, needed(variant.level))
         self._grading = Grading(self._recorder)

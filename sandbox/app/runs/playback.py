@@ -35,6 +35,8 @@ ON_THE_WAY = 0.05  # s, the time for seeking in later frames
 class Playback(RunView, ABC):
     """A run that is played.
 
+    If `watched`, it pauses with a message when a step takes long or memory is full.
+
     Attributes
     ----------
     playing, speed
@@ -45,13 +47,6 @@ class Playback(RunView, ABC):
         Whether the balance of energy and momentum is recorded; see `Books`.
     sought
         The step that the run is seeking, backwards or forwards; None if it is not.
-
-    Parameters
-    ----------
-    run
-        The run to play.
-    watched
-        Whether the run pauses with a message when a step takes long or memory is full.
     """
 
     def __init__(self, run: LiveRun, *, watched: bool) -> None:
@@ -139,14 +134,7 @@ class Playback(RunView, ABC):
         To go back, the run is repeated from its start with the user's actions, which gives the same
         states to the last bit. Later actions are repeated at their steps, unless the user acts
         before. Seeking may take some frames, see `sought`; a recorded state is shown meanwhile, see
-        `recalled`.
-
-        Parameters
-        ----------
-        step
-            The step to seek.
-        undone
-            Whether to drop the actions at that step and later.
+        `recalled`. `undone` drops the actions at that step and later.
 
         Raises
         ------

@@ -22,30 +22,10 @@ from sandbox.physics.state.errors import SimulationError
 
 
 class Session(Playback):
-    """A level that is played.
+    """A level that is played, with its own parameters and rate [Hz] unless others are given.
 
-    Attributes
-    ----------
-    original
-        The level as its file declares it.
-    begun_as
-        The level as which runs start: the original, perhaps with other effects or stepping.
-    changes
-        The effects that were switched off and on.
-    branches
-        Whether a changed parameter acts from now on, instead of from the start.
-    looking
-        The body that the user has selected, and the forces on it.
-    repeats
-        Whether it repeats a run from a file, which earns no stars.
-
-    Parameters
-    ----------
-    level, values, rate
-        The level, its parameters and its rate [Hz]; by default those of the level.
-    patient
-        Whether to search at once for a setting that reaches the accuracy the level asks for, and
-        to allow long steps; else the run waits until `settle` is called.
+    If `patient`, it searches at once for a setting that reaches the accuracy the level asks for,
+    and allows long steps; else the run waits until `settle` is called.
 
     Raises
     ------
@@ -62,12 +42,18 @@ class Session(Playback):
         patient: bool = True,
     ) -> None:
         self.original = level
+        """The level as its file declares it."""
         self._patient = patient
         self.begun_as = at_rate(level, rate)
+        """The level as which runs start: the original, perhaps with other effects or stepping."""
         self.changes = NONE
+        """The effects that were switched off and on."""
         self.branches = False
+        """Whether a changed parameter acts from now on, instead of from the start."""
         self.looking = Looking()
+        """The body that the user has selected, and the forces on it."""
         self.repeats = False
+        """Whether it repeats a run from a file, which earns no stars."""
         begun = self._built(self.begun_as, (), level.defaults if values is None else values)
         super().__init__(LiveRun(level, begun), watched=not patient)
         self._opened = self.level, self.values
@@ -139,12 +125,7 @@ class Session(Playback):
     def change(self, settings: Mapping[str, float], *, otherwise: bool = False) -> None:
         """Change some parameters: from the start, or from now on if the session `branches`.
 
-        Parameters
-        ----------
-        settings
-            The new values.
-        otherwise
-            Whether to do the opposite of `branches`, this once.
+        `otherwise` does the opposite of `branches`, this once.
 
         Raises
         ------
@@ -172,12 +153,7 @@ class Session(Playback):
         self.run.branch(settings)
 
     def alter(self, text: str) -> None:
-        """Continue as another level, that of the current state with other parts.
-
-        Parameters
-        ----------
-        text
-            The level as JSON.
+        """Continue as another level (JSON), that of the current state with other parts.
 
         Raises
         ------
@@ -200,16 +176,9 @@ class Session(Playback):
             raise SandboxError("this run cannot continue {how}: {why}", how=how, why=why)
 
     def resume(self, actions: Sequence[Action], steps: int, values: Values | None = None) -> None:
-        """Repeat a run from its start up to some step, and pause there; this may take some frames.
+        """Repeat a run with its actions up to some step, and pause there.
 
-        Parameters
-        ----------
-        actions
-            The user's actions.
-        steps
-            The number of steps.
-        values
-            The parameters at the start; by default those of the current run.
+        This may take some frames. By default it starts with the parameters of the current run.
 
         Raises
         ------
@@ -254,16 +223,8 @@ class Session(Playback):
     ) -> None:
         """Restart with another variant of the level, with other companion runs.
 
-        Parameters
-        ----------
-        level
-            The original with other effects or another stepping.
-        beside
-            The variants of the companion runs.
-        changes
-            The effects in which the level differs from the original.
-        values
-            The parameters; by default the current ones.
+        `changes` are the effects in which it differs from the original. By default it has the
+        current parameters.
 
         Raises
         ------

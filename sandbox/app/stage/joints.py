@@ -236,16 +236,7 @@ def limits(joint: Stop, path: Sequence[XY], values: Values) -> list[XY]:
 def rays(joint: AngleStop, center: XY, angle: float, values: Values) -> list[XY]:
     """Return a pin, and points in the directions of the stops around it [m].
 
-    Parameters
-    ----------
-    joint
-        The stop of an angle.
-    center
-        The pin [m].
-    angle
-        The angle of the reference of the stops [rad].
-    values
-        The level's parameters.
+    The angle is that of the reference of the stops [rad].
     """
     held = joint.ends[1]
     at = complex(*evaluate(held.at, values)) if isinstance(held, Held) else 0j

@@ -67,16 +67,8 @@ def scale(owner: object, world: World, observed: Snapshot) -> float:
     """Return the momentum of a full bar [kg m/s]; 0 if nothing has moved yet.
 
     The scale is a round number that stays the same during a run, also when the run is rewound or
-    repeated. It may grow if no ghost gives the largest momentum in advance.
-
-    Parameters
-    ----------
-    owner
-        The owner of the scale, such as a session, which determines its lifetime.
-    world
-        The world whose momenta are drawn.
-    observed
-        The states so far: one snapshot, or a stack.
+    repeated. It may grow if no ghost gives the largest momentum in advance. It lives as long as its
+    owner, such as a session. `observed` are the states so far: one snapshot, or a stack.
     """
     kept = _scales.get(owner)
     values, disturbed = dict(world.values), world.disturbed

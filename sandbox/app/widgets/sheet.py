@@ -23,37 +23,27 @@ class Typed(Protocol):
 
 
 class Sheet:
-    """An area that scrolls if its contents do not fit.
-
-    Attributes
-    ----------
-    width
-        The width of the contents [px].
-    margin
-        The left margin, which is twice the upper one [px].
-    container
-        The container of pygame_gui.
-    strip
-        The strip above the area, which does not scroll; without height unless a page pins it.
-    parameters
-        The fields and sliders of parameters; empty unless a page adds some.
-    checks
-        The picture of the checks; None unless a page adds it.
-    typed
-        Other fields that can be typed into, instead of parameters; None unless a page adds some.
-    """
+    """An area that scrolls if its contents do not fit."""
 
     def __init__(self, manager: UIManager, pen: Pen, rect: pygame.Rect) -> None:
         self.manager, self.pen = manager, pen
         self.margin = pen.px(MARGIN)
+        """The left margin, which is twice the upper one [px]."""
         self.width = rect.width - self.margin - pen.px(BAR)
+        """The width of the contents [px]."""
         self._rect = rect
         self.strip = UIContainer(pygame.Rect(rect.topleft, (rect.width, 1)), manager)
+        """The strip above the area, which does not scroll; without height unless a page pins it."""
         self.container = UIScrollingContainer(rect, manager, allow_scroll_x=False)
+        """The container of pygame_gui."""
         nowhere = pygame.Rect(0, 0, 0, 0)
         self.parameters = Parameters(manager, pen, self.container, nowhere, {}, {})
+        """The fields and sliders of parameters; empty unless a page adds some."""
         self.checks: UIImage | None = None
+        """The picture of the checks; None unless a page adds it."""
         self.typed: Typed | None = None
+        """Other fields that can be typed into, instead of parameters; None unless a page adds
+        some."""
 
     def px(self, length: float) -> int:
         """Return a length, given at the standard scale, at the current one [px]."""

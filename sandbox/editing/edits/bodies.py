@@ -88,14 +88,7 @@ def add_surface(text: str, level: Level, points: Sequence[XY]) -> Made:
 def add_curve(text: str, level: Level, points: Sequence[XY], tolerance: float) -> Made:
     """Return a level with the shape of a stroke: a polygon if it is closed, else a static line.
 
-    Parameters
-    ----------
-    text, level
-        The text of the level, and the level.
-    points
-        The points of the stroke.
-    tolerance
-        The largest distance between the stroke and the simplified line [m], a pixel or two.
+    The simplified line keeps within the tolerance of the points [m], a pixel or two.
     """
     size = float(np.ptp(np.array(points), axis=0).max())
     open_ends = abs(complex(*points[-1]) - complex(*points[0]))

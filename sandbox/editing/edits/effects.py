@@ -22,15 +22,8 @@ BESIDE = ("contact", "rotation")
 def declare(text: str, level: Level, effect: str, settings: Mapping[str, Any] | None = None) -> str:
     """Return a level that declares an effect, with the contact, rotation or coefficients it needs.
 
-    Parameters
-    ----------
-    text, level
-        The text of the level, and the level.
-    effect
-        The name of the effect in the manifest. If it may be declared several times, another is
-        added.
-    settings
-        Its fields, as in a file; the defaults of the app if left out.
+    The settings are its fields, as in a file; by default those of the app. If the effect may be
+    declared several times, another is added.
 
     Raises
     ------

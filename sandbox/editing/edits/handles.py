@@ -39,16 +39,9 @@ def handles(level: Level, name: str) -> list[XY]:
 
 
 def drag_handle(text: str, level: Level, name: str, index: int, to: XY) -> str:
-    """Return a level in which a handle of a body is moved, as far as its shape allows.
+    """Return a level in which a handle of a body is dragged to a point, as far as the shape allows.
 
-    Parameters
-    ----------
-    text, level, name
-        The text of the level, the level, and the name of the body.
-    index
-        The index of the handle, as in `handles`.
-    to
-        The position to which it is dragged [m].
+    The index is that in `handles`.
 
     Raises
     ------

@@ -38,12 +38,7 @@ def mirror(
 ) -> str:
     """Return a level in which bodies are mirrored about the middle of their bounding box.
 
-    Parameters
-    ----------
-    text, level, names
-        The text of the level, the level, and the names of the bodies.
-    axis
-        The axis along which coordinates are reversed: x swaps left and right, y above and below.
+    Coordinates along the axis are reversed: x swaps left and right, y above and below.
 
     Raises
     ------

@@ -45,13 +45,6 @@ def swing(text: str, level: Level, name: str) -> str:
 
     A body that hangs straight down is drawn aside.
 
-    Parameters
-    ----------
-    text, level
-        The text of the level, and the level.
-    name
-        The name of a body on a rod or a rope.
-
     Raises
     ------
     SandboxError

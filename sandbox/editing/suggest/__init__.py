@@ -71,14 +71,8 @@ def followed(before: Level, text: str) -> str:
     """Return a changed level with its suggested checks updated.
 
     Checks that equal the former suggestions are replaced by the present ones, and removed if their
-    quantity no longer has a closed form. Checks that a person has changed stay.
-
-    Parameters
-    ----------
-    before
-        The level as it was.
-    text
-        The changed text, which may have mistakes.
+    quantity no longer has a closed form. Checks that a person has changed stay. The text may have
+    mistakes.
     """
     if not before.checks:
         return text

@@ -70,16 +70,8 @@ def _number(source: str, indices: Indices) -> int:
 def runs(said: Any, path: Path, indices: Indices, notes: Notes) -> Iterator[Indices]:  # noqa: ANN401 (whatever JSON holds)
     """Yield the indices of every copy, the last index varying fastest.
 
-    Parameters
-    ----------
-    said
-        The value of `repeat`: the range of each index. A range may depend on earlier indices.
-    path
-        The path where it was typed.
-    indices
-        The indices of the enclosing part.
-    notes
-        The notes, which receive mistakes; after one, nothing more is yielded.
+    The value of `repeat` is the range of each index, which may depend on earlier ones. The notes
+    receive mistakes; after one, nothing more is yielded.
     """
     if not isinstance(said, dict) or not said:
         notes.refuse(path, Message("must name an index and its range: {how}", how=HOW))

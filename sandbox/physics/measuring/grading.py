@@ -30,34 +30,23 @@ ZERO = 1e-9
 
 @dataclass(frozen=True, slots=True)
 class Result:
-    """The result of a check.
-
-    Attributes
-    ----------
-    check
-        The check.
-    unit
-        The unit of the measured and the expected value.
-    t
-        The time at which the two differed most, or the time of the event [s]; None without either.
-        A contact so late in the run that nothing could be measured after it has a time alone.
-    measured, expected
-        The two values at that time; None if there are none.
-    error
-        The largest difference over the largest expected value; absolute, in the unit, if that is
-        zero. None if there is none.
-    verdict
-        `waiting` if the run has not reached the time or event yet, `not applicable` if the check's
-        own condition says that its formula does not hold here.
-    """
+    """The result of a check."""
 
     check: Check
     unit: str
+    """The unit of the measured and the expected value."""
     t: float | None
+    """The time at which the two differed most, or the time of the event [s]; None without either. A
+    contact so late in the run that nothing could be measured after it has a time alone."""
     measured: float | None
     expected: float | None
+    """The two values at that time; None if there are none."""
     error: float | None
+    """The largest difference over the largest expected value; absolute, in the unit, if that is
+    zero. None if there is none."""
     verdict: Verdict
+    """`waiting` if the run has not reached the time or event yet, `not applicable` if the check's
+    own condition says that its formula does not hold here."""
 
 
 def grade(trace: Trace) -> tuple[Result, ...]:

@@ -56,37 +56,25 @@ class Meeting(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Trace:
-    """A recorded run; T instants.
-
-    Attributes
-    ----------
-    level, values, stepping
-        The level, its parameters, and the stepping.
-    t
-        (T,), times [s].
-    columns
-        (T,) each, the quantities by name.
-    units
-        The quantities' units.
-    meetings, partings
-        The times at which each pair of bodies began to touch, or separated, at most `MOST_MEETINGS`
-        each. Bodies that touch at the start must separate before they can meet.
-    leans
-        Whether the forces on bodies at rest at the start were not found: a pile may then lean.
-    closing
-        How its energy books closed; None if none were kept.
-    """
+    """A recorded run; T instants."""
 
     level: Level
     values: Values
     stepping: Stepping
     t: Array
+    """(T,), times [s]."""
     columns: Mapping[str, Array]
+    """(T,) each, the quantities by name."""
     units: Mapping[str, str]
+    """The quantities' units."""
     meetings: Mapping[Pair, Sequence[Meeting]]
     partings: Mapping[Pair, Sequence[int]]
+    """The times at which each pair of bodies began to touch, or separated, at most `MOST_MEETINGS`
+    each. Bodies that touch at the start must separate before they can meet."""
     leans: bool = False
+    """Whether the forces on bodies at rest at the start were not found: a pile may then lean."""
     closing: Closing | None = None
+    """How its energy books closed; None if none were kept."""
 
     @property
     def smooth(self) -> bool:

@@ -56,17 +56,12 @@ CLICKS: Mapping[str, Clicks] = {
 
 
 class JoinTool:
-    """Makes a joint from clicks on the stage.
-
-    Attributes
-    ----------
-    kind
-        The kind of joint, as in a level's file.
-    """
+    """Makes a joint from clicks on the stage."""
 
     def __init__(self, bench: Bench, kind: str = "pulley") -> None:
         self._bench = bench
         self.kind = kind
+        """The kind of joint, as in a level's file."""
         self._places: list[Pick] = []
         self._spot: Spot | None = None
 

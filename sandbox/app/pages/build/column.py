@@ -36,18 +36,13 @@ def beside(pen: Pen, captions: Sequence[str], width: int) -> list[pygame.Rect]:
 
 
 class Column:
-    """The widgets of a sheet, from top to bottom.
-
-    Attributes
-    ----------
-    y
-        The height of the next widget [px].
-    """
+    """The widgets of a sheet, from top to bottom."""
 
     def __init__(self, sheet: Sheet) -> None:
         self._sheet = sheet
         self._widgets: list[UIElement] = []
         self.y = sheet.margin // 2
+        """The height of the next widget [px]."""
 
     def clear(self) -> None:
         """Remove all widgets, and start at the top again."""

@@ -6,21 +6,15 @@ from sandbox.app.words.language import later, say
 
 
 class Judge:
-    """Watches runs, and reports the stars that they earn.
-
-    Attributes
-    ----------
-    news
-        An object that differs whenever the display must change.
-    hints
-        The number of hints shown, by the title of the level.
-    """
+    """Watches runs, and reports the stars that they earn."""
 
     running = False
 
     def __init__(self) -> None:
         self.news = object()
+        """An object that differs whenever the display must change."""
         self.hints: dict[str, int] = {}
+        """The number of hints shown, by the title of the level."""
         self._progress = Progress()
         self._told: object = None  # the last attempt that was judged
 

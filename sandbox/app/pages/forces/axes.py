@@ -10,21 +10,16 @@ ALONG_X: XY = (1.0, 0.0)
 
 
 class Axes:
-    """Keeps the choice of axes while the window is open.
-
-    Attributes
-    ----------
-    news
-        An object that differs after every choice.
-    inclined
-        Whether the first axis is along the surface that presses hardest on the body, or else along
-        its velocity.
-    """
+    """Keeps the choice of axes while the window is open."""
 
     running = False
 
     def __init__(self) -> None:
-        self.news, self.inclined = object(), False
+        self.news = object()
+        """An object that differs after every choice."""
+        self.inclined = False
+        """Whether the first axis is along the surface that presses hardest on the body, or else
+        along its velocity."""
 
     def turn(self) -> None:
         """Switch to the other axes."""

@@ -20,15 +20,7 @@ TIP = later("save these quantities at every recorded instant, with all digits")
 
 
 class TablePage:
-    """The quantities of the graph page by time, and below them the stopwatch.
-
-    Attributes
-    ----------
-    save
-        The button that saves the table.
-    timing
-        The stopwatch.
-    """
+    """The quantities of the graph page by time, and below them the stopwatch."""
 
     def __init__(self, sheet: Sheet, desk: Desk) -> None:
         self._sheet, self._session = sheet, desk.session
@@ -36,8 +28,10 @@ class TablePage:
         caption = say("Save as CSV")
         place = pygame.Rect(0, sheet.margin // 2, sheet.room(caption), sheet.px(HEIGHT))
         self.save = sheet.button(place, caption, say(TIP))
+        """The button that saves the table."""
         self._table = sheet.image(self._drawn(), sheet.margin // 2 + sheet.px(HEIGHT) + 6)
         self.timing = Timing(sheet, desk.session, desk.worker(Stopwatch))
+        """The stopwatch."""
         self.update()
 
     def process(self, event: pygame.event.Event) -> str | None:
