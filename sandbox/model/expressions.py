@@ -30,8 +30,6 @@ class Expression:
         If the source is anything else.
     """
 
-    __slots__ = ("_code", "_constant", "_defined", "names", "source", "written")
-
     _code: CodeType | None
     _constant: float | None
     _defined: "Definitions"
@@ -54,6 +52,12 @@ class Expression:
     """The names in its text."""
     names: frozenset[str]
     """The parameters and variables that its value depends on, with constants resolved."""
+
+    def __init_subclass__(cls, **facts: object) -> None:
+        """Set class attributes, such as `most`, that are given with the bases."""
+        super().__init_subclass__()
+        for name, value in facts.items():
+            setattr(cls, name, value)
 
     def __init__(self, source: float | str) -> None:
         self.source = source if isinstance(source, str) else _number(source)
@@ -225,7 +229,6 @@ def _restored(kind: type[Expression], source: str, defined: Definitions) -> Expr
 class Positive(Expression):
     """An expression whose value must be greater than zero."""
 
-    __slots__ = ()
     rule = Message("greater than 0")
     bounds: ClassVar = {"exclusiveMinimum": 0}
 
@@ -237,7 +240,6 @@ class Positive(Expression):
 class NonNegative(Expression):
     """An expression whose value must not be negative."""
 
-    __slots__ = ()
     rule = Message("at least 0")
     bounds: ClassVar = {"minimum": 0}
 
@@ -249,7 +251,6 @@ class NonNegative(Expression):
 class Fraction(Expression):
     """An expression whose value must lie between zero and one."""
 
-    __slots__ = ()
     rule = Message("between 0 and 1")
     bounds: ClassVar = {"minimum": 0, "maximum": 1}
 

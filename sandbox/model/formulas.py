@@ -12,8 +12,6 @@ from sandbox.model.expressions import Array, Expression, Values
 class Function(Expression):
     """An expression over variables of its own, in addition to the parameters."""
 
-    __slots__ = ()
-
     def at(self, values: Values, variables: Mapping[str, Array]) -> Array:
         """Return the value for given variables; not finite where it has none.
 
@@ -44,7 +42,6 @@ class Function(Expression):
 class Formula(Function):
     """An expression that may also use the time ``t``, at one instant or over many at once."""
 
-    __slots__ = ()
     variables = ("t",)
 
     @property
@@ -61,14 +58,12 @@ class Formula(Function):
 class Curve(Formula):
     """A coordinate of a curve: a formula over ``s``, the parameter along the curve."""
 
-    __slots__ = ()
     variables = ("s",)
 
 
 class Profile(Formula):
     """A formula over a position ``x`` [m] instead of the time."""
 
-    __slots__ = ()
     variables = ("x",)
 
 
