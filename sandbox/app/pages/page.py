@@ -42,6 +42,21 @@ class Worker(Protocol):
         """Cancel the work."""
 
 
+class Idle:
+    """A worker without background work, which only remembers something for its page."""
+
+    running = False
+
+    def __init__(self) -> None:
+        self.news = object()
+
+    def follow(self, session: Session, seconds: float, *, watched: bool) -> str | None:
+        """Do nothing, as there is no work."""
+
+    def cancel(self) -> None:
+        """Do nothing, as there is no work."""
+
+
 W = TypeVar("W", bound=Worker)
 
 

@@ -22,6 +22,7 @@ from sandbox.app.widgets.sheet import MARGIN, Panel, Sheet
 from sandbox.app.widgets.widget_helpers import scroll, scrolled
 from sandbox.app.words.formatting import seconds
 from sandbox.app.words.language import say
+from sandbox.model.errors import SandboxError
 
 REFRESH = 0.1  # s
 LEAST = 160  # px, the least height of a page above the footer
@@ -87,7 +88,10 @@ class SidePanel:
 
     def act(self, event: pygame.event.Event) -> str | None:
         """Let the page handle a click, and return its message, if there is one."""
-        message = self.page.process(event)
+        try:
+            message = self.page.process(event)
+        except SandboxError as error:
+            message = say(error.message)
         if message is not None:
             self.page.update()
         return message

@@ -1,18 +1,16 @@
 """The judge of challenges, which compares every run with the goals, and keeps the stars."""
 
 from sandbox.app.files.progress import Progress
+from sandbox.app.pages.page import Idle
 from sandbox.app.runs.session import Session
 from sandbox.app.words.language import later, say
 
 
-class Judge:
+class Judge(Idle):
     """Watches runs, and reports the stars that they earn."""
 
-    running = False
-
     def __init__(self) -> None:
-        self.news = object()
-        """An object that differs whenever the display must change."""
+        super().__init__()
         self.hints: dict[str, int] = {}
         """The number of hints shown, by the title of the level."""
         self._progress = Progress()
@@ -41,9 +39,6 @@ class Judge:
         lost = self._progress.earn(title, found.stars)
         self.news = object()
         return f"{message}; {lost}" if lost else message
-
-    def cancel(self) -> None:
-        """Do nothing, as there is no work."""
 
     def hint(self, session: Session) -> None:
         """Show another hint."""

@@ -2,21 +2,18 @@
 
 from math import hypot
 
-from sandbox.app.runs.session import Session
+from sandbox.app.pages.page import Idle
 from sandbox.model.shapes import XY
 from sandbox.physics.measuring.free_body import FreeBody
 
 ALONG_X: XY = (1.0, 0.0)
 
 
-class Axes:
+class Axes(Idle):
     """Keeps the choice of axes while the window is open."""
 
-    running = False
-
     def __init__(self) -> None:
-        self.news = object()
-        """An object that differs after every choice."""
+        super().__init__()
         self.inclined = False
         """Whether the first axis is along the surface that presses hardest on the body, or else
         along its velocity."""
@@ -34,12 +31,6 @@ class Axes:
             return (-x, -y) if x < 0 else (x, y)
         speed = hypot(*velocity)
         return (velocity[0] / speed, velocity[1] / speed) if speed else ALONG_X
-
-    def follow(self, session: Session, seconds: float, *, watched: bool) -> str | None:
-        """Do nothing, as there is no work."""
-
-    def cancel(self) -> None:
-        """Do nothing, as there is no work."""
 
 
 def components(vector: XY, first: XY) -> XY:

@@ -12,7 +12,6 @@ from sandbox.app.pages.table.stopwatch import Stopwatch
 from sandbox.app.pages.table.stopwatch_controls import Timing
 from sandbox.app.widgets.sheet import Sheet, below
 from sandbox.app.words.language import later, say
-from sandbox.model.errors import SandboxError
 
 HEIGHT = 28  # px, of the button
 GAP = 12  # px, above the stopwatch
@@ -38,10 +37,7 @@ class TablePage:
         """Save the table, and return the message; or handle the widgets of the stopwatch."""
         if event.type != UI_BUTTON_PRESSED or event.ui_element is not self.save:
             return self.timing.process(event)
-        try:
-            path = saving.graphed(self._session, self._choice.up(self._session))
-        except SandboxError as error:
-            return say(error.message)
+        path = saving.graphed(self._session, self._choice.up(self._session))
         return say("saved {path}", path=path)
 
     def update(self) -> None:

@@ -40,14 +40,8 @@ class Timing:
         """The lists of triggers that start and stop it."""
 
     def _list(self, chosen: Occasion) -> UISelectionList:
-        sheet = self._sheet
-        rect = pygame.Rect(sheet.margin, 0, sheet.width, sheet.px(LIST))
         self._known.setdefault(chosen.label, chosen)
-        names: list[str | tuple[str, str]] = [*self._known]
-        return UISelectionList(
-            rect, names, sheet.manager, container=sheet.container,
-            allow_double_clicks=False, default_selection=chosen.label,
-        )  # fmt: skip
+        return self._sheet.choices([*self._known], self._sheet.px(LIST), chosen.label)
 
     def put(self, y: int) -> int:
         """Place the widgets at a height, and return the lower end [px]."""
