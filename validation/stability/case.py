@@ -30,8 +30,8 @@ class HardCase:
 
     name: str
     """The claim, in a few words."""
-    family: str
-    """The module that it comes from."""
+    family: str = ""
+    """The module that it comes from; set by `all_cases`."""
     group: str
     """A: should be exact; B: should converge; C: should stand; D: beyond pymunk's own solver."""
     level: str
@@ -67,7 +67,7 @@ class Frontier:
     """The difficulty up to which a scene stays within its bound."""
 
     name: str
-    family: str
+    family: str = ""
     """As for a case."""
     axis: str
     """The quantity that makes it harder."""

@@ -112,14 +112,8 @@ def applies(check: Check, values: Values) -> bool:
 def samples(trace: Trace, quantity: str, at: Instant | None) -> tuple[Array, Array] | None:
     """Return the times that count and the values there; None if the run has not reached them.
 
-    Parameters
-    ----------
-    trace
-        A run that recorded the quantity, and those that `needed` names for the instant.
-    quantity
-        The measured quantity.
-    at
-        A time or an event; every step if None.
+    Without a time or an event, every step counts. The run must have recorded the quantity, and
+    those that `needed` names for the instant.
     """
     column = trace.columns[quantity]
     if at is None:
@@ -176,12 +170,7 @@ def time_of(
 ) -> float | None:
     """Return the time of an instant that may lie between two steps [s]; None if not yet reached.
 
-    Parameters
-    ----------
-    at
-        The instant.
-    trace
-        A run that recorded the quantities that `needed_at` names for it.
+    The run must have recorded the quantities that `needed_at` names for it.
     """
     values = trace.values
     match at:
