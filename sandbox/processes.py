@@ -73,12 +73,7 @@ def spread(
     No process outlives this one, however it ends: each waits for the end of a pipe, which comes
     when this process closes the pipe or dies. The work is a function of a module, so that other
     processes can import it. Items are taken in order, and only when a process is about to need
-    them.
-
-    Raises
-    ------
-    SandboxError
-        If one of the processes is ended from outside.
+    them. Raises `SandboxError` if one of the processes is ended from outside.
     """
     prepare()
     context = get_context(METHOD)

@@ -97,13 +97,7 @@ class ClosedForm:
 
 @cache
 def read(phenomenon: str) -> tuple[Case, ...]:
-    """Return the cases of a phenomenon.
-
-    Raises
-    ------
-    TableError
-        If its file has a mistake.
-    """
+    """Return the cases of a phenomenon; raise `TableError` if its file has a mistake."""
     path = FOLDER / f"{phenomenon}.toml"
     try:
         tables = tomllib.loads(path.read_text(encoding="utf-8")).get("table", ())

@@ -61,12 +61,8 @@ class Timing:
 def time_window(name: str, size: tuple[int, int], seconds: float) -> Timing:
     """Start the program on a level, then play it for some seconds in a hidden window of a size.
 
-    A run that ends is restarted. The program's window has its default size.
-
-    Raises
-    ------
-    SandboxError
-        If the level does not exist, or does not run.
+    A run that ends is restarted. The program's window has its default size. Raises `SandboxError`
+    if the level does not exist, or does not run.
     """
     window = Window(size)
     try:

@@ -52,10 +52,7 @@ class Draft:
     def open(cls, path: Path) -> "Draft":
         """Return a draft of a file.
 
-        Raises
-        ------
-        LevelError
-            If the file cannot be read, or is not text.
+        Raises `LevelError` if the file cannot be read, or is not text.
         """
         held = content(path)
         return cls(decoded(held, str(path)), path, held)
@@ -147,12 +144,8 @@ class Draft:
         """Write the file; a draft without changes is written exactly as it was read.
 
         A path is that of the draft from now on. `overwrite` replaces changes by another program, or
-        another file.
-
-        Raises
-        ------
-        SandboxError
-            If there is no file yet, it was changed since it was read, or it cannot be written.
+        another file. Raises `SandboxError` if there is no file yet, it was changed since it was
+        read, or it cannot be written.
         """
         target = path or self.path
         if target is None:
@@ -177,10 +170,7 @@ class Draft:
     def reload(self) -> None:
         """Replace the text by the present content of the file, as an undoable step.
 
-        Raises
-        ------
-        SandboxError
-            If there is no file, or it cannot be read, or has mistakes.
+        Raises `SandboxError` if there is no file, or it cannot be read, or has mistakes.
         """
         if self.path is None:
             raise SandboxError("the level has no file yet; there is nothing to read again")

@@ -27,14 +27,9 @@ def rename(text: str, path: Path, name: str) -> str:
 
     All mentions are replaced: in the ends of joints, effects, quantities and ghosts; for a
     parameter, in formulas and the challenge. Prose is left unchanged. The path of a part is, for
-    example, `("bodies", "box1")`.
-
-    Raises
-    ------
-    LevelError
-        If the level has mistakes, or would have some with the new name.
-    SandboxError
-        If nothing has the old name, the new name is taken, or it is not a valid name.
+    example, `("bodies", "box1")`. Raises `LevelError` if the level has mistakes, or would have some
+    with the new name. Raises `SandboxError` if nothing has the old name, the new name is taken, or
+    it is not a valid name.
     """
     level = parse(text)
     part, old = path

@@ -39,12 +39,8 @@ def as_it_stands(world: World, *, anew: bool) -> str:
     """Return a level that starts from the present state of a run, with the parameters of the run.
 
     If `anew`, time starts at 0 in the new level: formulas are then shifted in time. If not, the
-    level continues the run from its present time, and numbers have all their digits.
-
-    Raises
-    ------
-    SandboxError
-        If no level can start from this state.
+    level continues the run from its present time, and numbers have all their digits. Raises
+    `SandboxError` if no level can start from this state.
     """
     _refuse(world)
     if world.scene.happened or (anew and world.level.events):

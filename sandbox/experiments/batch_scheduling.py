@@ -81,10 +81,7 @@ class Pace:
 def conduct(plan: Plan, store: Store, executor: Executor, tell: Tell) -> None:
     """Run all missing rows, and write the finished table.
 
-    Raises
-    ------
-    SandboxError
-        If it cannot continue; the results so far are kept.
+    Raises `SandboxError` if it cannot continue; the results so far are kept.
     """
     if store.complete:
         return

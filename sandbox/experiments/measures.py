@@ -131,10 +131,7 @@ class Measure:
 def parse(text: str, level: Level, *, until: bool) -> Measure:
     """Return the measure that a text describes; with `until`, a condition that ends the runs.
 
-    Raises
-    ------
-    MeasureError
-        If the level has no such quantity, event or check.
+    Raises `MeasureError` if the level has no such quantity, event or check.
     """
     text = text.strip()
     try:

@@ -43,10 +43,7 @@ def root() -> Path:
 def sources() -> Path:
     """Return the folder of the project's sources.
 
-    Raises
-    ------
-    MisuseError
-        If the package is installed without them.
+    Raises `MisuseError` if the package is installed without them.
     """
     folder = Path(__file__).resolve().parents[2]
     if not (folder / "pyproject.toml").is_file():
@@ -89,12 +86,8 @@ def find(level: str) -> Path:
     """Return the path of a level's file.
 
     The level is a path, a name such as `newton/atwood`, or the last part of a name if only one
-    level's name ends with it.
-
-    Raises
-    ------
-    LevelError
-        If there is no such level; the message suggests what was probably meant.
+    level's name ends with it. Raises `LevelError` if there is no such level; the message suggests
+    what was probably meant.
     """
     if _is_file(level):
         return Path(level)

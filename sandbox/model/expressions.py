@@ -23,11 +23,7 @@ class Expression:
     """A finite number, or a formula for one.
 
     A formula is arithmetic over parameters, ``pi``, ``deg`` and the functions of `FUNCTIONS`.
-
-    Raises
-    ------
-    ExpressionError
-        If the source is anything else.
+    Raises `ExpressionError` if the source is anything else.
     """
 
     _code: CodeType | None
@@ -89,10 +85,7 @@ class Expression:
     def __call__(self, values: Values) -> float:
         """Return the value for given parameters.
 
-        Raises
-        ------
-        ExpressionError
-            If the value is not finite or breaks the expression's rule.
+        Raises `ExpressionError` if the value is not finite or breaks the expression's rule.
         """
         if self._constant is not None:
             return self._constant

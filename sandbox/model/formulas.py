@@ -23,10 +23,7 @@ class Function(Expression):
     def slope(self, variable: str) -> "Function":
         """Return the derivative with respect to one of its variables.
 
-        Raises
-        ------
-        ExpressionError
-            If the expression is nested too deeply.
+        Raises `ExpressionError` if the expression is nested too deeply.
         """
         derived = object.__new__(Function)
         derived.source, derived._constant = f"d({self.source})/d{variable}", None

@@ -22,12 +22,7 @@ def measure(
     """Judge scenes, print the failures by family, and return whether all judgements hold.
 
     The outcomes go to the JSON file, and the levels of failed scenes to the folder, if any. By
-    default there are as many processes as cores.
-
-    Raises
-    ------
-    SandboxError
-        If a file cannot be written.
+    default there are as many processes as cores. Raises `SandboxError` if a file cannot be written.
     """
     if json_file:
         check_writable(json_file)

@@ -28,12 +28,8 @@ def measure(
 ) -> list[str]:
     """Sweep levels, print the table, write the requested files, and return the failed levels.
 
-    Without names it sweeps all levels or, if `quick`, a sample of them.
-
-    Raises
-    ------
-    SandboxError
-        If there is no such level, or a file cannot be written.
+    Without names it sweeps all levels or, if `quick`, a sample of them. Raises `SandboxError` if
+    there is no such level, or a file cannot be written.
     """
     if json_file:
         check_writable(json_file)

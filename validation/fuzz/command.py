@@ -60,12 +60,8 @@ def fuzz(
     """Try levels, keep those without an answer, and return whether there are none.
 
     Without a number, there are as many as the time allows. The findings go to the JSON file, if
-    any, and the reduced forms of levels that fail to the folder of samples, made if missing.
-
-    Raises
-    ------
-    SandboxError
-        If a file cannot be written.
+    any, and the reduced forms of levels that fail to the folder of samples, made if missing. Raises
+    `SandboxError` if a file cannot be written.
     """
     if json_file:
         check_writable(json_file)

@@ -30,12 +30,8 @@ def guided(seed: int, trial: Trial) -> Generator[Tried]:
 
     An outcome in its process counts if it is an answer. Otherwise the level is tried again by
     itself, since instrumented code is slow, and a long-running process has a history. The levels
-    depend on the seed and on the code.
-
-    Raises
-    ------
-    SandboxError
-        If the process ends before its first attempt.
+    depend on the seed and on the code. Raises `SandboxError` if the process ends before its first
+    attempt.
     """
     before = 0
     with TemporaryDirectory() as folder:

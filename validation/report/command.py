@@ -23,12 +23,7 @@ def write(output: Path, source: Path | None, *, quick: bool, figures: bool) -> b
     The folder of the page is made if missing; the figures of the page are stored there as JSON, and
     with `figures` the diagrams as separate files. A `source` has files of other commands, which are
     read instead of measuring again. If `quick`, only a few cases, levels and repetitions are
-    measured.
-
-    Raises
-    ------
-    SandboxError
-        If the folder cannot be written, or there is nothing to read.
+    measured. Raises `SandboxError` if the folder cannot be written, or there is nothing to read.
     """
     if source and not source.is_dir():
         raise MisuseError(Message("cannot read {source}: there is no such folder", source=source))

@@ -18,12 +18,7 @@ def measure(count: int, seed: int, json_file: Path | None, jobs: int | None) -> 
     """Request accuracies, print the missed ones, and return whether all promises hold.
 
     The seed is that of the first request. The outcomes go to the JSON file, if any. By default
-    there are as many processes as cores.
-
-    Raises
-    ------
-    SandboxError
-        If the file cannot be written.
+    there are as many processes as cores. Raises `SandboxError` if the file cannot be written.
     """
     if json_file:
         check_writable(json_file)

@@ -82,10 +82,8 @@ class Drafts:
     def save(self, draft: Draft, path: Path | None, *, overwrite: bool) -> None:
         """Write a draft to its file, or to another.
 
-        Raises
-        ------
-        SandboxError
-            If it cannot be written, or would overwrite another file without consent.
+        Raises `SandboxError` if it cannot be written, or would overwrite another file without
+        consent.
         """
         mine = draft is self._mine and path in (None, draft.path)
         if path is not None and path.parent == save_folder.folder():

@@ -139,13 +139,7 @@ class Work:
 
     @property
     def level(self) -> Level:
-        """The level of the text.
-
-        Raises
-        ------
-        SandboxError
-            If the text has mistakes.
-        """
+        """The level of the text; raise `SandboxError` if the text has mistakes."""
         level = self.draft.level
         if level is None:
             raise SandboxError(self.mistake)

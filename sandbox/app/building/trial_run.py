@@ -79,10 +79,7 @@ class Trial:
     def do_again(self, session: Session) -> bool:
         """Redo a change that was undone at this step, and return whether there was one.
 
-        Raises
-        ------
-        SandboxError
-            If it is impossible; nothing is changed then.
+        Raises `SandboxError` if it is impossible; nothing is changed then.
         """
         if not self.is_taken_back(session):
             self._undone.clear()

@@ -127,13 +127,7 @@ class Desk(NamedTuple):
 
 
 def worker(workers: Sequence[Worker], kind: type[W]) -> W:
-    """Return the worker of a kind.
-
-    Raises
-    ------
-    LookupError
-        If no page declares it.
-    """
+    """Return the worker of a kind; raise `LookupError` if no page declares it."""
     for each in workers:
         if isinstance(each, kind):
             return each
@@ -169,10 +163,7 @@ class PageCommand(NamedTuple):
 class Page:
     """The declaration of a page, in the `__init__.py` of its folder.
 
-    Raises
-    ------
-    ValueError
-        If a part is missing.
+    Raises `ValueError` if a part is missing.
     """
 
     name: str

@@ -29,12 +29,7 @@ def begin(level: Level, values: Values, beside: Sequence[Variant], *, patient: b
     """Build a level, and its companion runs.
 
     If `patient`, search for the setting that reaches the accuracy the level asks for, unless it is
-    known.
-
-    Raises
-    ------
-    SandboxError
-        If the level or a variant cannot be built with these values.
+    known. Raises `SandboxError` if the level or a variant cannot be built with these values.
     """
     setting = _known(level, values, patient)
     if setting is not None:

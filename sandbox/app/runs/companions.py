@@ -69,10 +69,7 @@ class Variant:
 class Companion:
     """A companion run.
 
-    Raises
-    ------
-    SandboxError
-        If the variant cannot be run with these values.
+    Raises `SandboxError` if the variant cannot be run with these values.
     """
 
     def __init__(self, variant: Variant, values: Values) -> None:

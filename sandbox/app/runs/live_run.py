@@ -199,10 +199,7 @@ class LiveRun:
     def branch(self, settings: Mapping[str, float]) -> None:
         """Continue with changed parameters; the run so far is kept as an earlier run.
 
-        Raises
-        ------
-        SandboxError
-            If that is not possible; then nothing is changed.
+        Raises `SandboxError` if that is not possible; then nothing is changed.
         """
         last = self.actions[-1] if self.actions else None
         again = last is not None and (last.kind, last.step) == ("branch", self.world.steps)
@@ -219,10 +216,7 @@ class LiveRun:
     def alter(self, text: str) -> None:
         """Continue as another level (JSON), that of the current state with other parts.
 
-        Raises
-        ------
-        SandboxError
-            If that is not possible; then nothing is changed.
+        Raises `SandboxError` if that is not possible; then nothing is changed.
         """
         action = Action(step=self.world.steps, kind="alter", level=json.loads(text))
         world = perform(action, self.world)

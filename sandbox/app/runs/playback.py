@@ -134,12 +134,8 @@ class Playback(RunView, ABC):
         To go back, the run is repeated from its start with the user's actions, which gives the same
         states to the last bit. Later actions are repeated at their steps, unless the user acts
         before. Seeking may take some frames, see `sought`; a recorded state is shown meanwhile, see
-        `recalled`. `undone` drops the actions at that step and later.
-
-        Raises
-        ------
-        SandboxError
-            If the run cannot be built again.
+        `recalled`. `undone` drops the actions at that step and later. Raises `SandboxError` if the
+        run cannot be built again.
         """
         sought = min(max(step, 0), self.span)
         back = undone or sought < self.world.steps
@@ -261,10 +257,8 @@ class Playback(RunView, ABC):
     def drag(self, point: XY) -> None:
         """Pull the held body towards a point [m] while the run plays, else move it there.
 
-        Raises
-        ------
-        SandboxError
-            If the body cannot be moved there. Then the run is restored, and the body released.
+        Raises `SandboxError` if the body cannot be moved there. Then the run is restored, and the
+        body released.
         """
         well = self.failure is None
         self._grip.drag(point, playing=self.playing)

@@ -25,12 +25,8 @@ class Session(Playback):
     """A level that is played, with its own parameters and rate [Hz] unless others are given.
 
     If `patient`, it searches at once for a setting that reaches the accuracy the level asks for,
-    and allows long steps; else the run waits until `settle` is called.
-
-    Raises
-    ------
-    SandboxError
-        If the level cannot be run with these values.
+    and allows long steps; else the run waits until `settle` is called. Raises `SandboxError` if the
+    level cannot be run with these values.
     """
 
     def __init__(
@@ -95,10 +91,7 @@ class Session(Playback):
     def restart(self, settings: Mapping[str, float] | None = None) -> None:
         """Restart with some parameters changed.
 
-        Raises
-        ------
-        ValueRangeError
-            If a parameter cannot have that value.
+        Raises `ValueRangeError` if a parameter cannot have that value.
         """
         values = choose(self.begun_as, {**self.values_for(self.begun_as), **(settings or {})})
         if values != self.values and self.world.steps:
@@ -125,12 +118,8 @@ class Session(Playback):
     def change(self, settings: Mapping[str, float], *, otherwise: bool = False) -> None:
         """Change some parameters: from the start, or from now on if the session `branches`.
 
-        `otherwise` does the opposite of `branches`, this once.
-
-        Raises
-        ------
-        SandboxError
-            If a parameter cannot have that value, or cannot be changed from now on.
+        `otherwise` does the opposite of `branches`, this once. Raises `SandboxError` if a parameter
+        cannot have that value, or cannot be changed from now on.
         """
         if self.branches != otherwise:
             self.branch(settings)
@@ -140,10 +129,7 @@ class Session(Playback):
     def branch(self, settings: Mapping[str, float]) -> None:
         """Continue with changed parameters; the run so far is kept as an earlier run.
 
-        Raises
-        ------
-        SandboxError
-            If that is not possible; then nothing is changed.
+        Raises `SandboxError` if that is not possible; then nothing is changed.
         """
         if not self.world.steps and not self.recalled:
             self.restart(settings)
@@ -155,10 +141,7 @@ class Session(Playback):
     def alter(self, text: str) -> None:
         """Continue as another level (JSON), that of the current state with other parts.
 
-        Raises
-        ------
-        SandboxError
-            If that is not possible; then nothing is changed.
+        Raises `SandboxError` if that is not possible; then nothing is changed.
         """
         self._require_one_that_goes_on(Message("with other parts"))
         if self.changes:
@@ -179,11 +162,7 @@ class Session(Playback):
         """Repeat a run with its actions up to some step, and pause there.
 
         This may take some frames. By default it starts with the parameters of the current run.
-
-        Raises
-        ------
-        SandboxError
-            If the run cannot be built.
+        Raises `SandboxError` if the run cannot be built.
         """
         self._take_up(self._run_with(self.begun_with if values is None else values))
         self.playing = False
@@ -204,10 +183,7 @@ class Session(Playback):
     def edit(self, level: Level) -> None:
         """Replace the level by an edited one, at its start.
 
-        Raises
-        ------
-        SandboxError
-            If it cannot be run; then nothing is changed.
+        Raises `SandboxError` if it cannot be run; then nothing is changed.
         """
         begun = self._built(level, (), level.defaults)
         self.original = self.begun_as = level
@@ -224,12 +200,8 @@ class Session(Playback):
         """Restart with another variant of the level, with other companion runs.
 
         `changes` are the effects in which it differs from the original. By default it has the
-        current parameters.
-
-        Raises
-        ------
-        SandboxError
-            If one of them cannot be run; then nothing is changed.
+        current parameters. Raises `SandboxError` if one of them cannot be run; then nothing is
+        changed.
         """
         begun = self._built(level, beside, self.values_for(level) if values is None else values)
         self.begun_as, self.changes = level, changes

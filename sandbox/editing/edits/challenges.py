@@ -21,12 +21,8 @@ def add_challenge(text: str, level: Level, body: str, task: str, labels: Sequenc
 
     The target consists of all static bodies except the widest, the ground: the body must end
     between its sides, and not above its top. The present parameters are the solution. The labels
-    are those of the horizontal and the vertical goal.
-
-    Raises
-    ------
-    SandboxError
-        If the level has no parameters, or a challenge already.
+    are those of the horizontal and the vertical goal. Raises `SandboxError` if the level has no
+    parameters, or a challenge already.
     """
     if not level.parameters:
         raise SandboxError(

@@ -26,12 +26,7 @@ def copy(text: str, level: Level, names: Collection[str]) -> str:
     """Return the text of a level that has only some bodies, and what belongs to them.
 
     Those are the joints that hold no other bodies, the groups, the level's constants, and the
-    parameters that all of these use.
-
-    Raises
-    ------
-    SandboxError
-        If there are no bodies.
+    parameters that all of these use. Raises `SandboxError` if there are no bodies.
     """
     if not names:
         raise SandboxError("choose the bodies first")
@@ -62,12 +57,8 @@ def paste(text: str, level: Level, copied: str, by: XY = (0.0, 0.0)) -> Made:
     """Return a level with displaced copies of bodies, under new names.
 
     Fields without a meaning in the level, such as friction if it is not declared, are left out.
-    Parameters and constants are copied if the level has none of the same name.
-
-    Raises
-    ------
-    SandboxError
-        If the copied text is not a level.
+    Parameters and constants are copied if the level has none of the same name. Raises
+    `SandboxError` if the copied text is not a level.
     """
     try:
         source, data = Level.model_validate_json(copied), json.loads(copied)

@@ -23,12 +23,8 @@ def declare(text: str, level: Level, effect: str, settings: Mapping[str, Any] | 
     """Return a level that declares an effect, with the contact, rotation or coefficients it needs.
 
     The settings are its fields, as in a file; by default those of the app. If the effect may be
-    declared several times, another is added.
-
-    Raises
-    ------
-    SandboxError
-        If there is no such effect, it needs settings, or the level contradicts it.
+    declared several times, another is added. Raises `SandboxError` if there is no such effect, it
+    needs settings, or the level contradicts it.
     """
     if effect not in EFFECTS:
         raise SandboxError(
@@ -49,10 +45,7 @@ def declare(text: str, level: Level, effect: str, settings: Mapping[str, Any] | 
 def drop(text: str, level: Level, effect: str) -> str:
     """Return a level without an effect, and without parts that then have no meaning.
 
-    Raises
-    ------
-    SandboxError
-        If the level does not declare it.
+    Raises `SandboxError` if the level does not declare it.
     """
     if effect not in level.effects.declared:
         hint = suggestion(effect, level.effects.declared)
@@ -65,10 +58,7 @@ def drop(text: str, level: Level, effect: str) -> str:
 def cost(level: Level, effect: str) -> str:
     """Return the present or possible cost of an effect, in words; measured, so not during a drag.
 
-    Raises
-    ------
-    SandboxError
-        If the level is invalid without it, or with it, or cannot run.
+    Raises `SandboxError` if the level is invalid without it, or with it, or cannot run.
     """
     declared = effect in level.effects.declared
     other = without(level, effect)[0] if declared else including(level, effect, {})

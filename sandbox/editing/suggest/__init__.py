@@ -93,11 +93,7 @@ def take(text: str, level: Level, suggestion: Suggestion) -> str:
     """Return a level with the checks of a suggestion, and the rate and located bodies they need.
 
     If a check is at a time before something is met, this holds for all values of the parameters.
-
-    Raises
-    ------
-    LevelError
-        If the loader refuses it.
+    Raises `LevelError` if the loader refuses it.
     """
     wanted = suggestion.setup, suggestion.about
     everywhere = (

@@ -55,10 +55,7 @@ def _has(part: Any, step: str | int) -> bool:  # noqa: ANN401 (whatever JSON hol
 def write_out(data: Any, text: str) -> WrittenOut:  # noqa: ANN401 (whatever JSON holds)
     """Return a level, parsed from a text, with its shorthand expanded; without any, as it is.
 
-    Raises
-    ------
-    RecursionError
-        If it is nested too deeply.
+    Raises `RecursionError` if it is nested too deeply.
     """
     if not any(key in text for key in _KEYS):
         return WrittenOut(data, {}, {}, [])

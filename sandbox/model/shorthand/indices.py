@@ -30,10 +30,7 @@ class IndexFault(SandboxError):  # noqa: N818 (a fault of the text, as others ar
 def filled(text: str, indices: Indices) -> str:
     """Return a text with the expressions in braces replaced by their values.
 
-    Raises
-    ------
-    IndexFault
-        If an expression in braces is not a whole number.
+    Raises `IndexFault` if an expression in braces is not a whole number.
     """
     return _BRACES.sub(lambda found: _shown(_number(found[1], indices)), text)
 

@@ -39,12 +39,7 @@ def write_csv(
 ) -> None:
     """Write a run as a CSV file, whole or not at all; see `to_csv`.
 
-    Its folder must exist.
-
-    Raises
-    ------
-    SandboxError
-        If the file cannot be written.
+    Its folder must exist. Raises `SandboxError` if the file cannot be written.
     """
     write_atomically(path, to_csv(trace, source, names, disturbed=disturbed, change=change))
 

@@ -102,12 +102,7 @@ class Trace:
     def to_pandas(self) -> "DataFrame":
         """Return the trace as a table: a row for each instant [s], a column for each quantity.
 
-        The units are in `attrs["units"]`.
-
-        Raises
-        ------
-        SandboxError
-            If pandas is not installed.
+        The units are in `attrs["units"]`. Raises `SandboxError` if pandas is not installed.
         """
         with needed_for("a table of a trace", "notebook"):
             from pandas import DataFrame, Index
@@ -119,10 +114,7 @@ class Trace:
     def to_xarray(self) -> "Dataset":
         """Return the trace as a dataset over `t`; each variable has its unit in `attrs`.
 
-        Raises
-        ------
-        SandboxError
-            If xarray is not installed.
+        Raises `SandboxError` if xarray is not installed.
         """
         with needed_for("a dataset of a trace", "notebook"):
             from xarray import Dataset, Variable
@@ -198,10 +190,7 @@ class Recorder:
     def require(self, count: int) -> None:
         """Refuse to record more instants than fit in memory.
 
-        Raises
-        ------
-        SimulationError
-            If there are more.
+        Raises `SimulationError` if there are more.
         """
         if count > self._most:
             hint = Message("record fewer, or for a shorter time")

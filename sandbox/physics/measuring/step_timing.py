@@ -48,12 +48,8 @@ def step_costs(
 ) -> tuple[float, ...]:
     """Return the time of a step of some worlds [s], which run in turn from their starts.
 
-    At most `most` steps are taken, and no world goes beyond the duration of its level.
-
-    Raises
-    ------
-    SimulationError
-        If one of them stops.
+    At most `most` steps are taken, and no world goes beyond the duration of its level. Raises
+    `SimulationError` if one of them stops.
     """
     first = [start() for start in starts]
     steps = max(min(most, *map(count_steps, first)), 1)

@@ -78,12 +78,7 @@ def read(typed: str, unit: str, values: Values) -> float:
     """Return the value of a typed answer, in an SI unit.
 
     The answer is an arithmetic expression of the level's parameters, optionally followed by the
-    unit or one of its `FACTORS`.
-
-    Raises
-    ------
-    ExpressionError
-        If the text is anything else.
+    unit or one of its `FACTORS`. Raises `ExpressionError` if the text is anything else.
     """
     if not typed.strip():
         raise ExpressionError("type a number first")

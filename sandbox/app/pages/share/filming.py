@@ -19,12 +19,8 @@ class Filming(Errand):
     def begin(self, session: Session, kind: Kind) -> str:
         """Start a film of the run so far, and return the message.
 
-        If another film is being made, the message says that this one must wait.
-
-        Raises
-        ------
-        SandboxError
-            If its folder cannot be made or written to.
+        If another film is being made, the message says that this one must wait. Raises
+        `SandboxError` if its folder cannot be made or written to.
         """
         if self.running:
             return say("one film at a time: the next when this one is saved")
