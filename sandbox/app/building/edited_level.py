@@ -5,7 +5,7 @@ from collections.abc import Callable, Collection, Mapping, Sequence
 from typing import Any, TypeVar
 
 from sandbox.app.building.partial_level import Sketch
-from sandbox.app.building.pointer import Part, Snapped
+from sandbox.app.building.pointer import Part
 from sandbox.app.building.snapping import Snapping
 from sandbox.app.drawing.camera import Camera
 from sandbox.app.words.language import later, say
@@ -271,10 +271,6 @@ class Work:
         if joint and (self.sketch.is_pin(joint) or not covered):
             return "joints", joint
         return ("bodies", body) if body else None
-
-    def snapped_by(self, names: Sequence[str], by: XY) -> Snapped:
-        """Return the displacement with which bodies touch what they come near [m]."""
-        return self.snapping.moved(names, by)
 
 
 def _first(mistakes: Sequence[Mistake]) -> Message:
