@@ -27,7 +27,7 @@ from sandbox.model.constants import let_use
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Expression, Values
 from sandbox.model.joint_ends import place
-from sandbox.model.joints import AngleStop, Joint, Rail, Stop, Winding, Wire, body_of, points
+from sandbox.model.joints import Joint, Rail, Wire, points
 from sandbox.model.shapes import XY, evaluate
 from sandbox.model.view import View
 from sandbox.model.wires import along
@@ -221,15 +221,7 @@ def _path(joint: Joint, specs: Mapping[str, Body], values: Values) -> list[XY]:
     path = [(p.real, p.imag) for p in (place(end, specs, values) for end in points(joint))]
     if isinstance(joint, Rail):
         return _rail(path[1], evaluate(joint.direction, values))
-    if isinstance(joint, Winding):
-        return joints.around(path[0], path[1], joint.radius(values), joint)
-    if isinstance(joint, Stop):
-        return joints.limits(joint, path, values)
-    if isinstance(joint, AngleStop):
-        base = body_of(joint.ends[0])
-        angle = 0.0 if base is None else specs[base].angle(values)
-        return joints.rays(joint, path[1], angle, values)
-    return path
+    return joints.drawn(joint, path, values, lambda body: specs[body].angle(values))
 
 
 def _rail(through: XY, direction: XY) -> list[XY]:

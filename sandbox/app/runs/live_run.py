@@ -38,55 +38,44 @@ class LiveRun:
     def __init__(
         self, original: Level, begun: Beginning, earlier: tuple[Earlier, ...] = ()
     ) -> None:
-        world = begun.world
-        self.world = world
+        self.world = world = begun.world
         """The world of the run; a new one after the run has branched."""
         self.companions = begun.companions
         """The companion runs, in lockstep."""
         self.setting = begun.setting
-        """The setting that reaches the accuracy that the level asks for; None if it asks for none,
-        or if the setting is not known yet."""
+        """The setting that reaches the accuracy asked for; None if none is, or it is not known."""
         self.begun_with = world.values
         """The parameters at the start; the run may have branched since."""
         self.earlier = earlier
         """The last runs with other parameters, the newest last."""
         self.clock = Clock()
-        """The computing time of the steps."""
         self.end = count_steps(world)
         """The number of steps in the level's duration."""
         self.failure: SandboxError | None = None
-        """The error that stopped the run, or that prevented the next one from being built, or
-        None."""
+        """The error that stopped the run, or prevented the next one; None if there is none."""
         self.trying = False
         self.advice: Advice | None = None
-        """Whether remedies for the failure are being tried, and the ones found; None if not known
-        yet."""
+        """Whether remedies are being tried, and those found; None if not known yet."""
         self.trail = Trail(world.snapshot.position)
-        """The paths of the bodies."""
         self.history = History(world.snapshot)
-        """The states of the run."""
         self.books = Books(world, self.end)
         """The energies of the run, and their balance."""
         self.blows = ImpactLog(world)
         """The impacts, for flashes and tones."""
         self.contacts = FirstContacts(world)
-        """The first contacts of the bodies."""
         self.marks = ImpactMarks()
         """The impacts that are marked on the time bar, also those after the current step."""
         self.pace = Pace()
-        """The pace at which the machine simulates the run."""
         self.actions: list[Action] = []
         """The user's actions up to the current step."""
         self.script: Sequence[Action] = ()
-        """Actions at later steps, recorded before the run was rewound, to be repeated there;
-        dropped when the user acts first."""
+        """Actions at later steps, to be repeated there unless the user acts first."""
         self.ahead: Observed | None = None
         """The observations of the run before it was rewound; None if it was not."""
         self._fork: World | None = None  # the world before the last branch
         graded = *needed(original), *needed(world.level), *milestones.needed(world.level)
         self._quantities = tuple(dict.fromkeys(graded))
         self.limits = Limits()
-        """The limits on the time and memory of the run."""
         self._patience = Patience()
         self._record()
         self._attempts: Ration[Attempt | None] = Ration(self._attempt, None)
