@@ -196,11 +196,11 @@ class Workspace:
         self.banner.tell("")
         if ran:  # not a level's file, which is watched and written to
             self.path = None
-            self.banner.tell(say("{file} plays as it did, with all that was done", file=path.name))
+            self.banner.tell(say("{file} plays again, with all of your actions", file=path.name))
         else:
             self._remember(path)
         if leans(session.world):
-            message = later("The solver's sweeps do not settle this pile: it may lean or fall")
+            message = later("The solver's iterations do not settle this pile: it may lean or fall")
             self.banner.tell(say(message))
 
     def _say_first(self, text: str) -> None:

@@ -591,7 +591,7 @@ def test_a_run_is_played_again_by_dropping_its_file(person: Person, tmp_path: Pa
 
     assert runfile.is_same(saved, person.session)
     assert person.window.path is None
-    assert person.window.banner.tells(f"{path.name} plays as it did, with all that was done")
+    assert person.window.banner.tells(f"{path.name} plays again, with all of your actions")
     assert person.session.actions
 
 

@@ -59,7 +59,7 @@ class Applying:
         self._played, self._tried = session.original, self._state
         self.refusal, self.culprits = NOTHING, frozenset()
         if draft.text != session.original.text:
-            self._work.tell(say("What you have changed is still here, and not saved"))
+            self._work.tell(say("Your changes are still here, but not saved"))
             self.apply(session)
 
     def apply_pending(self, session: Session) -> bool:

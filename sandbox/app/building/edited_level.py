@@ -120,7 +120,7 @@ class Work:
         level = self.draft.level
         found = text if level is None else suggest.followed(level, text)
         if found.count('"formula"') < text.count('"formula"'):
-            self.tell(say("The suggested checks are gone with what they were about"))
+            self.tell(say("The suggested checks were removed with the parts that they were about"))
         return found
 
     def change(
@@ -217,7 +217,7 @@ class Work:
         """Make the selected bodies a group, which is selected as a whole."""
         names = self.chosen
         if self.change(say("group"), lambda text, level: grouping.group(text, level, names)):
-            self.tell(say("A click selects the group now, a second one the body alone"))
+            self.tell(say("A click now selects the group; a second click selects the body alone"))
 
     def ungroup(self) -> None:
         """Ungroup the selected bodies, so that each is selected alone again."""

@@ -57,8 +57,8 @@ def _head(pen: Pen, width: int, error: SandboxError, *, mendable: bool) -> pygam
         count = len(error.mistakes)
         if mendable:
             way_out = plural(
-                "{count} mistake: mend the file, and this page follows until the level opens.",
-                "{count} mistakes: mend the file, and this page follows until the level opens.",
+                "{count} mistake: correct the file; this page is updated until the level opens.",
+                "{count} mistakes: correct the file; this page is updated until the level opens.",
                 count,
             )
     else:

@@ -38,7 +38,7 @@ class Limits:
             self._patience = None  # the user has been told
         elif self._room and self.recorder.full:
             self.message = say(
-                "{count:,} instants are recorded, the most there can be: checks see no more",
+                "{count:,} instants are recorded, the most possible: checks ignore later ones",
                 count=len(self.recorder),
             )
             self._room = False

@@ -272,7 +272,9 @@ class Playback(RunView, ABC):
         self._recall()
         self._seek(AT_ONCE)
         reason = failure.reason if isinstance(failure, SimulationError) else failure.message
-        raise SandboxError("it cannot be put there: {reason}; play, and pull it", reason=reason)
+        raise SandboxError(
+            "it cannot be put there: {reason}; play the run, and pull it instead", reason=reason
+        )
 
     def release(self) -> None:
         """Release the body."""

@@ -153,7 +153,7 @@ class Session(Playback):
         if self.companions or self.failure is not None or self.recalled:
             why = Message("it had to stop")
             if self.companions:
-                why = Message("other runs go beside it")
+                why = Message("other runs are played beside it")
             if self.recalled:
                 why = Message("it is still on its way")
             raise SandboxError("this run cannot continue {how}: {why}", how=how, why=why)

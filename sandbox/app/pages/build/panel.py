@@ -186,7 +186,9 @@ class BuildPage:
         below = sections.subject(editor)
         if editor.saving.naming:
             here = Act(say("Save here"), say("write the file (Enter)"), self._save_here)
-            leave = Act(say("Do not save"), say("go on without (Esc)"), editor.saving.stop_naming)
+            leave = Act(
+                say("Do not save"), say("continue without saving (Esc)"), editor.saving.stop_naming
+            )
             below.insert(0, Block("", acts=(here, leave)))
         return sections.above(editor, self._session), [*below, *sections.arranging(editor)]
 

@@ -98,7 +98,7 @@ class GraphPage:
         step, px = self._zooming.step, self._sheet.px
         zooming: tuple[tuple[str, str, Callable[[], object]], ...] = (
             ("+", say("zoom in (the wheel over a graph)"), partial(step, NOTCH)),
-            ("−", say("look from further away"), partial(step, 1 / NOTCH)),
+            ("−", say("show a longer interval"), partial(step, 1 / NOTCH)),
             ("<", say("show earlier times"), partial(step, 1.0, -SHIFT)),
             (">", say("show later times"), partial(step, 1.0, SHIFT)),
             (
