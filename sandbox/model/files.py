@@ -195,10 +195,7 @@ def make_folder(folder: Path) -> None:
 def folder_of_files(folder: Path) -> Iterator[None]:
     """Make a folder for the files that are written within; remove it if it is still empty then.
 
-    Raises
-    ------
-    MisuseError, SandboxError
-        As by `make_folder`.
+    Raises what `make_folder` raises.
     """
     made = [each for each in (folder, *folder.parents) if not each.exists()]
     try:
