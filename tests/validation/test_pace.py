@@ -66,7 +66,7 @@ def test_what_is_delivered_told_as_it_is_and_cheap_is_no_complaint() -> None:
     trials = [drawn(9e-4, 5e-4), Trial(2, "b", {}, 1e-9, "cannot be had", refused=True)]
 
     assert complaints(trials) == []
-    assert "1 refused, 1 looked at; of these 1 delivered, 1 told as they are" in summary(trials)
+    assert "1 refused, 1 compared; of these 1 delivered, 1 with the stated error" in summary(trials)
 
 
 @pytest.mark.parametrize(

@@ -56,4 +56,4 @@ def test_stock_pymunk_counts_where_impacts_come_in_sequence_too() -> None:
 def test_the_sum_counts_what_was_met() -> None:
     sweep = errors("newton/incline", Budget(run=0.01, rates=(60.0,), targets=(1e-3,)))
 
-    assert summed([sweep]).startswith("1 of 1 accuracies that were asked for were delivered")
+    assert summed([sweep]).startswith("1 of 1 requested accuracies were delivered")

@@ -102,7 +102,7 @@ def start(level: Level, rate: float | None = None) -> World:
         rate = ceil(MARGIN * asked)
         if rate > HIGHEST_RATE:
             raise Refused(f"needs a rate of {rate:,} Hz")
-    raise Refused(f"asks for ever higher rates, at last {rate:,} Hz")
+    raise Refused(f"needs ever higher rates, at last {rate:,} Hz")
 
 
 def led(scene: Scene, level: Level) -> Course:

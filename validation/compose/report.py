@@ -17,7 +17,7 @@ def by_family(found: Sequence[Outcome]) -> Table:
     table.add_column("family")
     for heading in ("scenes", "hold", "refused"):
         table.add_column(heading, justify="right")
-    table.add_column("judgements that fail, of how many")
+    table.add_column("failed judgements, of all")
     table.add_column("")
     families: dict[str, list[Outcome]] = defaultdict(list)
     for outcome in found:

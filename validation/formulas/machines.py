@@ -166,7 +166,7 @@ def _spin_at(angle: float, slope: Slope, start: Array) -> float:
             last = int(beyond[0])
             share = (angle - states[0, last - 1]) / (states[0, last] - states[0, last - 1])
             return float(states[2, last - 1] + share * (states[2, last] - states[2, last - 1]))
-    raise ValueError(f"it does not come to {angle:.3g} rad within {SPAN:g} s")
+    raise ValueError(f"the arm does not reach {angle:.3g} rad within {SPAN:g} s")
 
 
 def spiral(radius: float, growth: float, turned: float) -> complex:

@@ -44,9 +44,10 @@ def summary(trials: Sequence[Trial]) -> str:
     seen = [each for each in trials if each.looked_at]
     refused = sum(each.refused for each in trials)
     return (
-        f"{len(trials)} accuracies asked for: {refused} refused, {len(seen)} looked at; of these "
-        f"{sum(each.kept for each in seen)} delivered, {sum(each.honest for each in seen)} told "
-        f"as they are, {sum(not each.cheaper for each in seen)} for three times the least or less"
+        f"{len(trials)} accuracies requested: {refused} refused, {len(seen)} compared; "
+        f"of these {sum(each.kept for each in seen)} delivered, "
+        f"{sum(each.honest for each in seen)} with the stated error, "
+        f"{sum(not each.cheaper for each in seen)} at up to three times the least cost"
     )
 
 
