@@ -1,4 +1,4 @@
-"""What is timed of a window is what it draws while a level plays, and how it changes levels."""
+"""A window is timed while it draws a playing level, and while it changes levels."""
 
 from time import perf_counter
 from unittest.mock import Mock
@@ -19,7 +19,7 @@ from tests.app.person import FRAME, Person
 
 
 def unfinished(window: Window) -> int:
-    """Return how many widgets in sight are not drawn in all their states: one is in each frame."""
+    """Return how many visible widgets are not drawn in all their states: one is in each frame."""
     shapes = (
         element.drawable_shape
         for element in window.panels.manager.get_sprite_group().sprites()
@@ -109,7 +109,7 @@ def test_no_frame_draws_both_a_page_and_what_stands_below_it(
 def test_a_level_that_equals_the_one_before_is_compared_once(
     person: Person, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """To compare levels of 500 bodies took 6 ms of each frame after an edit was undone."""
+    """Comparing levels of 500 bodies took 6 ms of each frame after an edit was undone."""
     person.window.open_level("newton/atwood")
     person.wait()
     session = person.session

@@ -1,4 +1,4 @@
-"""Expressions are Python's arithmetic on floats, and nothing else gets through."""
+"""Expressions are Python's arithmetic on floats, and nothing else is accepted."""
 
 import math
 import pickle
@@ -34,7 +34,7 @@ arithmetic = st.recursive(
 
 @given(arithmetic)
 def test_a_value_is_what_python_computes_in_floats(source: str) -> None:
-    """Where Python divides by zero there may still be one, by way of an infinity: 1/(a/0)."""
+    """Where Python divides by zero there may still be a value, through an infinity: 1/(a/0)."""
     try:
         expected = eval(source, {"__builtins__": {}}, VALUES)
     except ZeroDivisionError:

@@ -1,4 +1,4 @@
-"""What a step cannot carry is refused with the number that is too large, and why."""
+"""A level that is too expensive per step is refused, with the number that is too large."""
 
 from typing import Any
 
@@ -47,7 +47,7 @@ def test_more_centres_than_a_step_can_go_through_are_refused() -> None:
 
 
 def test_more_pairs_that_stick_than_can_be_watched_are_refused() -> None:
-    """A thousand took 17 s to build, for half a million pairs."""
+    """A thousand bodies took 17 s to build, for half a million pairs."""
     data = {**BASE, "effects": {"contact": {}, "friction": {}}}
 
     few = {**data, "bodies": crowd(200, friction=0.3, static_friction=0.5)}

@@ -1,4 +1,4 @@
-"""The tables of cases: what they say is read, and what they cannot mean is told with its place."""
+"""The tables of cases are read, and their mistakes are reported with their place."""
 
 from pathlib import Path
 
@@ -31,7 +31,7 @@ order = 2
 
 @pytest.fixture
 def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """A folder of tables, of which nothing has been read yet."""
+    """A folder of tables that has not been read yet."""
     monkeypatch.setattr(case_tables, "FOLDER", tmp_path)
     monkeypatch.setattr(case_tables, "read", case_tables.read.__wrapped__)
     return tmp_path
