@@ -1,4 +1,4 @@
-"""An exception in a callback is printed and lost, so Ctrl-C must wait until the callback ends."""
+"""What is raised in a callback is printed and lost: Ctrl-C has to wait until it is over."""
 
 import signal
 import sys
@@ -26,7 +26,7 @@ def _handler() -> Iterator[None]:
 
 
 def test_ctrl_c_within_a_class_statement_exits_as_well() -> None:
-    """Python turns an exception there into another one."""
+    """Python turns whatever is raised there into another error."""
 
     class Named:
         def __set_name__(self, owner: type, name: str) -> None:
@@ -78,14 +78,14 @@ def run_interrupted(finished: list[bool]) -> None:
 
 
 class Freed:
-    """Something that is freed at the moment of Ctrl-C."""
+    """Something that is freed just when somebody presses Ctrl-C."""
 
     def __del__(self) -> None:
         signal.raise_signal(signal.SIGINT)
 
 
 def test_ctrl_c_while_something_is_freed_exits_after_it() -> None:
-    """pymunk frees things in Python code, where an exception is lost, too."""
+    """What pymunk frees, it frees in Python, and there an exception is lost, too."""
     with pytest.raises(SystemExit):
         interrupted_in_freeing()
 
@@ -97,7 +97,7 @@ def interrupted_in_freeing() -> None:
 
 
 def wait() -> None:
-    """Wait until something is raised, for a limited time."""
+    """Let time pass until something is raised, but not for ever."""
     deadline = time.monotonic() + PATIENCE
     while time.monotonic() < deadline:
         time.sleep(0.001)
