@@ -13,20 +13,13 @@ SLOW = 1.0
 
 
 class Limits:
-    """Watches one run.
-
-    Attributes
-    ----------
-    message
-        Why the run is to pause; empty if it is within the limits.
-    recorder
-        The recorder of the run.
-    """
+    """Watches one run."""
 
     recorder: Recorder
 
     def __init__(self) -> None:
         self.message = ""
+        """Why the run is to pause; empty if it is within the limits."""
         self._patience: Patience | None = Patience(SLOW)
         self._room = True  # until the user has been told
 

@@ -36,25 +36,17 @@ class Playback(RunView, ABC):
     """A run that is played.
 
     If `watched`, it pauses with a message when a step takes long or memory is full.
-
-    Attributes
-    ----------
-    playing, speed
-        Whether the run plays, and the simulated seconds per second.
-    locked
-        Whether time is stopped until the user has predicted the outcome of the run.
-    booked
-        Whether the balance of energy and momentum is recorded; see `Books`.
-    sought
-        The step that the run is seeking, backwards or forwards; None if it is not.
     """
 
     def __init__(self, run: LiveRun, *, watched: bool) -> None:
         self._watched = watched
         self.playing = False
         self.speed = 1.0
+        """The simulated seconds per second."""
         self.locked = False
+        """Whether time is stopped until the user has predicted the outcome of the run."""
         self.booked = False
+        """Whether the balance of energy and momentum is recorded; see `Books`."""
         self._take_up(run)
 
     def _take_up(self, run: LiveRun) -> None:
@@ -64,6 +56,7 @@ class Playback(RunView, ABC):
         self._grip = Grip(run)
         self._owed = 0.0  # steps
         self.sought: int | None = None
+        """The step that the run is seeking, backwards or forwards; None if it is not."""
         self._records = Records()  # of the run as it was before rewinding
         self._recalled: Observed | None = None  # the record of the sought step, if any
 

@@ -33,15 +33,7 @@ FIELD = 26  # px
 
 
 class GraphPage:
-    """Graphs, and lists of the quantities that can be drawn and used as an axis.
-
-    Attributes
-    ----------
-    sought
-        The field that filters the names in the first list.
-    up, across
-        The two lists.
-    """
+    """Graphs, and lists of the quantities that can be drawn and used as an axis."""
 
     def __init__(self, sheet: Sheet, desk: Desk) -> None:
         self._sheet, self._session = sheet, desk.session
@@ -61,10 +53,12 @@ class GraphPage:
             container=sheet.container,
             placeholder_text=say("letters of a name, such as speed"),
         )  # fmt: skip
+        """The field that filters the names in the first list."""
         self._heights = sheet.scaled(LISTS)
         up, across = self._choice.up(desk.session), self._choice.across(desk.session)
         self.up = sheet.choices(names, self._heights[0], up)
         self.across = sheet.choices([TIME.name, *names], self._heights[1], across)
+        """The two lists."""
         self.update()
 
     def process(self, event: pygame.event.Event) -> str | None:
