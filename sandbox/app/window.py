@@ -141,5 +141,6 @@ class Window(Workspace):
         self.load.drew(perf_counter() - begun)
 
     def close(self) -> None:
-        """Stop all background work."""
+        """Stop all background work, and let go of what `look_through` froze."""
         self.cancel()
+        gc.unfreeze()
