@@ -23,13 +23,7 @@ if TYPE_CHECKING:
 
 
 class Animation:
-    """A film that a notebook shows.
-
-    Attributes
-    ----------
-    gif
-        The film as a GIF file.
-    """
+    """A film that a notebook shows."""
 
     def __init__(self, gif: bytes) -> None:
         self.gif = gif
@@ -42,10 +36,7 @@ class Animation:
 def picture(level: Level, at: float | None = None) -> bytes:
     """Return a PNG of a level's run at a time [s], with its checks; a telling moment if left out.
 
-    Raises
-    ------
-    SandboxError
-        If the run has to stop before that time.
+    Raises `SandboxError` if the run has to stop before that time.
     """
     _draw_without_window()
     from sandbox.app.level_picture import png, render
@@ -56,12 +47,8 @@ def picture(level: Level, at: float | None = None) -> bytes:
 def animation(trace: Trace) -> Animation:
     """Return a film of the run that a trace was recorded of, in its own time.
 
-    The run is taken again, from the level, its parameters and its setting.
-
-    Raises
-    ------
-    SandboxError
-        If it cannot be: PyAV and Pillow make the film, which the extra `film` brings.
+    The run is taken again, from the level, its parameters and its setting. Raises `SandboxError` if
+    it cannot be: PyAV and Pillow make the film, which the extra `film` brings.
     """
     _draw_without_window()
     from sandbox.app.film import film

@@ -11,17 +11,8 @@ from sandbox.model.message import Message
 def needed_for(what: str, extra: str = "report") -> Iterator[None]:
     """Import within this what something needs: if it is not installed, say how to install it.
 
-    Parameters
-    ----------
-    what
-        What needs it, as the message begins.
-    extra
-        The extra of the package that brings it.
-
-    Raises
-    ------
-    MisuseError
-        If a library is not there.
+    The message begins with `what`, and names the extra of the package that brings it. Raises
+    `MisuseError` if a library is not there.
     """
     try:
         yield

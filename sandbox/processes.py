@@ -71,20 +71,9 @@ def spread(
     """Yield the number and the result of each item, in the order in which they are done.
 
     No process outlives this one, however it ends: each waits for the end of a pipe, which comes
-    when this process closes the pipe or dies.
-
-    Parameters
-    ----------
-    work, items
-        A function of a module, so that other processes can import it, and what it is called with;
-        items are taken in order, and only when a process is about to need them.
-    jobs
-        The most processes; each is started when there is work for it.
-
-    Raises
-    ------
-    SandboxError
-        If one of the processes is ended from outside.
+    when this process closes the pipe or dies. The work is a function of a module, so that other
+    processes can import it. Items are taken in order, and only when a process is about to need
+    them. Raises `SandboxError` if one of the processes is ended from outside.
     """
     prepare()
     context = get_context(METHOD)

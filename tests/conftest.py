@@ -18,7 +18,7 @@ settings.load_profile("repeatable")
 
 @pytest.fixture
 def boundless(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Let levels hold any number: what stands behind the bounds must hold without them, too."""
+    """Allow levels any number: the code behind the bounds must work without them, too."""
     for kind in vars(bounds).values():
         if isinstance(kind, type) and issubclass(kind, Expression):
             monkeypatch.setattr(kind, "most", inf)
@@ -26,18 +26,18 @@ def boundless(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def pytest_collection() -> None:
-    """Do not look for garbage among what is collected: all of it stays to the end."""
+    """Do not search the collected tests for garbage: they all stay to the end."""
     gc.disable()
 
 
 def pytest_collection_finish() -> None:
-    """Nor while the tests run, as if it were theirs: that took a tenth of their time."""
+    """Nor during the tests, where this took a tenth of the time."""
     gc.freeze()
     gc.enable()
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Begin with the tests of the most steps: a long one at the end would leave cores idle."""
+    """Start with the longest tests: at the end they would leave cores idle."""
     items.sort(key=_steps, reverse=True)
 
 

@@ -30,7 +30,7 @@ def python(
 
 
 def move_home(folder: object) -> None:
-    """Let this process keep what a person has, such as settings, in a folder."""
+    """Let this process keep a person's files, such as settings, in a folder."""
     for name in ("HOME", "XDG_DATA_HOME", "XDG_CACHE_HOME", "XDG_CONFIG_HOME"):
         os.environ[name] = str(folder)
 

@@ -1,4 +1,4 @@
-"""Work that takes for ever, to be ended, and whether it has."""
+"""Work that takes for ever, so that it must be ended, and a check whether it has."""
 
 import os
 import sys
@@ -9,13 +9,13 @@ from sandbox.processes import spread
 
 
 def linger(folder: str) -> None:
-    """Say which process this is, and never come back."""
+    """Leave the process ID as the name of a file in a folder, and never finish."""
     (Path(folder) / str(os.getpid())).touch()
     time.sleep(600)
 
 
 def alive(pid: int) -> bool:
-    """Return whether a process goes on; one that has ended may still wait to be asked after."""
+    """Return whether a process is running; an ended one may still be a zombie."""
     try:
         os.kill(pid, 0)
     except ProcessLookupError:

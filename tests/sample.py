@@ -33,7 +33,7 @@ def is_quick(levels: Iterable[str | Path], claim: str) -> list[bool]:
 
 
 def sampled(levels: Iterable[str | Path], claim: str) -> list[object]:
-    """Return levels as parameters of a test, as `is_quick` says; the others are marked `sweep`."""
+    """Return levels as test parameters, chosen by `is_quick`; the others are marked `sweep`."""
     found = list(levels)
     return [
         pytest.param(level, id=_name(level), marks=() if quick else pytest.mark.sweep)

@@ -1,4 +1,4 @@
-"""The sandbox in programs and notebooks: what its page says is so."""
+"""The sandbox in programs and notebooks does what its page says."""
 
 import doctest
 import json

@@ -1,4 +1,4 @@
-"""Every command that is registered, of the sandbox and of its validation."""
+"""Every registered command, of the sandbox and of its validation."""
 
 from pathlib import Path
 from types import ModuleType
@@ -24,7 +24,7 @@ def called(module: ModuleType) -> str:
 
 
 def invoke(register: ModuleType, *arguments: str) -> tuple[int, str]:
-    """Return the exit status and all that was said."""
+    """Return the exit status and the output."""
     assert isinstance(register.app, typer.Typer)
     result = CliRunner().invoke(register.app, arguments)
     assert result.exception is None or isinstance(result.exception, SystemExit)

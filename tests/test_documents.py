@@ -1,4 +1,4 @@
-"""The documents lead where they say: every link, anchor and path in them is there."""
+"""Every link, anchor and path in the documents leads somewhere."""
 
 import re
 from pathlib import Path
@@ -25,7 +25,7 @@ def named(page: Path) -> str:
 
 
 def links(page: Path) -> list[str]:
-    """Return what a page leads to within the project."""
+    """Return the links of a page within the project."""
     found = LINK.findall(CODE.sub("", page.read_text(encoding="utf-8")))
     return [link for link in found if not re.match(r"[a-z]+:", link)]
 
@@ -38,7 +38,7 @@ def anchors(page: Path) -> set[str]:
 
 
 def is_there(name: str) -> bool:
-    """Whether there is a source file of a name, or with such an end of its path."""
+    """Whether there is a source file with this path, or with a path that ends so."""
     return any(f"/{named(path)}".endswith(f"/{name}") for path in SOURCES)
 
 
@@ -95,7 +95,7 @@ def test_what_a_page_imports_can_be_imported(page: Path) -> None:
 
 @pytest.mark.parametrize("page", PAGES, ids=named)
 def test_every_source_file_that_a_page_names_is_there(page: Path) -> None:
-    """In full, or from the room that the page is about: `joints/assembly.py`."""
+    """In full, or relative to the folder that the page is about: `joints/assembly.py`."""
     for name in FILE.findall(page.read_text(encoding="utf-8")):
         assert is_there(name), f"{named(page)}: {name}"
 

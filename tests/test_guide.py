@@ -1,4 +1,4 @@
-"""The tutorial and the recipes are true: each level in them loads, runs and keeps its checks."""
+"""The tutorial and the recipes are true: each of their levels loads, runs and meets its checks."""
 
 import json
 import re

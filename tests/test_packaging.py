@@ -1,4 +1,4 @@
-"""What is packed has all that it tells of, and what it needs is named."""
+"""The package has all files that it mentions, and names all that it needs."""
 
 import re
 import tomllib

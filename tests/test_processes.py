@@ -1,4 +1,4 @@
-"""Work that is spread over processes ends with the one that has spread it."""
+"""Work spread over processes ends with the process that has spread it."""
 
 import os
 import signal
@@ -20,7 +20,7 @@ pytestmark = pytest.mark.skipif(os.name == "nt", reason="signals as on Unix")
 
 
 def until(holds: Callable[[], bool]) -> bool:
-    """Wait until something holds, and tell whether it came to that."""
+    """Wait until a condition holds, and return whether it does."""
     end = time.monotonic() + PATIENCE / 10
     while not holds() and time.monotonic() < end:
         time.sleep(0.01)
@@ -44,7 +44,7 @@ def test_the_server_of_processes_does_not_hear_ctrl_c_even_while_it_starts() -> 
 
 @pytest.fixture
 def busy(tmp_path: Path) -> Iterator[tuple[subprocess.Popen[bytes], list[int]]]:
-    """Yield a process that shares its work with two others, and their numbers."""
+    """Yield a process that shares its work with two others, and their IDs."""
     command = [sys.executable, "-m", "tests.patience", str(tmp_path)]
     with subprocess.Popen(command, cwd=ROOT, stderr=subprocess.DEVNULL) as process:
         assert until(lambda: len(list(tmp_path.iterdir())) == 2)

@@ -139,13 +139,7 @@ def together(cases: Sequence[Case]) -> list[list[int]]:
 
 
 class _Runs:
-    """The runs that cases of one level and parameters share.
-
-    Attributes
-    ----------
-    level, values
-        The level, and its parameters.
-    """
+    """The runs that cases of one level and parameters share."""
 
     def __init__(self, cases: Sequence[Case]) -> None:
         first = cases[0]

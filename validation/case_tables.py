@@ -97,13 +97,7 @@ class ClosedForm:
 
 @cache
 def read(phenomenon: str) -> tuple[Case, ...]:
-    """Return the cases of a phenomenon.
-
-    Raises
-    ------
-    TableError
-        If its file has a mistake.
-    """
+    """Return the cases of a phenomenon; raise `TableError` if its file has a mistake."""
     path = FOLDER / f"{phenomenon}.toml"
     try:
         tables = tomllib.loads(path.read_text(encoding="utf-8")).get("table", ())
@@ -124,9 +118,9 @@ def _names(phenomenon: str) -> Mapping[str, object]:
 def _expanded(path: Path, table: Mapping[str, Any]) -> Iterator[Case]:
     """Yield a case for each row of a table, each choice of parameters, and each of `each`."""
     if odd := set(table) - TABLE - {*NEEDED, *FREE}:
-        raise TableError(f"{path}: a table has no {', '.join(sorted(odd))}")
+        raise TableError(f"{path}: unknown key in a table: {', '.join(sorted(odd))}")
     if "level" not in table:
-        raise TableError(f"{path}: a table lacks its level")
+        raise TableError(f"{path}: a table needs a level")
     defaults = {name: table[name] for name in (*NEEDED, *FREE) if name in table}
     choices = _choices(table["level"], table.get("over", [{}]))
     for parameters in choices:
@@ -163,14 +157,14 @@ def _case(path: Path, level: str, parameters: Parameters, said: Mapping[str, Any
     if missing := [name for name in NEEDED if name not in said]:
         raise TableError(f"{where} lacks {', '.join(missing)}")
     if odd := set(said) - {*NEEDED, *FREE}:
-        raise TableError(f"{where}: a case has no {', '.join(sorted(odd))}")
+        raise TableError(f"{where}: unknown key: {', '.join(sorted(odd))}")
     expected, unknown = _formula(path.stem, level, said["formula"])
     if unknown:
         raise TableError(f"{where}: its formula has an unknown name: {', '.join(unknown)}")
     at = _instant(json.dumps(said["at"])) if "at" in said else None
     if strange := names_in(at) - set(textbook(level).parameters):
         names = ", ".join(sorted(strange))
-        raise TableError(f"{where}: its 'at' has a name that is no parameter: {names}")
+        raise TableError(f"{where}: its 'at' has an unknown parameter: {names}")
     order = _number(said.get("order"))
     return Case(
         name=said["name"],

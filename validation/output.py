@@ -53,12 +53,8 @@ def complain(failed: Iterable[str]) -> None:
 def written(content: object, file: Path | None) -> Iterator[None]:
     """Show figures within this; they are written to a file, if one is given, however that ends.
 
-    The reader of the output may have gone, or its disk may be full.
-
-    Raises
-    ------
-    SandboxError
-        If the file cannot be written.
+    The reader of the output may have gone, or its disk may be full. Raises `SandboxError` if the
+    file cannot be written.
     """
     try:
         yield
@@ -69,13 +65,7 @@ def written(content: object, file: Path | None) -> Iterator[None]:
 
 
 def save(content: object, file: Path) -> None:
-    """Write figures to a file as JSON.
-
-    Raises
-    ------
-    SandboxError
-        If it cannot be written.
-    """
+    """Write figures to a file as JSON; raise `SandboxError` if it cannot be written."""
     write_atomically(file, json.dumps(content, indent=2, ensure_ascii=False) + "\n")
 
 

@@ -22,17 +22,8 @@ WORTH = 8
 def outcomes(cases: Sequence[Case], jobs: int | None = None) -> list[Outcome]:
     """Run cases, with progress on a terminal, and return their outcomes in the same order.
 
-    Parameters
-    ----------
-    cases
-        Cases of `all_cases`, which other processes find by their names; a few may be others.
-    jobs
-        The most processes to use; as many as there are cores if left out.
-
-    Raises
-    ------
-    SandboxError
-        If a level cannot be run.
+    Other processes find them by their names in `all_cases`; a few may be others. By default there
+    are as many processes as cores. Raises `SandboxError` if a level cannot be run.
     """
     found = dict(
         output.progress(_found(cases, jobs or os.cpu_count() or 1), "Running cases", len(cases))

@@ -75,17 +75,12 @@ class Background:
 
 
 class Errand:
-    """Something that has its work done in the background.
-
-    Attributes
-    ----------
-    news
-        An object that differs whenever the display must change.
-    """
+    """Something that has its work done in the background."""
 
     def __init__(self) -> None:
         self._work = Background()
         self.news = object()
+        """An object that differs whenever the display must change."""
 
     @property
     def running(self) -> bool:

@@ -52,7 +52,7 @@ class Banner:
         """Return the run's message that takes precedence over a note, or is shown without one."""
         if session.run.trying and isinstance(session.failure, SimulationError):
             message = say(
-                "{failure} – trying what helps …", failure=session.failure.with_advice(NOTHING)
+                "{failure} – trying remedies …", failure=session.failure.with_advice(NOTHING)
             )
             return message, theme.FAILED
         if session.failure is not None:

@@ -25,13 +25,7 @@ from sandbox.model.errors import SandboxError
 
 
 class CommandActions:
-    """Executes commands by name, for keys and buttons.
-
-    Attributes
-    ----------
-    names
-        The names of all commands.
-    """
+    """Executes commands by name, for keys and buttons."""
 
     def __init__(self, workspace: Workspace) -> None:
         self._space = workspace
@@ -44,6 +38,7 @@ class CommandActions:
             **self._of_pages(),
         }
         self.names = frozenset(self._acts)
+        """The names of all commands."""
 
     def do(self, command: str) -> None:
         """Execute a command; one that does not work on the home page first closes that."""

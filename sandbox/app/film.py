@@ -23,16 +23,7 @@ LACKING = later("a film needs PyAV and Pillow: install mechanics-sandbox[film]")
 
 
 def film(run: Run, path: Path, kind: Kind) -> Iterator[float | str]:
-    """Make a film of a run, at the speed of its own time.
-
-    Parameters
-    ----------
-    run
-        The run to film.
-    path
-        The file to write, completely or not at all.
-    kind
-        The format.
+    """Make a film of a run at the speed of its own time, and write it completely or not at all.
 
     Yields
     ------

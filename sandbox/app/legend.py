@@ -31,19 +31,9 @@ def draw(
 ) -> None:  # fmt: skip
     """Draw a row for each run in the upper left corner, below the banner.
 
-    Long texts are shortened; the side panel shows them in full. Nothing is drawn if there is no
-    room below the banner.
-
-    Parameters
-    ----------
-    surface, pen
-        The surface, and the pen.
-    rows
-        The colour and the text of each run; the current run has no colour.
-    banner
-        The lower edge of the banner [px].
-    own
-        The colours of the current run's bodies.
+    The current run has no colour of its own, but those of its bodies. Long texts are shortened; the
+    side panel shows them in full. Nothing is drawn if there is no room below the banner, which ends
+    at a height [px].
     """
     if not rows:
         return

@@ -8,20 +8,14 @@ from sandbox.app.panels import levels
 
 
 class LevelFiles:
-    """The list of levels.
-
-    Attributes
-    ----------
-    entries
-        The entries of the list, in its order.
-    recent
-        The files that were opened recently.
-    """
+    """The list of levels."""
 
     def __init__(self) -> None:
         self.recent = Recent()
+        """The files that were opened recently."""
         opened = (entry(path, "opened") for path in self.recent.paths)
         self.entries = [*opened, *levels.entries()]
+        """The entries of the list, in its order."""
 
     def say_anew(self) -> None:
         """Translate the list into the current language."""

@@ -114,10 +114,7 @@ def save_picture(
 ) -> None:
     """Draw a level into a PNG file, completely or not at all; see `render`.
 
-    Raises
-    ------
-    SandboxError
-        If the run fails before that time, or the file cannot be written.
+    Raises `SandboxError` if the run fails before that time, or the file cannot be written.
     """
     write_atomically(path, png(render(level, values, at, size, beside, racing=racing)))
 

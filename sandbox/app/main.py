@@ -46,16 +46,8 @@ def run(
 ) -> None:
     """Open the window, and return when it is closed.
 
-    Parameters
-    ----------
-    level
-        The name or path of the level; by default the home page is shown.
-    settings
-        Values of the level's parameters.
-    accuracy
-        An accuracy that replaces the level's stepping.
-    racing
-        Whether to start the race of schemes.
+    Without a level, a name or a path, it shows the home page. An accuracy replaces the level's
+    stepping; `racing` starts the race of schemes.
     """
     with _opened(level, settings, accuracy, racing) as window:
         window.run()

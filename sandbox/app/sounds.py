@@ -55,17 +55,7 @@ class Sounds:
         self._known: dict[int, pygame.mixer.Sound] = {}
 
     def play(self, blows: Sequence[Blow], world: World, seconds: float) -> int:
-        """Play the hardest of the impacts of a frame, and return how many.
-
-        Parameters
-        ----------
-        blows
-            The impacts of the frame.
-        world
-            The world of the run.
-        seconds
-            The duration of the frame [s].
-        """
+        """Play the hardest of the impacts of a frame of some duration [s], and return how many."""
         self._rest -= seconds
         if not blows or self._rest > 0 or not self._ready():
             return 0

@@ -17,15 +17,7 @@ LIMIT = 120.0
 def first_picture(level: str) -> float:
     """Return the time from the start of a program that plays a level to its first picture [s].
 
-    Parameters
-    ----------
-    level
-        A name or a path, as for the command `play`.
-
-    Raises
-    ------
-    SandboxError
-        If a program ends without a picture, or shows none within `LIMIT`.
+    Raises `SandboxError` if a program ends without a picture, or shows none within `LIMIT`.
     """
     return min(_start(level) for _ in range(STARTS))
 

@@ -24,22 +24,16 @@ LONGEST_FRAME = 0.1  # s; a longer frame counts as this long
 
 
 class Window(Workspace):
-    """The desktop app. `run` it, or drive it `frame` by `frame`.
-
-    Attributes
-    ----------
-    commands
-        The commands, by name.
-    hold_up
-        Keeps the window responsive during long frames.
-    """
+    """The desktop app. `run` it, or drive it `frame` by `frame`."""
 
     def __init__(self, size: tuple[int, int] = SIZE) -> None:
         super().__init__(size)
         self.commands = CommandActions(self)
+        """The commands, by name."""
         self._events = Events(self, self.commands)
         self._watch, self._sounds = FileWatch(), Sounds()
         self.hold_up = HoldUp(self)
+        """Keeps the window responsive during long frames."""
         self._quiet = 0.0  # s since the last event
         self._allowance, self._stepped = Allowance(), 0.0  # s, in this frame
 
@@ -147,5 +141,6 @@ class Window(Workspace):
         self.load.drew(perf_counter() - begun)
 
     def close(self) -> None:
-        """Stop all background work."""
+        """Stop all background work, and let go of what `look_through` froze."""
         self.cancel()
+        gc.unfreeze()

@@ -59,23 +59,10 @@ class Timing:
 
 
 def time_window(name: str, size: tuple[int, int], seconds: float) -> Timing:
-    """Start the program on a level, then open the level in a hidden window and play it there.
+    """Start the program on a level, then play it for some seconds in a hidden window of a size.
 
-    A run that ends is restarted. The program's window has its default size.
-
-    Parameters
-    ----------
-    name
-        The level.
-    size
-        The size of the hidden window [px].
-    seconds
-        The duration of play [s].
-
-    Raises
-    ------
-    SandboxError
-        If the level does not exist, or does not run.
+    A run that ends is restarted. The program's window has its default size. Raises `SandboxError`
+    if the level does not exist, or does not run.
     """
     window = Window(size)
     try:

@@ -42,63 +42,47 @@ MANY = 100
 
 
 class Workspace:
-    """A level, its picture, and all panels, on a surface.
-
-    Attributes
-    ----------
-    surface
-        The surface on which everything is drawn.
-    session
-        The session of the level; None if the level cannot be opened.
-    path
-        The file of the level; None if it has none yet.
-    stage
-        The picture of the level, with its camera.
-    hand
-        The mouse on the stage.
-    panels
-        The panels around the stage.
-    banner
-        The message at the top of the stage.
-    help, sheets
-        The sheet of the help that is shown, 0 for none, and the number of sheets.
-    open
-        Whether the window is to stay open.
-    undoing
-        The changes of the run that can be undone.
-    files
-        The list of levels.
-    workers, advising
-        The background work of the pages, and the search for remedies.
-    load
-        The time that frames take.
-    comfort
-        The user's preferences.
-    pen
-        The pen that renders text.
-    """
+    """A level, its picture, and all panels, on a surface."""
 
     def __init__(self, size: tuple[int, int] = SIZE) -> None:
         pygame.display.init()
         pygame.font.init()
         pygame.display.set_caption(TITLE)
         self.surface = pygame.display.set_mode(size, pygame.RESIZABLE)
+        """The surface on which everything is drawn."""
         self.session: Session | None = None
+        """The session of the level; None if the level cannot be opened."""
         self.path: Path | None = None
+        """The file of the level; None if it has none yet."""
         self.comfort = Comfort(max((h for _, h in pygame.display.get_desktop_sizes()), default=0))
+        """The user's preferences."""
         self._followed = self.comfort.chosen
         theme.use(self._followed.theme)
         language.use(self.comfort.language)
         self.pen = Pen(self.comfort.scale)
+        """The pen that renders text."""
         self.stage = Stage(self.pen, size)
+        """The picture of the level, with its camera."""
         self.hand = Hand(self.stage)
-        self.workers, self.load = Workers(PAGES), Load()
+        """The mouse on the stage."""
+        self.workers = Workers(PAGES)
+        """The background work of the pages."""
+        self.load = Load()
+        """The time that frames take."""
         self.advising = Advising()
+        """The search for remedies."""
         self.panels = Panels(self.pen, size, self.workers, self.load, self.comfort)
+        """The panels around the stage."""
         self.banner = Banner()
-        self.help, self.sheets, self.open = 0, 1, True
+        """The message at the top of the stage."""
+        self.help, self.sheets = 0, 1
+        """The sheet of the help that is shown, 0 for none, and the number of sheets."""
+        self.open = True
+        """Whether the window is to stay open."""
         self.files = LevelFiles()
+        """The list of levels."""
         self.undoing = Undoing()
+        """The changes of the run that can be undone."""
         self._settings: Mapping[str, float] = {}
         self._accuracy: float | None = None  # requested when the level was opened
         self._refused: SandboxError | None = None
@@ -165,16 +149,7 @@ class Workspace:
     ) -> None:
         """Open a level's file, or a run's file with its actions; if that fails, show the error.
 
-        Parameters
-        ----------
-        path
-            The file.
-        settings
-            Values of the level's parameters.
-        accuracy
-            An accuracy that replaces the level's stepping.
-        rate
-            A rate that replaces the level's [Hz].
+        The settings, the accuracy and the rate [Hz] replace those of the level.
         """
         self.files.read_again(path)
         self.panels.home.leave()
@@ -221,11 +196,11 @@ class Workspace:
         self.banner.tell("")
         if ran:  # not a level's file, which is watched and written to
             self.path = None
-            self.banner.tell(say("{file} plays as it did, with all that was done", file=path.name))
+            self.banner.tell(say("{file} plays again, with all of your actions", file=path.name))
         else:
             self._remember(path)
         if leans(session.world):
-            message = later("The solver's sweeps do not settle this pile: it may lean or fall")
+            message = later("The solver's iterations do not settle this pile: it may lean or fall")
             self.banner.tell(say(message))
 
     def _say_first(self, text: str) -> None:

@@ -63,12 +63,8 @@ def _stepping(given: Mapping[str, float | str]) -> Stepping:
 def find_out(level: Level, values: Values, also: Sequence[str] = ()) -> Stepping:
     """Return the stepping of a level; if it asks for an accuracy, print the search and its result.
 
-    The accuracy is that of the motion, the checks, and other recorded quantities.
-
-    Raises
-    ------
-    AccuracyError
-        If it cannot be reached.
+    The accuracy is that of the motion, the checks, and other recorded quantities. Raises
+    `AccuracyError` if it cannot be reached.
     """
     if level.stepping.accuracy is None:
         return level.stepping

@@ -24,10 +24,7 @@ class UsageError(MisuseError):
 def open_level(argument: str) -> tuple[str, Level]:
     """Return a level and its name: its name in the catalog, or its path.
 
-    Raises
-    ------
-    LevelError
-        If there is no such level, or it has mistakes.
+    Raises `LevelError` if there is no such level, or it has mistakes.
     """
     path = catalog.find(argument)
     level = load(path)

@@ -29,12 +29,8 @@ class Finding(NamedTuple):
 def keep_checking(arguments: Sequence[str], jobs: int = 1) -> NoReturn:
     """Check levels whenever one of their files changes, until the process is ended.
 
-    Processes share the levels the first time if there is more than one job.
-
-    Raises
-    ------
-    LevelError
-        If there is no such level at the beginning; a file that is deleted later may come back.
+    Processes share the levels the first time if there is more than one job. Raises `LevelError` if
+    there is no such level at the beginning; a file that is deleted later may come back.
     """
     paths = [catalog.find(argument) for argument in arguments]
     watch = Watch(paths)

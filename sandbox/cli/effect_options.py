@@ -30,14 +30,8 @@ def vary(
 ) -> Varied | None:
     """Return a level with some effects switched off, then others on; None if none are given.
 
-    The level gets the stepping, if one is given: other schemes allow other effects.
-
-    Raises
-    ------
-    EffectError
-        If the effects do not fit the level.
-    UsageError
-        If an option is invalid.
+    The level gets the stepping, if one is given: other schemes allow other effects. Raises
+    `EffectError` if the effects do not fit the level. Raises `UsageError` if an option is invalid.
     """
     if not (off or on):
         return None

@@ -19,14 +19,8 @@ _ENDING = ".json"
 def new(name: str, template: str) -> None:
     """Write the file of a new level, a copy of a template or of another level.
 
-    Raises
-    ------
-    UsageError
-        If the file cannot be written, or there is no such template.
-    TakenError
-        If the file already exists.
-    LevelError
-        If the other level has mistakes.
+    Raises `UsageError` if the file cannot be written, or there is no such template. Raises
+    `TakenError` if the file already exists. Raises `LevelError` if the other level has mistakes.
     """
     target = _target(name)
     source = _source(template)

@@ -111,10 +111,7 @@ def _compare(varied: Varied, found: Sequence[Difference], cost: float) -> None:
 def chosen(level: Level, record: Sequence[str]) -> list[str]:
     """Return the names of the quantities to write.
 
-    Raises
-    ------
-    QuantityError
-        If the level has no such quantity.
+    Raises `QuantityError` if the level has no such quantity.
     """
     if record:
         each = [quantity(name, level).name for name in record if name != "all"]

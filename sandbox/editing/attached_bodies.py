@@ -45,16 +45,8 @@ def attached(text: str, before: Level, moved: Collection[str]) -> str:
     """Return a level in which pins and rails hold again after bodies were moved.
 
     The end at the plane, or at a body that stayed, follows the end that moved. If the length of a
-    rod is a number, it becomes the new distance of its ends.
-
-    Parameters
-    ----------
-    text
-        The text of a level, each part of which is valid by itself.
-    before
-        The level as it was.
-    moved
-        The bodies that were moved, rotated or resized.
+    rod is a number, it becomes the new distance of its ends. The parts of the text are each valid
+    by themselves; `before` is the level before bodies were moved, rotated or resized.
     """
     if all(set(bodies_of(joint)).isdisjoint(moved) for joint in before.joints.values()):
         return text

@@ -40,10 +40,7 @@ def first_that_loads(texts: Iterable[str], otherwise: str) -> str:
 def accepted(*texts: str) -> str:
     """Return the first of some texts that is a level without mistakes.
 
-    Raises
-    ------
-    LevelError
-        If there is none, with the mistakes of the first.
+    Raises `LevelError` if there is none, with the mistakes of the first.
     """
     found = first_that_loads(texts, "")
     if not found:

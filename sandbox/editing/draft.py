@@ -20,31 +20,18 @@ NEW = "<new level>"
 
 
 class Draft:
-    """A level under edit.
+    """A level under edit: its JSON text, which may have mistakes.
 
-    Parameters
-    ----------
-    text
-        The JSON text, which may have mistakes.
-    path
-        The file, if there is one.
-    held
-        The content of the file, if there is one.
-
-    Attributes
-    ----------
-    text
-        The present text.
-    path
-        The file; None if there is none yet.
-    saved
-        The saved text, or the initial one.
+    `held` is the content of its file, if there is one.
     """
 
     def __init__(self, text: str, path: Path | None = None, held: bytes = b"") -> None:
         self.text = text
+        """The present text."""
         self.path = path
+        """The file; None if there is none yet."""
         self.saved = text
+        """The saved text, or the initial one."""
         self._held = held
         self._done: deque[Step] = deque(maxlen=MOST_STEPS)
         self._undone: list[Step] = []
@@ -65,10 +52,7 @@ class Draft:
     def open(cls, path: Path) -> "Draft":
         """Return a draft of a file.
 
-        Raises
-        ------
-        LevelError
-            If the file cannot be read, or is not text.
+        Raises `LevelError` if the file cannot be read, or is not text.
         """
         held = content(path)
         return cls(decoded(held, str(path)), path, held)
@@ -115,14 +99,7 @@ class Draft:
     def change(self, text: str, said: str, merge: str | None = None) -> None:
         """Change the text, by one step of undo.
 
-        Parameters
-        ----------
-        text
-            The new text.
-        said
-            The description of the edit.
-        merge
-            A key: successive changes with the same key are one step, such as those of a drag.
+        Successive changes with the same key `merge` are one step, such as those of a drag.
         """
         if text == self.text:
             return
@@ -166,17 +143,9 @@ class Draft:
     def save(self, path: Path | None = None, *, overwrite: bool = False) -> None:
         """Write the file; a draft without changes is written exactly as it was read.
 
-        Parameters
-        ----------
-        path
-            The file, from now on; the present one if left out.
-        overwrite
-            Whether to overwrite changes by another program, or another file.
-
-        Raises
-        ------
-        SandboxError
-            If there is no file yet, it was changed since it was read, or it cannot be written.
+        A path is that of the draft from now on. `overwrite` replaces changes by another program, or
+        another file. Raises `SandboxError` if there is no file yet, it was changed since it was
+        read, or it cannot be written.
         """
         target = path or self.path
         if target is None:
@@ -201,10 +170,7 @@ class Draft:
     def reload(self) -> None:
         """Replace the text by the present content of the file, as an undoable step.
 
-        Raises
-        ------
-        SandboxError
-            If there is no file, or it cannot be read, or has mistakes.
+        Raises `SandboxError` if there is no file, or it cannot be read, or has mistakes.
         """
         if self.path is None:
             raise SandboxError("the level has no file yet; there is nothing to read again")

@@ -28,14 +28,7 @@ def line(value: Json) -> str:
 def laid_out(value: Json, margin: str, before: int) -> str:
     """Return a value as laid out in a file, on one line or several.
 
-    Parameters
-    ----------
-    value
-        The value.
-    margin
-        The white space at the start of its line.
-    before
-        The number of characters before it on that line, including its key.
+    Its line starts with the margin, and has some characters before it, including its key.
     """
     short = line(value)
     if before + len(short) < WIDTH or not value or isinstance(value, str | int | float):

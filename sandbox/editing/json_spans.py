@@ -13,22 +13,16 @@ _DECODER = json.JSONDecoder()  # written in C: it skips values much faster than 
 
 
 class Span:
-    """A value of a JSON text, and its position there.
-
-    Attributes
-    ----------
-    path
-        The path of the value.
-    start, begin, end
-        The indices of the start of its key (of the value itself if it has no key), of the start of
-        the value, and of its end.
-    """
+    """A value of a JSON text, and its position there."""
 
     def __init__(self, text: str, path: Path, start: int, begin: int) -> None:
         self.path = path
+        """The path of the value."""
         self.start = start
         self.begin = begin
         self.end = _DECODER.raw_decode(text, begin)[1]
+        """The indices of the start of its key (of the value itself if it has no key), of the start
+        of the value, and of its end."""
         self._text = text
 
     @property
@@ -67,10 +61,7 @@ class Span:
 class Spans(Mapping[Path, Span]):
     """The span of every value of a text, by its path; the empty path is the whole.
 
-    Parameters
-    ----------
-    text
-        Well-formed JSON without duplicate keys in an object.
+    The text is well-formed JSON without duplicate keys in an object.
     """
 
     def __init__(self, text: str) -> None:

@@ -132,13 +132,7 @@ def placed(level: Level) -> dict[str, Placed]:
 
 
 def chosen(level: Level, names: Iterable[str]) -> dict[str, Placed]:
-    """Return some bodies of a level at its start.
-
-    Raises
-    ------
-    SandboxError
-        If there are no names.
-    """
+    """Return some bodies of a level at its start; raise `SandboxError` if there are no names."""
     where = placed(level)
     found = {name: where[name] for name in names}
     if not found:

@@ -27,23 +27,10 @@ def rename(text: str, path: Path, name: str) -> str:
     """Return a level in which a body, a joint or a parameter has a new name.
 
     All mentions are replaced: in the ends of joints, effects, quantities and ghosts; for a
-    parameter, in formulas and the challenge. Prose is left unchanged.
-
-    Parameters
-    ----------
-    text
-        The text of a level that loads.
-    path
-        The path of the part, such as `("bodies", "box1")`.
-    name
-        The new name.
-
-    Raises
-    ------
-    LevelError
-        If the level has mistakes, or would have some with the new name.
-    SandboxError
-        If nothing has the old name, the new name is taken, or it is not a valid name.
+    parameter, in formulas and the challenge. Prose is left unchanged. The path of a part is, for
+    example, `("bodies", "box1")`. Raises `LevelError` if the level has mistakes, or would have some
+    with the new name. Raises `SandboxError` if nothing has the old name, the new name is taken, or
+    it is not a valid name.
     """
     level = parse(text)
     part, old = path

@@ -38,18 +38,9 @@ MOVES = ("position", "angle", "velocity", "angular_velocity")
 def as_it_stands(world: World, *, anew: bool) -> str:
     """Return a level that starts from the present state of a run, with the parameters of the run.
 
-    Parameters
-    ----------
-    world
-        The run.
-    anew
-        Whether time starts at 0 in the new level: formulas are then shifted in time. If not, the
-        level continues the run from its present time, and numbers have all their digits.
-
-    Raises
-    ------
-    SandboxError
-        If no level can start from this state.
+    If `anew`, time starts at 0 in the new level: formulas are then shifted in time. If not, the
+    level continues the run from its present time, and numbers have all their digits. Raises
+    `SandboxError` if no level can start from this state.
     """
     _refuse(world)
     if world.scene.happened or (anew and world.level.events):

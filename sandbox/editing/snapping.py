@@ -70,26 +70,13 @@ def snap_point(
     *,
     in_line: bool = False,
 ) -> Snapped:
-    """Return the point to which a point snaps.
+    """Return the point to which a point snaps [m].
 
-    That is the nearest corner, centre or end of a joint within reach; else the nearest side of a
-    body, so that a shape drawn from there touches it; else the nearest point of the grid.
-
-    Parameters
-    ----------
-    level
-        The level around it.
-    point
-        The position of the pointer [m].
-    reach
-        The largest distance of a target [m], for example 10 pixels.
-    step
-        The distance of grid lines [m]; 0 without a grid.
-    besides
-        Bodies to which it does not snap, since they are being moved.
-    in_line
-        Whether it snaps to the vertical and horizontal lines through the centres of dynamic bodies
-        rather than to the grid.
+    That is the nearest corner, centre or end of a joint within reach, such as 10 pixels; else the
+    nearest side of a body, so that a shape drawn from there touches it; else the nearest point of a
+    grid with some step, 0 without a grid. If `in_line`, the vertical and horizontal lines through
+    the centres of dynamic bodies replace the grid. Nothing snaps to `besides`, which are being
+    moved.
     """
     where, at = placed(level), complex(*point)
     targets = [*_targets(where, besides), *_ends(level, where)]
@@ -146,23 +133,11 @@ def snap_body(
     reach: float,
     step: float = 0.0,
 ) -> Snapped:
-    """Return the displacement with which moved bodies touch what they come near, exactly.
+    """Return the displacement with which moved bodies touch what they come near, exactly [m].
 
-    Along a floor or a wall, and where they touch nothing, the centre of the first snaps to the
-    grid.
-
-    Parameters
-    ----------
-    level
-        The level around them.
-    names
-        The bodies that are moved together.
-    way
-        Their displacement by the hand [m].
-    reach
-        The largest gap, or overlap, at which they snap [m].
-    step
-        The distance of grid lines [m]; 0 without a grid.
+    `way` is their displacement by the hand. They snap over gaps and overlaps within reach. Along a
+    floor or a wall, and where they touch nothing, the centre of the first snaps to a grid with some
+    step, 0 without a grid.
     """
     where = placed(level)
     moving, others = _pieces(where, names), _pieces(where, where.keys() - names)

@@ -29,24 +29,10 @@ class PatchError(SandboxError):
 
 
 def put(text: str, path: Path, value: Json) -> str:
-    """Return a text with a value at a path.
+    """Return a text, which may have mistakes, with a value at a path; missing parents are created.
 
-    Parameters
-    ----------
-    text
-        The JSON of a level, which may have mistakes.
-    path
-        The path of a member or an item, present or not. The length of a list, as an index, appends
-        to it. Missing parents are created.
-    value
-        The value.
-
-    Raises
-    ------
-    LevelError
-        If the text is not JSON.
-    PatchError
-        If a parent is not an object or a list, or a list is shorter than the index.
+    The length of a list, as an index, appends to it. Raises `LevelError` if the text is not JSON.
+    Raises `PatchError` if a parent is not an object or a list, or a list is shorter than the index.
     """
     return put_all(text, {path: value})
 
@@ -76,14 +62,8 @@ def remove(text: str, path: Path) -> str:
     """Return a text without a member or an item.
 
     A list that becomes empty is removed too, and so is a top-level part; but not an effect, which
-    acts even if empty, nor `bodies`, which a level must have.
-
-    Raises
-    ------
-    LevelError
-        If the text is not JSON.
-    PatchError
-        If there is nothing at the path.
+    acts even if empty, nor `bodies`, which a level must have. Raises `LevelError` if the text is
+    not JSON. Raises `PatchError` if there is nothing at the path.
     """
     found = _read(text)
     span, parent = _at(found, path), found[path[:-1]]
@@ -102,12 +82,8 @@ def remove(text: str, path: Path) -> str:
 def value_at(text: str, path: Path) -> Json:
     """Return the value at a path.
 
-    Raises
-    ------
-    LevelError
-        If the text is not JSON.
-    PatchError
-        If there is nothing at the path.
+    Raises `LevelError` if the text is not JSON. Raises `PatchError` if there is nothing at the
+    path.
     """
     span = _at(_read(text), path)
     return json.loads(text[span.begin : span.end])

@@ -81,10 +81,7 @@ def _summary(found: Results, measure: str, unit: str) -> Summary:
 def sensitivities(plan: Plan, path: Path) -> list[Sensitivity]:
     """Return Sobol's indices of each measure, from rows in Saltelli's scheme.
 
-    Raises
-    ------
-    SandboxError
-        If a row has no value: the indices need all of them.
+    Raises `SandboxError` if a row has no value: the indices need all of them.
     """
     names = tuple(plan.drawn)
     texts = [measure.text for measure in plan.measures]
@@ -99,10 +96,7 @@ def sensitivities(plan: Plan, path: Path) -> list[Sensitivity]:
 def sensitivity(measure: str, column: Array, names: Sequence[str]) -> Sensitivity:
     """Return Sobol's indices of an outcome, (R,), from rows in Saltelli's scheme.
 
-    Raises
-    ------
-    SandboxError
-        If a row has no value, or all values are equal.
+    Raises `SandboxError` if a row has no value, or all values are equal.
     """
     from scipy.stats import sobol_indices
 

@@ -157,10 +157,7 @@ Range = TypeVar("Range", Grid, Uniform)
 def parse(text: str) -> Axis:
     """Return the numeric axis that a text describes.
 
-    Raises
-    ------
-    AxisError
-        If the text describes none.
+    Raises `AxisError` if the text describes none.
     """
     text = text.strip()
     for sign in ("±", "+-"):
@@ -177,13 +174,7 @@ def parse(text: str) -> Axis:
 
 
 def parse_names(text: str) -> Listed:
-    """Return the names that a text lists.
-
-    Raises
-    ------
-    AxisError
-        If it lists none.
-    """
+    """Return the names that a text lists; raise `AxisError` if it lists none."""
     return Listed(tuple(_items(text)))
 
 

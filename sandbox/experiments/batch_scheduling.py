@@ -40,16 +40,8 @@ class Pace:
     Batches become smaller towards the end, in proportion to what is left (C. D. Polychronopoulos
     and D. J. Kuck, "Guided self-scheduling", 1987). Runs in one batch of arrays cost as much in a
     small batch as in a large one: their batches are all of one size, as few as the processes share
-    evenly.
-
-    Parameters
-    ----------
-    jobs
-        The number of batches that are worked on at a time.
-    rows
-        The number of rows.
-    together
-        The number of runs in one batch of arrays; 1 if each runs alone.
+    evenly. There are `jobs` batches at a time; `together` is the number of runs in one batch of
+    arrays, 1 if each runs alone.
     """
 
     def __init__(self, jobs: int, rows: int, together: int = 1) -> None:
@@ -89,10 +81,7 @@ class Pace:
 def conduct(plan: Plan, store: Store, executor: Executor, tell: Tell) -> None:
     """Run all missing rows, and write the finished table.
 
-    Raises
-    ------
-    SandboxError
-        If it cannot continue; the results so far are kept.
+    Raises `SandboxError` if it cannot continue; the results so far are kept.
     """
     if store.complete:
         return

@@ -30,10 +30,7 @@ def names() -> list[str]:
 def find(experiment: str) -> Path:
     """Return the file of an experiment: a path, or one of `names`.
 
-    Raises
-    ------
-    LevelError
-        If there is none; the message suggests what was probably meant.
+    Raises `LevelError` if there is none; the message suggests what was probably meant.
     """
     if experiment in names():
         return root() / f"{experiment}.json"
@@ -51,10 +48,7 @@ def find(experiment: str) -> Path:
 def open_plan(path: Path) -> Plan:
     """Return the plan of an experiment's file.
 
-    Raises
-    ------
-    LevelError
-        If it has mistakes; the error lists all of them with their places.
+    Raises `LevelError` if it has mistakes; the error lists all of them with their places.
     """
     experiment, document = read(path)
     try:

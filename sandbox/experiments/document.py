@@ -77,10 +77,7 @@ class Experiment(Model):
 def load(path: Path) -> Experiment:
     """Read an experiment from a JSON file.
 
-    Raises
-    ------
-    LevelError
-        If it cannot be read or has mistakes; the error lists all of them.
+    Raises `LevelError` if it cannot be read or has mistakes; the error lists all of them.
     """
     return read(path)[0]
 

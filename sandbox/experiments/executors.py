@@ -33,10 +33,7 @@ class Executor(Protocol):
     def results(self, work: Callable[[Item], Result], items: Iterable[Item]) -> Iterator[Result]:
         """Yield the result of each item, in the order in which they are finished.
 
-        Raises
-        ------
-        SandboxError
-            If it cannot continue.
+        Raises `SandboxError` if it cannot continue.
         """
 
 
@@ -134,19 +131,10 @@ def _versions() -> dict[str, str]:
 
 @contextmanager
 def cluster(address: str, workers: int = 1) -> Iterator[Cluster]:
-    """Use a Dask cluster.
+    """Use a Dask cluster whose scheduler is at an address, such as `tcp://127.0.0.1:8786`.
 
-    Parameters
-    ----------
-    address
-        The address of its scheduler, such as `tcp://127.0.0.1:8786`.
-    workers
-        The number of workers to wait for, for at most as long as a scheduler may take to answer.
-
-    Raises
-    ------
-    SandboxError
-        If no scheduler answers at the address.
+    It waits for some workers, for at most as long as a scheduler may take to answer. Raises
+    `SandboxError` if no scheduler answers at the address.
     """
     with needed_for("--cluster", "cluster"):
         from distributed import Client

@@ -23,10 +23,7 @@ PAGE, NUMBERS = "report.html", "fit.json"
 def write(level: Level, source: str, data: Data, found: Fit, folder: Path) -> Path:
     """Write the report and the numbers of a fit into a folder, and return the path of the page.
 
-    Raises
-    ------
-    SandboxError
-        If they cannot be written.
+    Raises `SandboxError` if they cannot be written.
     """
     pictures = [
         (inline(_picture(level, data, found, name), caption), caption)

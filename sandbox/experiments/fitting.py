@@ -56,16 +56,9 @@ def fit(level: Level, values: Values, names: Sequence[str], data: Data, stepping
     """Find parameters by least squares.
 
     The uncertainties are those of the linearized problem, (Jᵀ J)⁻¹, where J is the Jacobian of the
-    residuals over their uncertainties.
-
-    Raises
-    ------
-    FitError
-        If the data do not determine them.
-    ValueRangeError
-        If the level has no such parameter.
-    SimulationError
-        If a run had to stop.
+    residuals over their uncertainties. Raises `FitError` if the data do not determine them. Raises
+    `ValueRangeError` if the level has no such parameter. Raises `SimulationError` if a run had to
+    stop.
     """
     from scipy.optimize import least_squares
 

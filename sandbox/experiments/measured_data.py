@@ -43,12 +43,7 @@ def read(path: Path, level: Level) -> Data:
     """Read a CSV file with a column `t`, and columns named after quantities of a level.
 
     A column named after a quantity and ± holds its standard uncertainties. Lines that begin with #
-    are comments.
-
-    Raises
-    ------
-    DataError
-        If the file cannot be used; the message says where and why.
+    are comments. Raises `DataError` if the file cannot be used; the message says where and why.
     """
     lines = enumerate(_lines(path), 1)
     numbered = [(i, line) for i, line in lines if line.strip() and line[0] != "#"]

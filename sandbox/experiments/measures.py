@@ -92,12 +92,7 @@ class Measure:
     def measured(self, trace: Trace, until: float | None) -> tuple[float, float | None] | None:
         """Return the number and the time of its instant [s], if any; None if that never occurs.
 
-        Parameters
-        ----------
-        trace
-            The run, with its quantities recorded.
-        until
-            The time at which the condition ended the run [s]; None if it did not.
+        `until` is the time at which the condition ended the run [s]; None if it did not.
         """
         if self.reduction == "error":
             assert self.check
@@ -134,17 +129,9 @@ class Measure:
 
 
 def parse(text: str, level: Level, *, until: bool) -> Measure:
-    """Return the measure that a text describes.
+    """Return the measure that a text describes; with `until`, a condition that ends the runs.
 
-    Parameters
-    ----------
-    until
-        Whether a condition ends the runs.
-
-    Raises
-    ------
-    MeasureError
-        If the level has no such quantity, event or check.
+    Raises `MeasureError` if the level has no such quantity, event or check.
     """
     text = text.strip()
     try:

@@ -34,12 +34,8 @@ class Observable:
     def of(cls, text: str, level: Level) -> "Observable":
         """Return the observable of a text, such as `ball.speed` or `a.position.x - b.position.x`.
 
-        Raises
-        ------
-        ExpressionError
-            If the text is not valid arithmetic.
-        QuantityError
-            If the level has no such quantity.
+        Raises `ExpressionError` if the text is not valid arithmetic. Raises `QuantityError` if the
+        level has no such quantity.
         """
         text = text.strip()
         if text == "t" or _QUANTITY.fullmatch(text):

@@ -140,10 +140,7 @@ class Plan:
     def setting(self, row: Row) -> tuple[Level, Values, Stepping]:
         """Return the level of a row with its effects, the parameters, and the stepping.
 
-        Raises
-        ------
-        SandboxError
-            If the row cannot be run.
+        Raises `SandboxError` if the row cannot be run.
         """
         varied = dict(zip(self.axes, row.varied, strict=True))
         chosen = {n: float(v) for n, v in varied.items() if n in self.level.parameters}
@@ -155,10 +152,7 @@ class Plan:
     def stepping(self, varied: Mapping[str, float | str]) -> Stepping:
         """Return the stepping, with some of its settings replaced by name.
 
-        Raises
-        ------
-        ValidationError
-            If a value is not valid.
+        Raises `ValidationError` if a value is not valid.
         """
         own = self.level.stepping
         asked = {"rate": self.experiment.rate, "scheme": self.experiment.scheme, **varied}
@@ -170,10 +164,7 @@ class Plan:
     def variant(self, without: str) -> Variant:
         """Return the level without some effects, given by their names, joined by +.
 
-        Raises
-        ------
-        EffectError
-            If it is not valid without them.
+        Raises `EffectError` if it is not valid without them.
         """
         if without not in self._variants:
             names = [] if without == NONE else [name.strip() for name in without.split("+")]
@@ -190,10 +181,7 @@ class Plan:
 def axis_of(name: str, text: str, level: Level) -> Axis:
     """Return the axis of a name, as written in a text.
 
-    Raises
-    ------
-    AxisError
-        If the text cannot be read.
+    Raises `AxisError` if the text cannot be read.
     """
     named = name in NAMED and name not in level.parameters
     return axes.parse_names(text) if named else axes.parse(text)

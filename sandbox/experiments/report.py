@@ -41,10 +41,7 @@ class Page(NamedTuple):
 def write(plan: Plan, path: Path, folder: Path) -> Page:
     """Write the report of a finished table into a folder.
 
-    Raises
-    ------
-    SandboxError
-        If it cannot be written.
+    Raises `SandboxError` if it cannot be written.
     """
     forms = [
         name(m.text) for m in plan.measures if m.of and m.check for name in (closed_form, error)

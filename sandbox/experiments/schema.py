@@ -20,10 +20,7 @@ def text() -> str:
 def write() -> Path:
     """Write the schema beside the experiments, atomically, and return its path.
 
-    Raises
-    ------
-    SandboxError
-        If the package is installed, with the schema inside it.
+    Raises `SandboxError` if the package is installed, with the schema inside it.
     """
     sources()
     target = catalog.root() / catalog.SCHEMA

@@ -34,19 +34,9 @@ RESULTS, DESCRIPTION, PARTS = "results.parquet", "experiment.json", "parts"
 
 
 class Store:
-    """The folder of an experiment.
+    """The folder of an experiment, made if missing, which stores the results of its plan.
 
-    Parameters
-    ----------
-    folder
-        Its path; made if missing.
-    plan
-        The plan whose results are stored.
-
-    Raises
-    ------
-    SandboxError
-        If it cannot be written, or belongs to another experiment.
+    Raises `SandboxError` if it cannot be written, or belongs to another experiment.
     """
 
     def __init__(self, folder: Path, plan: Plan) -> None:
@@ -106,10 +96,7 @@ class Store:
     def add(self, start: int, stop: int, columns: Sequence[Sequence[Cell]]) -> None:
         """Store the results of some rows, column by column.
 
-        Raises
-        ------
-        SandboxError
-            If there is not enough space.
+        Raises `SandboxError` if there is not enough space.
         """
         import pyarrow as pa
         import pyarrow.parquet as pq
@@ -123,10 +110,8 @@ class Store:
     def finish(self) -> None:
         """Write all rows to one table, in their order and in groups of the same size.
 
-        Raises
-        ------
-        SandboxError
-            If there is not enough space, or a part is damaged; the parts are kept.
+        Raises `SandboxError` if there is not enough space, or a part is damaged; the parts are
+        kept.
         """
         import pyarrow.parquet as pq
 

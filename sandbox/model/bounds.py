@@ -27,222 +27,125 @@ Finite = Annotated[float, Field(allow_inf_nan=False, ge=-LARGEST_PARAMETER, le=L
 """A number of a parameter."""
 
 
-class Mass(Positive):
+class Mass(Positive, least=1e-35, most=1e35, unit="kg"):
     """A mass."""
 
-    __slots__ = ()
-    least, most, unit = 1e-35, 1e35, "kg"
 
-
-class Moment(Positive):
+class Moment(Positive, least=1e-65, most=1e65, unit="kg m²"):
     """A moment of inertia."""
 
-    __slots__ = ()
-    least, most, unit = 1e-65, 1e65, "kg m²"
 
-
-class Coordinate(Expression):
+class Coordinate(Expression, most=1e15, unit="m"):
     """Where something is, along an axis."""
 
-    __slots__ = ()
-    most, unit = 1e15, "m"
 
-
-class Travel(Expression):
+class Travel(Expression, most=1e15, unit="m"):
     """How far something is along a way, or back."""
 
-    __slots__ = ()
-    most, unit = 1e15, "m"
 
-
-class Extent(Positive):
+class Extent(Positive, least=1e-15, most=1e15, unit="m"):
     """How large something is."""
 
-    __slots__ = ()
-    least, most, unit = 1e-15, 1e15, "m"
 
-
-class Width(NonNegative):
+class Width(NonNegative, most=1e15, unit="m"):
     """How thick something is, if it is."""
 
-    __slots__ = ()
-    most, unit = 1e15, "m"
 
-
-class Angle(Expression):
+class Angle(Expression, most=1e9, unit="rad"):
     """An angle."""
 
-    __slots__ = ()
-    most, unit = 1e9, "rad"
 
-
-class Speed(Expression):
+class Speed(Expression, most=1e12, unit="m/s"):
     """A velocity along an axis."""
 
-    __slots__ = ()
-    most, unit = 1e12, "m/s"
 
-
-class Spin(Expression):
+class Spin(Expression, most=1e12, unit="rad/s"):
     """An angular velocity."""
 
-    __slots__ = ()
-    most, unit = 1e12, "rad/s"
 
-
-class Acceleration(Expression):
+class Acceleration(Expression, most=1e15, unit="m/s²"):
     """An acceleration along an axis."""
 
-    __slots__ = ()
-    most, unit = 1e15, "m/s²"
 
-
-class Coefficient(NonNegative):
+class Coefficient(NonNegative, most=1e6):
     """A coefficient of friction."""
 
-    __slots__ = ()
-    most = 1e6
 
-
-class Stiffness(NonNegative):
+class Stiffness(NonNegative, most=1e30, unit="N/m"):
     """How hard a spring pulls for its stretch."""
 
-    __slots__ = ()
-    most, unit = 1e30, "N/m"
 
-
-class Damping(NonNegative):
+class Damping(NonNegative, most=1e30, unit="kg/s"):
     """How hard something is held back for its speed."""
 
-    __slots__ = ()
-    most, unit = 1e30, "kg/s"
 
-
-class Resistance(NonNegative):
+class Resistance(NonNegative, most=1e30, unit="kg/m"):
     """How hard something is held back for the square of its speed."""
 
-    __slots__ = ()
-    most, unit = 1e30, "kg/m"
 
-
-class Strength(Expression):
+class Strength(Expression, most=1e40):
     """How strongly something attracts, in the unit that its law needs."""
 
-    __slots__ = ()
-    most = 1e40
 
-
-class Ratio(Expression):
+class Ratio(Expression, most=1e6):
     """How many times as far one thing turns as another."""
 
-    __slots__ = ()
-    most = 1e6
 
-
-class Power(Expression):
+class Power(Expression, most=10.0):
     """The power of a distance."""
 
-    __slots__ = ()
-    most = 10.0
 
-
-class Density(NonNegative):
+class Density(NonNegative, most=1e30, unit="kg/m²"):
     """A mass for an area of the plane."""
 
-    __slots__ = ()
-    most, unit = 1e30, "kg/m²"
 
-
-class Load(Positive):
+class Load(Positive, least=1e-35, most=1e40, unit="N"):
     """A force that something bears."""
 
-    __slots__ = ()
-    least, most, unit = 1e-35, 1e40, "N"
 
-
-class Pull(NonNegative):
+class Pull(NonNegative, most=1e15, unit="m/s²"):
     """An acceleration downwards."""
 
-    __slots__ = ()
-    most, unit = 1e15, "m/s²"
 
-
-class Flow(Positive):
+class Flow(Positive, least=1e-35, most=1e35, unit="kg/s"):
     """A mass for a time."""
 
-    __slots__ = ()
-    least, most, unit = 1e-35, 1e35, "kg/s"
 
-
-class Duration(Positive):
+class Duration(Positive, least=1e-12, most=1e12, unit="s"):
     """How long something lasts."""
 
-    __slots__ = ()
-    least, most, unit = 1e-12, 1e12, "s"
 
-
-class ForceOverTime(Formula):
+class ForceOverTime(Formula, most=1e40, unit="N"):
     """A force along an axis, over the time."""
 
-    __slots__ = ()
-    most, unit = 1e40, "N"
 
-
-class LengthOverTime(Formula):
+class LengthOverTime(Formula, most=1e15, unit="m"):
     """A length over the time."""
 
-    __slots__ = ()
-    most, unit = 1e15, "m"
 
-
-class AngleOverTime(Formula):
+class AngleOverTime(Formula, most=1e9, unit="rad"):
     """An angle over the time."""
 
-    __slots__ = ()
-    most, unit = 1e9, "rad"
 
-
-class SpinOverTime(Formula):
+class SpinOverTime(Formula, most=1e12, unit="rad/s"):
     """An angular velocity over the time."""
 
-    __slots__ = ()
-    most, unit = 1e12, "rad/s"
 
-
-class ForceInField(Function):
+class ForceInField(Function, most=1e40, unit="N", variables=("x", "y", "vx", "vy", "t")):
     """A force along an axis, over where a body is, how it moves, and the time."""
 
-    __slots__ = ()
-    most, unit = 1e40, "N"
-    variables = ("x", "y", "vx", "vy", "t")
 
-
-class EnergyInField(Function):
+class EnergyInField(Function, most=1e60, unit="J", variables=("x", "y")):
     """A potential energy, over where a body is."""
 
-    __slots__ = ()
-    most, unit = 1e60, "J"
-    variables = ("x", "y")
 
-
-class TorqueOfTurning(Function):
+class TorqueOfTurning(Function, most=1e40, unit="N·m", variables=("theta", "omega", "t")):
     """A torque, over how a body is turned, how fast it turns, and the time."""
 
-    __slots__ = ()
-    most, unit = 1e40, "N·m"
-    variables = ("theta", "omega", "t")
 
-
-class Twist(NonNegative):
+class Twist(NonNegative, most=1e30, unit="N·m/rad"):
     """How hard a torsion spring turns back for its angle."""
 
-    __slots__ = ()
-    most, unit = 1e30, "N·m/rad"
 
-
-class SpringLaw(Function):
+class SpringLaw(Function, most=1e40, unit="N", variables=("x",)):
     """The force with which a spring pulls, over how far it is stretched."""
-
-    __slots__ = ()
-    most, unit = 1e40, "N"
-    variables = ("x",)

@@ -43,10 +43,7 @@ def root() -> Path:
 def sources() -> Path:
     """Return the folder of the project's sources.
 
-    Raises
-    ------
-    MisuseError
-        If the package is installed without them.
+    Raises `MisuseError` if the package is installed without them.
     """
     folder = Path(__file__).resolve().parents[2]
     if not (folder / "pyproject.toml").is_file():
@@ -88,16 +85,9 @@ def challenges() -> list[str]:
 def find(level: str) -> Path:
     """Return the path of a level's file.
 
-    Parameters
-    ----------
-    level
-        A path to a file, a name such as `newton/atwood`, or the last part of a name if only one
-        level's name ends with it.
-
-    Raises
-    ------
-    LevelError
-        If there is no such level; the message suggests what was probably meant.
+    The level is a path, a name such as `newton/atwood`, or the last part of a name if only one
+    level's name ends with it. Raises `LevelError` if there is no such level; the message suggests
+    what was probably meant.
     """
     if _is_file(level):
         return Path(level)

@@ -168,10 +168,7 @@ run in real time."""
 def crowd(kind: str, bodies: int) -> Document:
     """Return a level with a number of moving bodies.
 
-    Raises
-    ------
-    CrowdError
-        If there is no such kind, or the number of bodies is out of its range.
+    Raises `CrowdError` if there is no such kind, or the number of bodies is out of its range.
     """
     if kind not in CROWDS:
         raise CrowdError(

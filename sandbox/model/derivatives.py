@@ -53,10 +53,7 @@ _CORNERS = (ast.Mod, ast.IfExp, ast.Compare, ast.BoolOp, ast.Not)
 def derivative(source: str, variable: str) -> str:
     """Return the derivative of an expression that is allowed, with respect to one of its names.
 
-    Raises
-    ------
-    RecursionError
-        If the expression is nested too deeply.
+    Raises `RecursionError` if the expression is nested too deeply.
     """
     tree = ast.parse(source.strip(), mode="eval")
     return ast.unparse(_derived(tree.body, variable))

@@ -65,10 +65,7 @@ class EffectError(MisuseError):
 def without(level: Level, effect: str) -> tuple[Level, tuple[str, ...]]:
     """Return a level without an effect, and the effects that were switched off with it.
 
-    Raises
-    ------
-    EffectError
-        If the level does not declare the effect, or is impossible without it.
+    Raises `EffectError` if the level does not declare the effect, or is impossible without it.
     """
     if effect not in level.effects.declared:
         hint = suggestion(effect, level.effects.declared)
@@ -135,20 +132,9 @@ def _cleared(level: Level, found: list[Fault], effect: str) -> Level:
 def including(level: Level, effect: str, settings: Settings) -> Level:
     """Return a level with one more effect, or with other settings of an effect that it declares.
 
-    Parameters
-    ----------
-    level
-        Any level.
-    effect
-        The name of the effect.
-    settings
-        Its fields, as in a file; for an effect that is a list, the fields of every entry. For
-        `friction` and `restitution`, the `coefficient` of every pair. `DEFAULTS` if empty.
-
-    Raises
-    ------
-    EffectError
-        If there is no such effect or setting, or it contradicts the level.
+    The settings are its fields, as in a file, or `DEFAULTS`; for an effect that is a list, the
+    fields of every entry; for `friction` and `restitution`, the `coefficient` of every pair. Raises
+    `EffectError` if there is no such effect or setting, or it contradicts the level.
     """
     if effect not in Effects.model_fields:
         hint = suggestion(effect, Effects.model_fields, most=20)
@@ -188,10 +174,7 @@ def vary(
 ) -> tuple[Level, tuple[Variation, ...]]:
     """Return a level with some effects switched off, then others on, and each change.
 
-    Raises
-    ------
-    EffectError
-        If the result would be impossible.
+    Raises `EffectError` if the result would be impossible.
     """
     changed = level
     parts: list[Variation] = []

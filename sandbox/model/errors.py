@@ -22,10 +22,7 @@ MAX_MISTAKES = 100
 class SandboxError(Exception):
     """Anything that a user can mend; its text is fit to be shown.
 
-    Parameters
-    ----------
-    message, values
-        The message, or the template of one and its values by name.
+    It takes a message, or the template of one and its values by name.
     """
 
     exit_status = 1  # of a command that ends with it

@@ -22,18 +22,9 @@ Values = Mapping[str, float]
 class Expression:
     """A finite number, or a formula for one.
 
-    Parameters
-    ----------
-    source
-        A number, or arithmetic over parameters, ``pi``, ``deg`` and the functions of `FUNCTIONS`.
-
-    Raises
-    ------
-    ExpressionError
-        If the source is anything else.
+    A formula is arithmetic over parameters, ``pi``, ``deg`` and the functions of `FUNCTIONS`.
+    Raises `ExpressionError` if the source is anything else.
     """
-
-    __slots__ = ("_code", "_constant", "_defined", "names", "source", "written")
 
     _code: CodeType | None
     _constant: float | None
@@ -58,6 +49,12 @@ class Expression:
     names: frozenset[str]
     """The parameters and variables that its value depends on, with constants resolved."""
 
+    def __init_subclass__(cls, **facts: object) -> None:
+        """Set class attributes, such as `most`, that are given with the bases."""
+        super().__init_subclass__()
+        for name, value in facts.items():
+            setattr(cls, name, value)
+
     def __init__(self, source: float | str) -> None:
         self.source = source if isinstance(source, str) else _number(source)
         self._defined = ()
@@ -70,13 +67,7 @@ class Expression:
             self._constant = self._finite(self.source)
 
     def define(self, constants: Mapping[str, "Expression"]) -> None:
-        """Define names in its text as constants.
-
-        Parameters
-        ----------
-        constants
-            Constants by name, each after those that it uses.
-        """
+        """Define names in its text as constants, each after those that it uses."""
         names, used = set(self.written), list[tuple[str, Expression]]()
         for name, constant in reversed([*constants.items()]):
             if name in names:
@@ -94,10 +85,7 @@ class Expression:
     def __call__(self, values: Values) -> float:
         """Return the value for given parameters.
 
-        Raises
-        ------
-        ExpressionError
-            If the value is not finite or breaks the expression's rule.
+        Raises `ExpressionError` if the value is not finite or breaks the expression's rule.
         """
         if self._constant is not None:
             return self._constant
@@ -234,7 +222,6 @@ def _restored(kind: type[Expression], source: str, defined: Definitions) -> Expr
 class Positive(Expression):
     """An expression whose value must be greater than zero."""
 
-    __slots__ = ()
     rule = Message("greater than 0")
     bounds: ClassVar = {"exclusiveMinimum": 0}
 
@@ -246,7 +233,6 @@ class Positive(Expression):
 class NonNegative(Expression):
     """An expression whose value must not be negative."""
 
-    __slots__ = ()
     rule = Message("at least 0")
     bounds: ClassVar = {"minimum": 0}
 
@@ -258,7 +244,6 @@ class NonNegative(Expression):
 class Fraction(Expression):
     """An expression whose value must lie between zero and one."""
 
-    __slots__ = ()
     rule = Message("between 0 and 1")
     bounds: ClassVar = {"minimum": 0, "maximum": 1}
 

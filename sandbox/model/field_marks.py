@@ -20,22 +20,7 @@ Find = Callable[[Any, Path], Iterator[Marked]]
 
 
 def marked(part: Model, kind: type, path: Path = ()) -> Iterator[Marked]:
-    """Yield every value within a part of a level that has a given kind of mark.
-
-    Parameters
-    ----------
-    part
-        The value to search.
-    kind
-        The class of the mark.
-    path
-        The path of the part.
-
-    Yields
-    ------
-    tuple
-        The path of the value, the value, and its mark.
-    """
+    """Yield path, value and mark of every value in a part that has a given kind of mark."""
     find = _of_model(type(part), kind)
     if find:
         yield from find(part, path)

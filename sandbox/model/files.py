@@ -37,25 +37,10 @@ def write_atomically(
     """Write a file under another name, then rename it, so that nobody ever reads half of it.
 
     Its permissions are kept, and its owner where that is allowed. Unfinished files that a killed
-    process has left in the folder are removed.
-
-    Parameters
-    ----------
-    path
-        The path of the file.
-    data
-        The content.
-    follow
-        Whether to write through a link of that name; otherwise the file replaces the link.
-    new
-        Whether the path must be free, even of a link.
-
-    Raises
-    ------
-    TakenError
-        If the path is not free, but must be.
-    SandboxError
-        If it cannot be written; the previous content is then unchanged.
+    process has left in the folder are removed. If `follow`, a link of that name is written through;
+    otherwise the file replaces the link. If `new`, the path must be free, even of a link. Raises
+    `TakenError` if the path is not free, but must be. Raises `SandboxError` if it cannot be
+    written; the previous content is then unchanged.
     """
     if new and os.path.lexists(path):
         raise _taken(path)
@@ -122,10 +107,7 @@ def _link(made: Path, place: Path) -> None:
 def read_ordinary(path: Path, largest: int) -> bytes | None:
     """Return the content of a file; None if it is a link, a pipe or a device, or too large.
 
-    Raises
-    ------
-    OSError
-        If the file does not exist, or cannot be read.
+    Raises `OSError` if the file does not exist, or cannot be read.
     """
     plain = getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0)
     if path.is_symlink():  # for systems without O_NOFOLLOW
@@ -167,10 +149,7 @@ def lives(process: int) -> bool:
 def check_writable(path: Path) -> None:
     """Refuse a path that cannot be written, as far as can be found out without writing.
 
-    Raises
-    ------
-    MisuseError
-        If the path is not a file, or its folder is missing or read-only.
+    Raises `MisuseError` if the path is not a file, or its folder is missing or read-only.
     """
     try:
         target = os.path.realpath(path)
@@ -195,12 +174,8 @@ def check_writable(path: Path) -> None:
 def make_folder(folder: Path) -> None:
     """Make a folder if it is missing, and refuse it if no file can be written in it.
 
-    Raises
-    ------
-    MisuseError
-        If there cannot be such a folder, or it is read-only.
-    SandboxError
-        If there is no space for it.
+    Raises `MisuseError` if there cannot be such a folder, or it is read-only. Raises `SandboxError`
+    if there is no space for it.
     """
     try:
         folder.mkdir(parents=True, exist_ok=True)
@@ -220,10 +195,7 @@ def make_folder(folder: Path) -> None:
 def folder_of_files(folder: Path) -> Iterator[None]:
     """Make a folder for the files that are written within; remove it if it is still empty then.
 
-    Raises
-    ------
-    MisuseError, SandboxError
-        As by `make_folder`.
+    Raises what `make_folder` raises.
     """
     made = [each for each in (folder, *folder.parents) if not each.exists()]
     try:

@@ -12,17 +12,10 @@ from sandbox.model.expressions import Array, Expression, Values
 class Function(Expression):
     """An expression over variables of its own, in addition to the parameters."""
 
-    __slots__ = ()
-
     def at(self, values: Values, variables: Mapping[str, Array]) -> Array:
         """Return the value for given variables; not finite where it has none.
 
-        Parameters
-        ----------
-        values
-            The level's parameters.
-        variables
-            The variables by name; arrays that broadcast to the shape of the result.
+        The variables are arrays that broadcast to the shape of the result.
         """
         result = self._evaluate({**values, **variables}) if self._code else self._constant
         return np.asarray(result, dtype=float)
@@ -30,10 +23,7 @@ class Function(Expression):
     def slope(self, variable: str) -> "Function":
         """Return the derivative with respect to one of its variables.
 
-        Raises
-        ------
-        ExpressionError
-            If the expression is nested too deeply.
+        Raises `ExpressionError` if the expression is nested too deeply.
         """
         derived = object.__new__(Function)
         derived.source, derived._constant = f"d({self.source})/d{variable}", None
@@ -49,7 +39,6 @@ class Function(Expression):
 class Formula(Function):
     """An expression that may also use the time ``t``, at one instant or over many at once."""
 
-    __slots__ = ()
     variables = ("t",)
 
     @property
@@ -58,15 +47,7 @@ class Formula(Function):
         return self.variables[0]
 
     def over(self, values: Values, t: Array) -> Array:
-        """Return the value at each time; not finite where it has none.
-
-        Parameters
-        ----------
-        values
-            The level's parameters.
-        t
-            Times [s], of any shape, which the result has as well.
-        """
+        """Return the value at each time [s], in its shape; not finite where it has none."""
         found = self.at(values, {self.variable: t})
         return found if found.shape == np.shape(t) else np.broadcast_to(found, np.shape(t))
 
@@ -74,14 +55,12 @@ class Formula(Function):
 class Curve(Formula):
     """A coordinate of a curve: a formula over ``s``, the parameter along the curve."""
 
-    __slots__ = ()
     variables = ("s",)
 
 
 class Profile(Formula):
     """A formula over a position ``x`` [m] instead of the time."""
 
-    __slots__ = ()
     variables = ("x",)
 
 

@@ -46,10 +46,7 @@ def position(text: str, index: int) -> Position:
 def values(text: str) -> Iterator[Value]:
     """Yield every value of a JSON text, each before those within it.
 
-    Parameters
-    ----------
-    text
-        Well-formed JSON, except for repeated keys and NaN or Infinity.
+    The text is well-formed, except for repeated keys and NaN or Infinity.
     """
     opened: list[_Container] = []
     inner: _Container | None = None

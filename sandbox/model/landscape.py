@@ -31,10 +31,8 @@ class Landscape(Model):
     def curve(self, values: Values) -> tuple[Array, Array]:
         """Return places [m] and the potential there [J]; where there is none, it is not finite.
 
-        Raises
-        ------
-        ExpressionError
-            If a bound has no value, or the potential divides by zero whatever the place.
+        Raises `ExpressionError` if a bound has no value, or the potential divides by zero whatever
+        the place.
         """
         x = np.linspace(self.x[0](values), self.x[1](values), POINTS)
         return x, self.potential.over(values, x)

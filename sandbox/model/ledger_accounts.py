@@ -12,7 +12,7 @@ from sandbox.model.effects.contract import Book
 from sandbox.model.joints import Joint, Spring, bodies_of
 from sandbox.model.level import Level
 from sandbox.model.level_parts import names_in
-from sandbox.model.switches import switched
+from sandbox.model.switched_forces import switched
 
 OTHERS = ("bodies", "joints", "events", "damping", "supports")
 """The accounts that are not named after an effect or a joint."""

@@ -122,10 +122,7 @@ class Stepping(Model):
     def at(self, rate: float) -> "Stepping":
         """Return the stepping with a given rate [Hz], and without an accuracy.
 
-        Raises
-        ------
-        ValidationError
-            If the rate is not allowed.
+        Raises `ValidationError` if the rate is not allowed.
         """
         return Stepping.model_validate({**self.model_dump(), "accuracy": None, "rate": rate})
 

@@ -47,10 +47,7 @@ _MENDED = ("expression", "float_type", "int_type", "missing", "greater_than", "f
 def load(path: Path) -> Level:
     """Read a level from a JSON file.
 
-    Raises
-    ------
-    LevelError
-        If the file cannot be read, or the level has mistakes.
+    Raises `LevelError` if the file cannot be read, or the level has mistakes.
     """
     return parse(read(path), str(path))
 
@@ -58,10 +55,7 @@ def load(path: Path) -> Level:
 def read(path: Path) -> str:
     """Return the text of a level's file, whatever it says.
 
-    Raises
-    ------
-    LevelError
-        If the file cannot be read, is too large, or is not text.
+    Raises `LevelError` if the file cannot be read, is too large, or is not text.
     """
     return decoded(content(path), str(path))
 
@@ -69,10 +63,7 @@ def read(path: Path) -> str:
 def content(path: Path) -> bytes:
     """Return the content of a level's file, byte for byte.
 
-    Raises
-    ------
-    LevelError
-        If the file cannot be read, or is too large.
+    Raises `LevelError` if the file cannot be read, or is too large.
     """
     source = str(path)
     try:
@@ -87,10 +78,7 @@ def content(path: Path) -> bytes:
 def decoded(held: bytes, source: str) -> str:
     """Return the text of a file's content, without a byte order mark.
 
-    Raises
-    ------
-    LevelError
-        If it is not text.
+    Raises `LevelError` if it is not text.
     """
     content = held.removeprefix(codecs.BOM_UTF8)
     try:
@@ -102,19 +90,9 @@ def decoded(held: bytes, source: str) -> str:
 
 
 def parse(text: str, source: str = "<text>") -> Level:
-    """Make a level from JSON text.
+    """Make a level from JSON text; messages name its source.
 
-    Parameters
-    ----------
-    text
-        The JSON.
-    source
-        The origin of the text, for the messages.
-
-    Raises
-    ------
-    LevelError
-        If the level has mistakes.
+    Raises `LevelError` if the level has mistakes.
     """
     try:
         with np.errstate(all="ignore"):  # values that are not finite are reported by name
@@ -188,18 +166,9 @@ def choose(
 ) -> Values:
     """Return the values of a level's parameters, with some of them changed from their defaults.
 
-    Parameters
-    ----------
-    level, settings
-        The level, and the changed values by name.
-    among
-        The result of `faults.depending` for the level, if already known.
-
-    Raises
-    ------
-    ValueRangeError
-        If the level has no such parameter, or a value is not finite, is out of the parameter's
-        range, or makes a part of the level impossible.
+    `among` is the result of `faults.depending` for the level, if already known. Raises
+    `ValueRangeError` if the level has no such parameter, or a value is not finite, is out of the
+    parameter's range, or makes a part of the level impossible.
     """
     for name, value in settings.items():
         if wrong := _wrong_value(level, name, value):

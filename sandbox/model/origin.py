@@ -15,16 +15,8 @@ def _there(path: Path) -> Path:
 class Origin:
     """A JSON text, and the positions of its values.
 
-    All origins are equal, so that equal levels compare equal wherever they were read.
-
-    Parameters
-    ----------
-    text
-        The JSON text.
-    source
-        The origin of the text, for the messages.
-    typed
-        A function from a path in the level to that in the text; the identity if left out.
+    All origins are equal, so that equal levels compare equal wherever they were read. `typed` maps
+    a path in the level to that in the text, by default to itself.
     """
 
     def __init__(self, text: str, source: str, typed: Callable[[Path], Path] = _there) -> None:

@@ -96,12 +96,7 @@ def refused(message: str) -> tuple[Message, Position | None]:
 def path_of(detail: ErrorDetails, known: Callable[[Path], bool]) -> Path:
     """Drop steps of pydantic's location that are not in the file, such as the type of a shape.
 
-    Parameters
-    ----------
-    detail
-        The error.
-    known
-        Whether the file has a value at a path.
+    `known` tells whether the file has a value at a path.
     """
     path: Path = ()
     for step in detail["loc"]:

@@ -162,10 +162,8 @@ def momentary(level: Level) -> Iterator[Quantity]:
 def quantity(name: str, level: Level) -> Quantity:
     """Return the quantity of that name.
 
-    Raises
-    ------
-    QuantityError
-        If the level has none of that name; the message suggests what was probably meant.
+    Raises `QuantityError` if the level has none of that name; the message suggests what was
+    probably meant.
     """
     if name == TIME.name:
         return TIME

@@ -83,10 +83,7 @@ def text() -> str:
 def write() -> Path:
     """Write the schema beside the levels, atomically, and return its path.
 
-    Raises
-    ------
-    SandboxError
-        If the package is installed, with the schema inside it.
+    Raises `SandboxError` if the package is installed, with the schema inside it.
     """
     catalog.sources()
     target = catalog.root() / catalog.SCHEMA

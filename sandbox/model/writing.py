@@ -75,13 +75,7 @@ def text(document: Mapping[str, Any]) -> str:
 
 
 def formatted(typed: str) -> str:
-    """Return a level's JSON text in its layout; a text that has it stays as it is.
-
-    Parameters
-    ----------
-    typed
-        The text of a well-formed level.
-    """
+    """Return the text of a well-formed level in its layout; a text that has it stays as it is."""
     proper = _written(_read(typed))
     return proper.replace("\n", "\r\n") if "\r\n" in typed else proper
 

@@ -31,9 +31,9 @@ _WINDOWS = pytest.StashKey[int]()
 
 
 def pytest_itemcollected(item: pytest.Item) -> None:
-    """Leave most tests that open a window to `make sweep`: to open one takes longer than to test.
+    """Leave most tests that open a window to `make sweep`.
 
-    Each module of them keeps some that are quick.
+    Opening a window takes longer than testing it. Each module keeps some quick tests of them.
     """
     module = item.getparent(pytest.Module)
     if module is None or "person" not in getattr(item, "fixturenames", ()):
@@ -52,14 +52,14 @@ def pen() -> Pen:
 
 @pytest.fixture(autouse=True)
 def _nothing_kept(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Let nobody's stars and drafts be read or written but those of the test itself."""
+    """Read and write no stars and drafts but those of the test itself."""
     monkeypatch.setattr(progress, "file", lambda: tmp_path / "stars" / "stars.json")
     monkeypatch.setattr(recovery, "folder", lambda: tmp_path / "drafts")
 
 
 @pytest.fixture(autouse=True)
 def _nothing_remembered(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Let nobody's files and pictures be read or written but those of the test itself."""
+    """Read and write no recent files and pictures but those of the test itself."""
     monkeypatch.setattr(recent, "file", lambda: tmp_path / "recent" / "recent.json")
     monkeypatch.setattr(preferences, "file", lambda: tmp_path / "settings" / "settings.json")
     monkeypatch.setattr(picture_cache, "folder", lambda: tmp_path / "pictures")
@@ -67,7 +67,7 @@ def _nothing_remembered(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None
 
 @pytest.fixture
 def few() -> int:
-    """How many levels are listed: a button each takes longer to make than most tests do."""
+    """List only a few levels: making a button for each takes longer than most tests."""
     return 4
 
 
@@ -80,7 +80,7 @@ def _first(count: int) -> tuple[Entry, ...]:
 def person(
     request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch, few: int
 ) -> Iterator[Person]:
-    """Somebody in front of a window in which nothing is open yet."""
+    """A person in front of a window in which nothing is open yet."""
     if not request.node.get_closest_marker("all_levels"):
         listed = _first(few)
         monkeypatch.setattr(levels, "entries", lambda: list(listed))

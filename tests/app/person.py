@@ -1,4 +1,4 @@
-"""Somebody who plays: every act is an event, as a window gets it."""
+"""A player: every action is an event, as a window receives it."""
 
 import time
 from collections.abc import Callable
@@ -42,20 +42,20 @@ class Person:
         return self.window.panels.list
 
     def page(self, kind: type[P]) -> P:
-        """Return the page that is open, which is of some kind."""
+        """Return the open page, which is of a given kind."""
         page = self.side.page
         assert isinstance(page, kind)
         return page
 
     def open(self, folder: Path, text: str) -> None:
-        """Open a level that is written to a file first."""
+        """Write a level to a file, and open it."""
         path = folder / "level.json"
         path.write_text(text, encoding="utf-8")
         self.window.open_level(str(path))
         self.wait()
 
     def wait(self, seconds: float = FRAME) -> None:
-        """Look on for some time."""
+        """Watch for some time."""
         for _ in range(round(seconds / FRAME)):
             self.window.frame(FRAME)
 
@@ -125,13 +125,13 @@ class Person:
         return x + left, y + top
 
     def color_at(self, pixel: XY) -> tuple[int, int, int]:
-        """Return what is seen at a pixel."""
+        """Return the colour of a pixel."""
         red, green, blue, _ = self.window.surface.get_at((round(pixel[0]), round(pixel[1])))
         return red, green, blue
 
 
 def until(person: Person, true: Callable[[], bool]) -> None:
-    """Look on, frame by frame, until something is the case."""
+    """Watch, frame by frame, until a condition holds."""
     window, deadline = person.window, time.monotonic() + PATIENCE
     while not true():
         assert time.monotonic() < deadline

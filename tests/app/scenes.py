@@ -1,4 +1,4 @@
-"""Small levels that the tests play."""
+"""Small levels for the tests."""
 
 import json
 from typing import Any

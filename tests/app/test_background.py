@@ -48,7 +48,7 @@ def test_findings_come_in_one_by_one_until_the_work_is_done(background: Backgrou
 
 @pytest.mark.sweep
 def test_nobody_waits_until_a_large_task_is_taken_over(background: Background) -> None:
-    """A few ms, where a process takes 0.7 s to be there; a pipe holds but 64 KiB."""
+    """Starting takes a few ms, though the process takes 0.7 s and a pipe holds only 64 KiB."""
     durations = []
     for _ in range(3):
         begun = time.monotonic()
@@ -83,7 +83,7 @@ def test_work_that_is_cancelled_ends_at_once(background: Background) -> None:
 @pytest.mark.sweep
 @pytest.mark.skipif(not hasattr(signal, "SIGKILL"), reason="nothing can be ignored here")
 def test_work_that_ignores_a_request_to_end_ends_at_once(background: Background) -> None:
-    """As does all that is started where SIGTERM is ignored: it is inherited."""
+    """So does everything started where SIGTERM is ignored: that is inherited."""
     background.start(work.ignore)
     until(lambda: bool(list(background.found())))
 

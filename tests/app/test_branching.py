@@ -1,4 +1,4 @@
-"""A run that branches on the way: in the window, in its file, and back over the branch."""
+"""A run that branches: in the window, in its file, and when the branch is undone."""
 
 from pathlib import Path
 
@@ -21,7 +21,7 @@ LEVELS = catalog.names()[::11]
 
 
 def another(session: Session) -> dict[str, float]:
-    """Return another value for the first parameter that can be changed on the way, if one can."""
+    """Return another value for the first parameter that can change during a run, if any."""
     for name, parameter in session.level.parameters.items():
         if obstacle(session.level, [name]) is None:
             middle = (parameter.min + parameter.max) / 2

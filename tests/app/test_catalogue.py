@@ -32,7 +32,7 @@ EACH = pytest.mark.parametrize(
 
 @cache
 def template(domain: language.Domain) -> Catalog:
-    """Return all that is in the catalogues of a domain, in English."""
+    """Return the English messages of all catalogues of a domain."""
     return texts.SAID[domain]()
 
 
@@ -60,7 +60,7 @@ def forms(text: str | list[str] | tuple[str, ...] | None) -> tuple[str, ...]:
 
 
 def test_no_error_is_made_of_a_text_that_is_put_together() -> None:
-    """Only a literal can be looked up: ruff rejects the f-strings of all errors that it knows."""
+    """Only a literal can be looked up. Ruff rejects f-strings in the errors that it knows."""
     lint = tomllib.loads((catalog.sources() / "pyproject.toml").read_text("utf-8"))["tool"]["ruff"]
     known = lint["lint"]["flake8-gettext"]["function-names"]
     for path in texts.said_in(catalog.sources() / "sandbox"):
@@ -106,7 +106,7 @@ def test_a_translation_has_the_places_of_its_message(domain: language.Domain, na
 
 @pytest.mark.parametrize("name", TRANSLATED)
 def test_what_a_level_says_keeps_its_numbers_and_formulas_in_translation(name: str) -> None:
-    """1,000 may be 1000 or 1 000: a comma is a decimal one elsewhere."""
+    """1,000 may become 1000 or 1 000: elsewhere a comma is a decimal point."""
     for message in messages(of("levels", name)):
         text, form = forms(message.id)[0], forms(message.string)[0]
         assert signs(form) == signs(text), f"translate in levels, {name}.po: {text!r}, not {form!r}"
@@ -159,7 +159,7 @@ def test_a_language_that_is_new_begins_with_all_messages_and_no_translation(
 
 @pytest.mark.sweep
 def test_every_account_of_every_level_is_a_word_that_is_declared() -> None:
-    """What a joint or an effect books is found; so is what the ledger books of its own."""
+    """The accounts of joints and effects are found, and so are the ledger's own."""
     words = set(translatable_texts.words())
     for name in catalog.names():
         level = load(catalog.root() / f"{name}.json")
@@ -174,7 +174,7 @@ def test_every_account_of_every_level_is_a_word_that_is_declared() -> None:
 
 
 def test_a_key_is_a_message_with_a_context_of_its_own() -> None:
-    """Delete is a key, which has another name in German than what it does."""
+    """In German the key Delete has another name than the action."""
     assert template("window").get("Delete", context="key") is not None
     key, act = (of("window", "de").get("Delete", context=context) for context in ("key", None))
     assert key is not None

@@ -1,4 +1,4 @@
-"""A level is found by what it is about, among many."""
+"""A level is found among many by its subject."""
 
 import pygame
 import pytest
@@ -165,7 +165,7 @@ def in_sight(row: Row) -> bool:
 
 
 def test_a_row_that_is_scrolled_into_sight_is_as_lively_as_those_before(player: Person) -> None:
-    """It changes its look under the mouse, and leads to its level."""
+    """It changes under the mouse, and opens its level."""
     path = catalog.find(catalog.names()[-1]).resolve()
     row = player.listed.button(path)
     assert isinstance(row, Row)

@@ -1,4 +1,4 @@
-"""Impacts give a short flash: the same at a step, whatever way has led to it."""
+"""An impact gives a short flash, which is the same however its step is reached."""
 
 from collections.abc import Sequence
 

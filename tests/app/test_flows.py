@@ -1,4 +1,4 @@
-"""Belts and flames, as they are seen."""
+"""Belts and flames, as they are drawn."""
 
 import numpy as np
 import pygame
@@ -15,7 +15,7 @@ SIZE = (800, 600)
 
 
 def columns(pen: Pen, session: Session, color: Color) -> set[int]:
-    """Return the columns of the picture in which a colour is seen."""
+    """Return the columns of the picture that have a colour."""
     stage = Stage(pen, SIZE)
     stage.use(session.world)
     stage.fit()

@@ -1,4 +1,4 @@
-"""Given forces as arrows, and the hand that drags their tips."""
+"""Given forces as arrows, and the mouse that drags their tips."""
 
 import json
 from pathlib import Path
@@ -23,14 +23,14 @@ LEVEL = "newton/two-forces"
 
 @pytest.fixture
 def player(person: Person) -> Person:
-    """Somebody in front of a box that two forces act on."""
+    """A person in front of a box on which two forces act."""
     person.window.open_level(LEVEL)
     person.wait()
     return person
 
 
 def tip(player: Person, newtons: XY, start: XY = (0.0, 0.0)) -> XY:
-    """Return where a force that acts on a point of the plane ends in the window."""
+    """Return where the arrow of a force on a point of the plane ends in the window."""
     x, y = player.on_screen(start)
     scale = player.window.stage.newton
     return x + newtons[0] * scale, y - newtons[1] * scale
@@ -120,7 +120,7 @@ def test_arrows_that_are_hidden_cannot_be_dragged(player: Person) -> None:
 
 
 def pushed(person: Person, folder: Path, force: list[object], **more: object) -> list[Arrow]:
-    """Open a ball that a force acts on, and return what is drawn of it."""
+    """Open a ball on which a force acts, and return what is drawn of it."""
     parameters = {
         "g": {"value": 10, "min": 0, "max": 20, "unit": "m/s²", "label": "gravity"},
         "mass": {"value": 1, "min": 0.5, "max": 2, "unit": "kg"},
@@ -173,7 +173,7 @@ def test_a_force_along_one_axis_follows_the_mouse_along_it(person: Person, tmp_p
 def test_a_force_that_the_run_alone_has_as_a_parameter_stays_as_it_is(
     person: Person, tmp_path: Path
 ) -> None:
-    """Its level could not begin anew with it, and that left the window."""
+    """Its level could not be restarted with it, which ended the window."""
     pushed(person, tmp_path, ["F", 0])
     session = person.session
     changed = json.loads(as_it_stands(session.world, anew=False).replace('"F"', '"G"'))
@@ -237,7 +237,7 @@ def test_a_force_that_is_switched_off_has_no_arrow() -> None:
 
 
 def test_a_force_that_turns_with_its_body_is_drawn_turned_and_cannot_be_dragged() -> None:
-    """A quarter turn of the door: the push along its normal points to the left."""
+    """The door has made a quarter turn: the push along its normal points to the left."""
     level = load(catalog.find("rotation/door"))
     world = build(level)
     world.advance(count_steps(world))

@@ -1,4 +1,4 @@
-"""A frame leaves to steps what it does not need itself."""
+"""A frame gives to steps the time that it does not need itself."""
 
 import pytest
 
@@ -47,7 +47,7 @@ def test_steps_always_have_something_and_never_all() -> None:
 def test_where_drawing_is_too_slow_for_60_frames_steps_have_more_of_the_time(
     rest: float, expected: float
 ) -> None:
-    """They had 5 ms, however long the frame: the run crept while pictures came in no time."""
+    """They had 5 ms, however long the frame took: the run was slow while the picture was not."""
     allowance = Allowance()
     for _ in range(MEMORY):
         allowance.note("", rest)

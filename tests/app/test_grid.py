@@ -11,7 +11,7 @@ SIZE = (370, 540)
 
 
 class Sheet(pygame.Surface):
-    """A surface that remembers what was put on it, and where."""
+    """A surface that remembers what was drawn on it, and where."""
 
     def __init__(self) -> None:
         super().__init__(SIZE)

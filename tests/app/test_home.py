@@ -35,7 +35,7 @@ def few() -> int:
 
 @pytest.fixture
 def visitor(person: Person) -> Person:
-    """Somebody who plays a level and goes home."""
+    """A person who plays a level and returns to the home page."""
     person.window.open_level("kinematics/free-fall")
     person.wait()
     person.press(pygame.K_F2)
@@ -299,7 +299,7 @@ def test_the_first_picture_waits_for_no_card(person: Person) -> None:
 def test_pictures_come_in_and_are_found_again_on_disk(
     person: Person, tmp_path: Path, pen: Pen
 ) -> None:
-    """What another process would draw is put where it puts it."""
+    """The test puts them where another process would."""
     path = tmp_path / "level.json"
     person.open(tmp_path, scenes.falling())
     pygame.image.save(drawn := picture_cache.draw(path, pen), tmp_path / "x.png")
@@ -416,7 +416,7 @@ def test_what_is_kept_is_bounded(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def drawn_and_lost(title: str) -> str:
-    """Leave a draft behind, as a window that has ended by itself does; return its text."""
+    """Leave a draft behind, as a window that crashed does, and return its text."""
     draft = Draft.of(scenes.falling())
     draft.change(scenes.falling(title=title), "rename")
     assert Recovery().keep(draft) == ""
@@ -464,7 +464,7 @@ def test_a_draft_that_says_no_title_is_offered_all_the_same() -> None:
 
 
 def test_a_chapter_above_the_cards_leads_to_its_own(visitor: Person) -> None:
-    """Twelve cards are of two chapters; the window is so low that only one is seen."""
+    """Twelve cards are of two chapters; the window is so low that only one chapter is visible."""
     visitor.resize((900, 600))
     bar, (first, second) = home(visitor).chapters, home(visitor).grid.headings
 

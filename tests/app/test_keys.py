@@ -72,7 +72,7 @@ def test_a_file_is_opened_as_everywhere(mod: int) -> None:
 
 
 def test_what_a_button_says_of_its_key_can_be_drawn_by_the_font_of_widgets() -> None:
-    """Tips are drawn by Noto Sans alone, which has no arrows."""
+    """Tooltips are drawn in Noto Sans alone, which has no arrows."""
     pygame.font.init()
     font = pygame.font.Font(str(files("pygame_gui") / "data" / "NotoSans-Regular.ttf"), 14)
     buttons = [*LEFT, *WAYS, ("home", ""), ("new scene", ""), ("open file", "")]

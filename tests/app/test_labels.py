@@ -1,4 +1,4 @@
-"""Words keep off each other."""
+"""Labels do not overlap."""
 
 import pygame
 import pytest
@@ -49,7 +49,7 @@ def test_words_lie_over_a_line_only_if_nothing_else_is_left() -> None:
 
 
 def test_a_label_stays_where_it_was_while_no_other_place_is_better() -> None:
-    """It went to and fro with each picture when an arrow moved along its best place."""
+    """While an arrow moved along its best place, it jumped to and fro in every picture."""
     kept: dict[str, int] = {}
     labels = Labels(BOUNDS, kept)
     labels.mark((0, 0), (60, 30))
@@ -114,7 +114,7 @@ def test_what_was_measured_keeps_off_bodies(pen: Pen) -> None:
 def test_what_was_measured_keeps_off_the_arrow_of_a_force(
     person: Person, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Where a ball has stopped rising, its weight is drawn downwards."""
+    """Where a ball stops rising, its weight is drawn downwards."""
     person.window.open_level("kinematics/projectile")
     person.press(pygame.K_j, "j")
     while not person.session.milestones():
@@ -127,7 +127,7 @@ def test_what_was_measured_keeps_off_the_arrow_of_a_force(
 
 
 def test_what_was_measured_keeps_off_the_words_of_the_level(pen: Pen) -> None:
-    """Those always stand where they belong, so whatever else is written makes way for them."""
+    """Labels of the level do not move, so all others make way for them."""
     session = Session(load(catalog.find("momentum/bounce-by-bounce")))
     while session.t < 2.0:
         session.step()

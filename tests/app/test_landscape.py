@@ -1,4 +1,4 @@
-"""The landscape of a potential, as it is seen."""
+"""The landscape of a potential, as it is drawn."""
 
 import numpy as np
 import pygame
@@ -107,7 +107,7 @@ def test_the_turning_points_are_marked_on_the_line_of_energy(pen: Pen) -> None:
 
 
 def test_a_wrong_potential_leaves_the_point_off_its_curve(pen: Pen) -> None:
-    """The point is measured, it is not put on the curve."""
+    """The point is measured, not put on the curve."""
     session = oscillator("x**2/2 + 1.5*(1 - (x/3)**2)")
     stage, surface = shown(pen, session)
     low, high = 1.5, HIGHEST

@@ -18,7 +18,7 @@ from validation.case import textbook
 @pytest.mark.sweep
 @pytest.mark.parametrize("name", catalog.names())
 def test_every_level_is_drawn(name: str) -> None:
-    """Those of the textbook at their telling moment, the hard ones soon after their start."""
+    """Those of the textbook at their most telling moment, the hard ones soon after their start."""
     level = textbook(name)
     at = None if not name.startswith("hard/") else 20 / level.stepping.rate
 

@@ -1,4 +1,4 @@
-"""A liquid is seen where it is: below its surface, and over what is within it."""
+"""A liquid is drawn below its surface, and over the bodies in it."""
 
 import numpy as np
 import pygame

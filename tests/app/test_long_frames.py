@@ -1,4 +1,4 @@
-"""A step that takes long: the window says so, goes on drawing, and is stopped by Esc."""
+"""During a long step the window says so, continues to draw, and Esc stops it."""
 
 import json
 from collections.abc import Callable
@@ -18,7 +18,7 @@ Act = Callable[[], object]
 
 @pytest.fixture
 def heap(person: Person, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Person:
-    """Somebody in front of a heap whose contacts take longer to solve than anybody waits."""
+    """A person in front of a heap whose contacts take longer to solve than anybody waits."""
     monkeypatch.setattr(long_frames, "LONG", 0.0)
     monkeypatch.setattr(long_frames, "AGAIN", 0.0)
     level = crowd("pile", 5)
@@ -29,7 +29,7 @@ def heap(person: Person, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Per
 
 
 def shown(monkeypatch: pytest.MonkeyPatch, *acts: Act) -> list[pygame.Surface]:
-    """Return the pictures that will be shown within frames; the first are followed by acts."""
+    """Return the pictures that will be shown within frames; actions follow the first of them."""
     pictures: list[pygame.Surface] = []
     to_do = list(acts)
 
@@ -96,7 +96,7 @@ def test_closing_the_window_stops_the_step(heap: Person, monkeypatch: pytest.Mon
 def test_what_else_happens_meanwhile_happens_after_the_step(
     heap: Person, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """The window is made smaller, and somebody asks for another page."""
+    """The window is made smaller, and another page is requested."""
     small = (900, 600)
 
     def resize() -> None:

@@ -1,4 +1,4 @@
-"""What lets through, and what throws back, looks like it."""
+"""The drawing shows what a surface does: it lets bodies through, or throws them back."""
 
 import json
 from math import tau

@@ -19,7 +19,7 @@ def test_a_driver_without_a_screen_is_no_display(
 
 
 def test_a_display_that_was_found_stays_open(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Left for a moment, a server without other clients refused the window: "x11 not available"."""
+    """When it was closed for a moment, a server without other clients refused the window."""
     monkeypatch.setenv("SDL_VIDEODRIVER", "")
     monkeypatch.setenv("DISPLAY", ":99")
     monkeypatch.setattr(pygame.display, "init", lambda: None)

@@ -1,4 +1,4 @@
-"""Large blocks are given back when they are freed, where the C library can be told so."""
+"""Large blocks are returned when they are freed, where the C library can be told to."""
 
 import ctypes
 import platform

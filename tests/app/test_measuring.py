@@ -37,7 +37,7 @@ def test_a_probe_on_the_trail_tells_when_the_ball_was_there_and_how_fast(person:
 
 
 def test_a_probe_does_not_tell_rounding(person: Person) -> None:
-    """The last ball of the cradle hangs still until it is struck, to 1e-14 m/s or so."""
+    """The last ball of the cradle is at rest until it is hit, to some 1e-14 m/s."""
     person.window.open_level("momentum/cradle")
     for _ in range(250):
         person.session.step()

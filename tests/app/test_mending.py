@@ -1,4 +1,4 @@
-"""A level's file is mended, or changed, while its window is open."""
+"""A level's file is mended or changed while its window is open."""
 
 import os
 from pathlib import Path
@@ -29,7 +29,7 @@ def path(tmp_path: Path) -> Path:
 
 
 def write(path: Path, text: str) -> None:
-    """Save a file as an editor does, at another time than before, whatever the clock's steps."""
+    """Save a file as an editor does, at another time than before, however coarse the clock."""
     before = path.stat().st_mtime_ns if path.is_file() else 0
     path.write_text(text, encoding="utf-8")
     os.utime(path, ns=(before + 10**9, before + 10**9))

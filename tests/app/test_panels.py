@@ -1,4 +1,4 @@
-"""What stands in the column on the right has room there."""
+"""The content of the right column fits into it."""
 
 import pygame
 import pytest

@@ -34,7 +34,7 @@ def card(person: Person, title: str) -> pygame.Rect:
 
 
 def seen(person: Person, place: pygame.Rect) -> bytes:
-    """Return the pixels of a card's picture, but for its rim."""
+    """Return the pixels of a card's picture, without its border."""
     picture = pygame.Rect(place.topleft, home(person).grid.picture).inflate(-8, -8)
     return pygame.image.tobytes(person.window.surface.subsurface(picture), "RGB")
 

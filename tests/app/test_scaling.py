@@ -1,4 +1,4 @@
-"""Larger and smaller text: everything has room for it."""
+"""Larger and smaller text fits everywhere."""
 
 from itertools import product
 from pathlib import Path
@@ -30,7 +30,7 @@ def choose(person: Person, size: int, language: Name = "en") -> None:
 
 
 def widgets(person: Person) -> list[UIButton | UITextEntryLine]:
-    """Return the buttons and fields that are seen."""
+    """Return the visible buttons and fields."""
     return [
         each
         for each in person.window.panels.manager.get_sprite_group().sprites()
@@ -141,7 +141,7 @@ def test_what_has_no_room_is_scrolled_to(person: Person, tmp_path: Path, size: i
 def test_a_note_is_whole_in_a_narrow_window_and_leaves_some_of_the_stage(
     person: Person, monkeypatch: pytest.MonkeyPatch, window: tuple[int, int], size: int
 ) -> None:
-    """At 200 x 900 it was cut at the right, and large text hid all of the stage at 900 x 600."""
+    """At 200 x 900 it was cut off, and at 900 x 600 large text hid the whole stage."""
     person.resize(window)
     choose(person, size)
     person.window.open_level("kinematics/projectile")

@@ -1,4 +1,4 @@
-"""Labels, hidden bodies and layers are drawn, and nothing else knows of them."""
+"""Labels, hidden bodies and layers are drawn, and affect nothing else."""
 
 import json
 from typing import Any
@@ -20,7 +20,7 @@ RED, BLUE = (255, 0, 0), (0, 0, 255)
 
 
 def level(red: Any = (), blue: Any = (), **view: Any) -> Level:  # noqa: ANN401
-    """Two boxes in one place: the red one is typed first."""
+    """Two boxes at one place; the red one comes first in the file."""
     box = {"shape": {"type": "box", "width": 4, "height": 3}, "mass": 1}
     return parse(json.dumps({
         "format": 1, "title": "x", "effects": {"gravity": {"acceleration": [0, -1]}},
@@ -61,7 +61,7 @@ def test_what_is_hidden_is_not_drawn_and_not_taken_hold_of(pen: Pen) -> None:
 
 
 def test_a_sensor_is_a_veil_over_what_is_in_it(pen: Pen) -> None:
-    """It is of another colour than what lies bare, and what is behind it is seen."""
+    """Whatever is behind it is visible, in another colour than elsewhere."""
     sensor = {"type": "static", "sensor": True, "mass": None, "layer": 1}
     small = {"shape": {"type": "disc", "radius": 0.5}, "position": [1, 0]}
     picture = drawn(level(small, sensor, center=[0, 0]), pen)

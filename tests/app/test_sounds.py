@@ -1,4 +1,4 @@
-"""Tones at impacts, where they are wanted and can be made."""
+"""Impacts sound, if the user wants it and the machine can."""
 
 from collections.abc import Iterator
 
@@ -37,7 +37,7 @@ def settings(person: Person) -> SettingsPage:
 
 
 def plays(person: Person) -> bool:
-    """Play the level that is open from its start, and return whether its impact was heard."""
+    """Play the open level from its start, and return whether its impact was heard."""
     person.press(pygame.K_r, "r")
     person.press(pygame.K_SPACE, " ")
     while not person.session.flashes:

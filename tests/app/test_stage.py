@@ -113,7 +113,7 @@ RINGS = (("disc", 0.2), ("hoop", 1.0))  # m
 
 
 def test_arrows_grow_with_the_speed_where_nobody_knows_how_fast_a_run_will_be(pen: Pen) -> None:
-    """With an arrow as long as the highest speed so far, what speeds up had one that never grew."""
+    """Scaled to the highest speed so far, the arrow of an accelerating body never grew."""
     session, stage = Session(load(catalog.find("momentum/cradle"))), Stage(pen, SIZE)
     stage.use(session.world)
     lengths = []
@@ -258,7 +258,7 @@ def test_every_joint_is_drawn(pen: Pen, tie: dict[str, object], color: Color) ->
 
 
 def test_a_joint_that_is_still_to_catch_is_drawn_as_two_open_hooks(pen: Pen) -> None:
-    """Each is a ring that is open towards the other; the rod is there once it is tied."""
+    """Each is a ring, open towards the other; the rod appears once it is tied."""
     rod = {"type": "rod", "ends": [[-4, 2], "ball"]}
     events = {"click": {"at": 0.1, "tie": ["tie"]}}
     session = Session(scenes.level(joints={"tie": rod}, ghosts={}, events=events))
@@ -319,7 +319,7 @@ def test_rounding_is_not_drawn_as_motion(pen: Pen) -> None:
 def test_what_has_no_end_to_speak_of_is_drawn_where_it_is_seen(
     pen: Pen, monkeypatch: pytest.MonkeyPatch, half: float, runs: bool
 ) -> None:
-    """Its hatching, and the marks of a belt, go on for as many pixels, or without end."""
+    """Its hatching and the marks of a belt would fill countless pixels, or never end."""
     line = {"type": "segment", "start": [-half, 0], "end": [half, 0]}
     belt = {"type": "box", "width": 2 * half, "height": 1}
     rough = {"friction": 1} if runs else {}
@@ -355,7 +355,7 @@ def test_what_has_no_end_to_speak_of_is_drawn_where_it_is_seen(
 
 
 def test_a_curve_is_hatched_evenly_on_one_side(pen: Pen, monkeypatch: pytest.MonkeyPatch) -> None:
-    """On the other side than what is nearest to it, behind its crests as in its valleys."""
+    """On the side away from the ball, behind its crests as in its valleys."""
     hills = {"type": "curve", "curve": ["s", "0.3*sin(4*s)"], "s": [-3, 3]}
     scene = scenes.level(
         effects={"contact": {}},
@@ -392,7 +392,7 @@ def test_a_curve_is_hatched_evenly_on_one_side(pen: Pen, monkeypatch: pytest.Mon
 def test_a_line_stays_hatched_on_one_side_when_all_is_drawn_anew(
     pen: Pen, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """A change of the theme draws it anew, wherever the ball is by then."""
+    """A change of theme redraws it, wherever the ball is by then."""
     line = {"type": "segment", "start": [-2, 0], "end": [2, 0]}
     ball = {"shape": {"type": "disc", "radius": 0.1}, "mass": 1, "position": [0, 1]}
     scene = scenes.level(

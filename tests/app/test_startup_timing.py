@@ -1,4 +1,4 @@
-"""The first picture is timed in a program of its own, from before its start."""
+"""The first picture is timed in a separate program, from before its start."""
 
 from time import perf_counter
 

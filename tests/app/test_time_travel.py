@@ -1,4 +1,4 @@
-"""Back and ahead in a run: whatever way leads to a step, the state there is the same to the bit."""
+"""Back and forth in a run: however a step is reached, its state is the same to the bit."""
 
 import json
 
@@ -21,7 +21,7 @@ LEVELS = ["newton/atwood", "momentum/cradle", "machines/seesaw", "lagrange/doubl
 
 
 def take(session: Session, steps: int) -> str:
-    """Take some steps, and return what tells the state there from any other."""
+    """Take some steps, and return a value that identifies the state there."""
     for _ in range(steps):
         session.step()
     return fingerprint(session.world.snapshot)
@@ -34,7 +34,7 @@ def go_to(session: Session, step: int) -> None:
 
 
 def arrive_in(session: Session) -> None:
-    """Let frames pass until the step that is sought is there."""
+    """Show frames until the requested step is reached."""
     while session.sought is not None:
         session.update(1 / 60)
 
@@ -60,7 +60,7 @@ def test_a_run_that_goes_back_comes_to_the_same_states_again(name: str) -> None:
 
 
 def pulled() -> tuple[Session, dict[int, str]]:
-    """Return a run at step 40, of which a hand held a body from 10 to 20; and its states."""
+    """Return a run at step 40, in which a hand held a body from 10 to 20; and its states."""
     session, states = opened("newton/atwood"), {}
     take(session, 10)
     session.playing = True
@@ -207,7 +207,7 @@ def test_what_was_recorded_is_shown_before_a_long_way_is_done(
 
 
 def test_nothing_recorded_is_shown_of_another_run(monkeypatch: pytest.MonkeyPatch) -> None:
-    """What a hand does after a way back makes the recorded rest that of another run."""
+    """Pulling a body after going back makes the recorded rest that of another run."""
     session = opened("newton/atwood")
     take(session, 30)
     go_to(session, 10)
@@ -280,7 +280,7 @@ def test_no_way_leads_beyond_the_end_of_the_level() -> None:
 def test_beyond_the_end_of_the_level_a_way_leads_as_far_as_the_run_has_been(
     person: Person,
 ) -> None:
-    """The bar ended with the level: what came after could not be sought on it."""
+    """The bar used to end with the level, so later steps could not be reached with it."""
     person.window.open_level("kinematics/free-fall")
     session = person.session
     take(session, session.end + 50)
@@ -465,7 +465,7 @@ def test_a_run_with_very_many_impacts_has_no_marks() -> None:
 
 
 def count(session: Session) -> int:
-    """Return how many earlier runs are laid over the present one."""
+    """Return how many earlier runs are drawn over the present one."""
     return len(session.earlier)
 
 

@@ -1,4 +1,4 @@
-"""What moves in a level is in its picture from the start, whatever the shape of the window."""
+"""Moving bodies are visible at the start, whatever the shape of the window."""
 
 import pytest
 

@@ -1,4 +1,4 @@
-"""The app shows where energy comes from and goes, and offers the way out of a run that stopped."""
+"""The app shows the sources and losses of energy, and offers a remedy for a stopped run."""
 
 from pathlib import Path
 from typing import Any
@@ -139,7 +139,7 @@ def test_the_bars_tell_what_friction_took(person: Person) -> None:
 def test_bars_that_are_read_in_the_middle_of_a_drift_say_so(
     person: Person, monkeypatch: pytest.MonkeyPatch, name: str, ahead: bool
 ) -> None:
-    """A cart of 2 J has 2.025 J half a step later; a step of fourth order is read as it stands."""
+    """A cart of 2 J has 2.025 J half a step later; a fourth-order step is read at its end."""
     told: list[str] = []
     text = Card.text
 

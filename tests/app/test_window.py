@@ -34,7 +34,7 @@ RED = (255, 0, 0)
 
 @pytest.fixture
 def player(person: Person, tmp_path: Path) -> Person:
-    """Somebody in front of a ball that is about to fall."""
+    """A person in front of a ball that is about to fall."""
     person.open(tmp_path, scenes.falling())
     person.window.stage.shown["names"] = person.window.stage.shown["arrows"] = False
     return person
@@ -394,7 +394,7 @@ def test_the_buttons_of_a_small_window_do_not_overlap(player: Person) -> None:
 
 
 def test_in_the_smallest_window_the_clock_can_be_read(player: Person) -> None:
-    """The buttons of the speed make way for it."""
+    """The buttons for the speed make room for it."""
     player.resize((480, 300))
     player.wait(0.1)
     controls = player.window.panels.controls
@@ -591,14 +591,14 @@ def test_a_run_is_played_again_by_dropping_its_file(person: Person, tmp_path: Pa
 
     assert runfile.is_same(saved, person.session)
     assert person.window.path is None
-    assert person.window.banner.tells(f"{path.name} plays as it did, with all that was done")
+    assert person.window.banner.tells(f"{path.name} plays again, with all of your actions")
     assert person.session.actions
 
 
 def test_the_window_does_not_stand_still_while_a_run_looks_for_its_setting(
     person: Person, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Somebody has asked for an accuracy in the file: that is searched beside the frames."""
+    """The file requests an accuracy; the search for it runs beside the frames."""
     level = load(catalog.find("kinematics/projectile"))
     asking = level.model_copy(update={"stepping": Stepping(accuracy=1e-6)})
     stated = asking.model_dump(mode="json", by_alias=True, exclude_defaults=True)
@@ -655,7 +655,7 @@ def test_the_sound_system_is_never_started(player: Person) -> None:
 def test_what_was_there_before_the_first_frame_is_not_looked_through_in_one(
     player: Person,
 ) -> None:
-    """Python's search for what is lost took 24 ms of a frame; of what comes later it takes 4."""
+    """The garbage collector took 24 ms of a frame; for newer objects it takes 4."""
     player.window.open = False
     try:
         player.window.run()

@@ -1,4 +1,4 @@
-"""Pieces of work that the tests give to another process."""
+"""Tasks that the tests give to another process."""
 
 import os
 import signal
@@ -17,31 +17,31 @@ def count(many: int) -> Iterator[int]:
 
 
 def size(data: bytes) -> Iterator[int]:
-    """Yield how much was handed over."""
+    """Yield the size of what was handed over."""
     yield len(data)
 
 
 def dawdle() -> Iterator[int]:
-    """Yield the process, and then take very long."""
+    """Yield the process ID, and then take very long."""
     yield os.getpid()
     time.sleep(600)
     yield 0
 
 
 def ignore() -> Iterator[int]:
-    """Do as `dawdle` does, deaf to whoever asks for an end."""
+    """Do as `dawdle` does, but ignore requests to end."""
     signal.signal(signal.SIGTERM, signal.SIG_IGN)
     yield from dawdle()
 
 
 def half() -> Iterator[bytes]:
-    """Yield what is so large that sending it takes a while, and die at that."""
+    """Send a value so large that it takes a while, and die meanwhile."""
     Timer(0.5, os._exit, (1,)).start()
     yield bytes(10_000_000)
 
 
 def priority() -> Iterator[int]:
-    """Yield by how much the process gives way."""
+    """Yield the niceness of the process."""
     yield os.nice(0)
 
 

@@ -30,7 +30,7 @@ def run(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> 
 
 @pytest.fixture
 def write(tmp_path: Path) -> Write:
-    """Writes a level file, a falling ball but for what is given."""
+    """Writes a level file: a falling ball with the given changes."""
 
     def write(name: str = "fall.json", **parts: object) -> Path:
         path = tmp_path / name

@@ -1,4 +1,4 @@
-"""A level of few lines, and what running a command on it gives."""
+"""A level of a few lines, and the result of a command on it."""
 
 from collections.abc import Callable
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""`--accuracy`: a setting that is found out, told, and run with."""
+"""`--accuracy`: a setting is found, stated, and used."""
 
 import shlex
 from pathlib import Path
@@ -14,7 +14,7 @@ ASKING = {"stepping": {"accuracy": 1e-6}}
 
 @pytest.fixture(autouse=True)
 def cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """A cache folder of the test's own."""
+    """A cache folder for this test."""
     monkeypatch.setattr(memory, "folder", lambda: tmp_path / "cache")
     monkeypatch.setattr(memory, "_unkept", {})
     return tmp_path / "cache"
@@ -52,7 +52,7 @@ def test_a_level_that_asks_can_be_run_again_as_it_was(
 def test_what_is_asked_for_is_run_again_by_the_command_in_the_file(
     run: Run, write: Write, tmp_path: Path
 ) -> None:
-    """To the last letter, with a scheme that is found in place of the level's own."""
+    """To the last letter, with another scheme than the level's."""
     first, second = tmp_path / "1.csv", tmp_path / "2.csv"
     path = write(stepping={"scheme": "fourth-order"})
     run("simulate", path, "--accuracy", "1e-6", "--output", first)

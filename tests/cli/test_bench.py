@@ -1,4 +1,4 @@
-"""`bench` times the window, and says which levels are late in it."""
+"""`bench` times the window, and names the levels that are too slow in it."""
 
 import json
 from pathlib import Path
@@ -13,7 +13,7 @@ KEYS = {"level", "first_picture", "switch", "cost", "frame_p50", "frame_p99", "s
 
 
 def timing(first_picture: float = 1.0, switch: float = 0.1, late: float = 0.01) -> Timing:
-    """Return what a level took that runs in real time."""
+    """Return the timing of a level that runs in real time."""
     return Timing("a", first_picture, switch, 0.1, 0.005, late, 1.0)
 
 

@@ -7,7 +7,7 @@ from tests.cli.helpers import Run
 
 
 def test_says_what_is_there_how_it_moves_and_what_holds_it(run: Run) -> None:
-    """Atwood's machine of 1 and 1.5 kg: a = g/5, and 2.4 m g of tension over 2 kg."""
+    """Atwood's machine of 1 and 1.5 kg: a = g/5, with a tension of 2.4 m g over 2 kg."""
     told = run("describe", "newton/atwood", "--at", "0.5").out
 
     assert told.startswith("Atwood machine. Two masses on a light string")
@@ -29,7 +29,7 @@ def test_says_what_touches_and_how_hard(run: Run) -> None:
 
 
 def test_says_where_a_line_is_and_no_rounding_of_places_and_forces(run: Run) -> None:
-    """A beam was said to be at 0, and balls that hang still at −4e-18 m, pressing with 7e-9 N."""
+    """A beam was said to be at 0, and balls at rest at −4e-18 m, with forces of 7e-9 N."""
     told = run("describe", "momentum/cradle", "--at", "0.6").out
 
     assert "beam: a static segment, from x = −0.3000 m, y = 1.030 m to x = 1.100 m" in told
@@ -39,7 +39,7 @@ def test_says_where_a_line_is_and_no_rounding_of_places_and_forces(run: Run) -> 
 
 
 def test_says_the_forces_on_each_body_where_they_are_asked_for(run: Run) -> None:
-    """2 kg on a slope of 30° with a friction of 0.3: m g (sin 30° − 0.3 cos 30°) is left."""
+    """2 kg on a slope of 30° with friction 0.3: m g (sin 30° − 0.3 cos 30°) remains."""
     asked = "describe", "newton/incline-with-friction", "--at", "0.5"
 
     told = run(*asked, "--forces").out

@@ -1,4 +1,4 @@
-"""Effects switched off and on from the command line, told and drawn."""
+"""Effects are switched off and on from the command line, with their results told and drawn."""
 
 import shlex
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""`format`: which levels are written anew, and which are left alone."""
+"""`format`: which levels are rewritten, and which are left alone."""
 
 import json
 

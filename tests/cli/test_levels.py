@@ -1,4 +1,4 @@
-"""`list` and `check`, and how a level is named."""
+"""`list` and `check`, and the names of levels."""
 
 from pathlib import Path
 

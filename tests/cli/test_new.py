@@ -1,4 +1,4 @@
-"""`new`: a level that runs, from a template or from another level."""
+"""`new`: a level that runs, made from a template or from another level."""
 
 import json
 from pathlib import Path

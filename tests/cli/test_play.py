@@ -1,4 +1,4 @@
-"""`play`, and no command at all: how the window is opened, or is not."""
+"""`play`, and no command at all: how the window is opened, or is not opened."""
 
 from pathlib import Path
 
@@ -13,7 +13,7 @@ Opened = list[tuple[object, ...]]
 
 @pytest.fixture
 def opened(monkeypatch: pytest.MonkeyPatch) -> Opened:
-    """What a window was opened with, on a machine that has a display."""
+    """The arguments with which a window was opened, on a machine with a display."""
     calls: Opened = []
     monkeypatch.setattr(window, "has_display", lambda: True)
 
@@ -26,7 +26,7 @@ def opened(monkeypatch: pytest.MonkeyPatch) -> Opened:
 
 @pytest.fixture
 def no_display(opened: Opened, monkeypatch: pytest.MonkeyPatch) -> Opened:
-    """What a window was opened with, on a machine that has none."""
+    """The arguments with which a window was opened, on a machine without a display."""
     monkeypatch.setattr(window, "has_display", lambda: False)
     return opened
 

@@ -1,4 +1,4 @@
-"""What only a process of its own can show: what it imports, and how it ends."""
+"""What only a separate process can show: its imports, and how it ends."""
 
 import json
 import signal
@@ -17,7 +17,7 @@ PLOTS = {"matplotlib", "scipy", "jinja2"}
 
 
 def imported(code: str) -> set[str]:
-    """Return the packages that are loaded once some code has run."""
+    """Return the packages that are loaded after some code has run."""
     ending = "import json, sys\nsys.stderr.write(json.dumps(sorted(sys.modules)))"
     done = python("-c", f"{code}\n{ending}")
     return {name.partition(".")[0] for name in json.loads(done.stderr)}
@@ -82,7 +82,7 @@ def test_a_mistake_is_one_message_without_a_traceback(arguments: list[str], stat
 @pytest.mark.sweep
 @pytest.mark.skipif(sys.platform == "win32", reason="a process cannot be sent a Ctrl-C there")
 def test_ctrl_c_ends_a_run_quietly_and_leaves_no_file(write: Write, tmp_path: Path) -> None:
-    """With an attraction, most of the time passes in callbacks, where an exception is lost."""
+    """With an attraction, most of the time is spent in callbacks, where an exception is lost."""
     path = write(
         effects={"attraction": [{"mu": "g"}]},
         bodies={

@@ -1,4 +1,4 @@
-"""The reference says what the code says: every key, quantity and command, and nothing old."""
+"""The reference agrees with the code: every key, quantity and command, and no old ones."""
 
 import json
 from collections.abc import Callable

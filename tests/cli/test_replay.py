@@ -1,4 +1,4 @@
-"""`replay`: a saved run is taken again."""
+"""`replay`: a saved run is repeated."""
 
 from pathlib import Path
 

@@ -1,4 +1,4 @@
-"""`simulate`: the file, the verdicts, the exit status."""
+"""`simulate`: its file, its verdicts, its exit status."""
 
 import csv
 import re
@@ -110,7 +110,7 @@ def test_a_scheme_that_is_not_for_the_level_is_said(run: Run, write: Write, tmp_
 
 
 def test_it_says_that_a_pile_may_lean(run: Run, write: Write, tmp_path: Path) -> None:
-    """Fifteen boxes, which no number of sweeps settles at 60 Hz."""
+    """Fifteen boxes, which no number of iterations settles at 60 Hz."""
     box = {"shape": {"type": "box", "width": 1, "height": 1}, "mass": 1, "friction": 0.6}
     line = {"type": "segment", "start": [-9, 0], "end": [9, 0]}
     boxes = {f"box{i}": {**box, "position": [0, i + 0.5]} for i in range(15)}
@@ -159,7 +159,7 @@ def test_a_check_that_fails_is_an_exit_status_of_1_and_a_whole_file(
 def test_a_contact_in_the_last_step_is_not_said_never_to_have_come(
     run: Run, write: Write, tmp_path: Path, contact: dict[str, object], time: str
 ) -> None:
-    """The ball strikes the floor after 1.384 s, and the run ends with the step to 1.387 s."""
+    """The ball hits the floor after 1.384 s, and the run ends with the step at 1.387 s."""
     effects = {"gravity": {"acceleration": [0, "-g"]}, "contact": contact}
     check = height(at={"event": "contact", "bodies": ["ball", "floor"]})
     path = write(effects=effects, checks=[check], duration=1.385, stepping={"rate": 300})
@@ -173,7 +173,7 @@ def test_a_contact_in_the_last_step_is_not_said_never_to_have_come(
 def test_a_longer_run_is_graded_up_to_the_levels_duration(
     run: Run, write: Write, tmp_path: Path
 ) -> None:
-    """The ball's formula is made wrong after 1.2 s, which only the longer run reaches."""
+    """The ball's formula is wrong after 1.2 s, which only the longer run reaches."""
     path = write(checks=[height("10 - g*t**2/2 + where(t < 1.2, 0, 1)")])
 
     outcome = run("simulate", path, "--duration", 2, "--output", tmp_path / "out.csv")

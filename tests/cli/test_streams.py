@@ -1,4 +1,4 @@
-"""Nobody listens, or there is no room for what is said: a sentence, and a quiet end."""
+"""Without a reader or space for its output, a command says so in a sentence and ends quietly."""
 
 import os
 import shlex
@@ -38,7 +38,7 @@ def test_a_full_disk_under_what_is_said_is_told_in_a_sentence(command: str) -> N
 @pytest.mark.sweep
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="no such device there")
 def test_a_full_disk_under_remarks_costs_no_work(write: Write, tmp_path: Path) -> None:
-    """Nor does a reader of them that has gone."""
+    """The work is not lost, nor if their reader has gone."""
     for nowhere in ("2> /dev/full", "2> >(true)"):
         done = shell(f"SANDBOX simulate {write()} --output out.csv {nowhere}", tmp_path)
 
@@ -51,7 +51,7 @@ def test_a_full_disk_under_remarks_costs_no_work(write: Write, tmp_path: Path) -
 def test_whoever_stops_reading_ends_the_program_without_a_word(
     write: Write, tmp_path: Path
 ) -> None:
-    """As one would be that knows nothing of pipes: by SIGPIPE, 13."""
+    """Like any program that does not handle pipes: by SIGPIPE, 13."""
     output = shlex.quote(str(tmp_path / "out.csv"))
     line = f"SANDBOX simulate {shlex.quote(str(write()))} --output {output} | true"
 

@@ -1,4 +1,4 @@
-"""Wherever the program is started, it does its work or says in a sentence why it cannot."""
+"""Wherever the program is started, it works, or says in a sentence why it cannot."""
 
 import os
 from pathlib import Path
@@ -56,7 +56,7 @@ def test_what_cannot_be_kept_for_want_of_a_home_is_found_all_the_same(
 def test_without_space_for_a_file_both_programs_end_alike_and_leave_nothing(
     tmp_path: Path, line: str
 ) -> None:
-    """No file may grow beyond 1 kB here."""
+    """No file may exceed 1 kB here."""
     done = shell(f"ulimit -f 1; {line}", tmp_path)
 
     assert (done.returncode, "Traceback" in done.stderr) == (1, False)

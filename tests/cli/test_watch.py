@@ -1,4 +1,4 @@
-"""`check --watch`: checked anew when a file changes."""
+"""`check --watch`: a file is checked again whenever it changes."""
 
 import signal
 import subprocess
@@ -23,7 +23,7 @@ Watch = Callable[..., Outcome]
 
 @pytest.fixture
 def watch(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> Watch:
-    """Watches a level while one thing after the other happens, a look at the file after each."""
+    """Watches a level while one change follows another, with a look at the file after each."""
 
     def watch(path: Path, *happenings: Callable[[], object]) -> Outcome:
         pending = iter(happenings)
@@ -43,7 +43,7 @@ def watch(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -
 
 
 def nothing() -> None:
-    """Nobody writes."""
+    """Change nothing."""
 
 
 def test_a_file_that_does_not_change_is_checked_once(watch: Watch, write: Write) -> None:

@@ -1,4 +1,4 @@
-"""Recovery: a draft outlives the process that draws it, whole, and nothing else is kept."""
+"""Recovery: a draft survives the process that edits it, whole, and nothing else is kept."""
 
 import json
 import os
@@ -31,7 +31,7 @@ def drawn(title: str = "mine") -> Draft:
 
 
 def crash(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Let what is open count as left by a process that is no more."""
+    """Treat the open drafts as left by a process that has ended."""
     monkeypatch.setattr(recovery, "_OPEN", set())
     monkeypatch.setattr(recovery, "lives", lambda _: False)
 
@@ -133,7 +133,7 @@ WRITES = """
 def test_a_process_killed_at_any_moment_leaves_files_whole(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Killed 12 times, each a little later: the level and the draft are old or new, never half."""
+    """Killed 12 times, each a little later: level and draft are old or new, never half written."""
     crash(monkeypatch)
     for late in range(12):
         command = [sys.executable, "-c", textwrap.dedent(WRITES), str(tmp_path)]

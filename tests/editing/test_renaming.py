@@ -1,4 +1,4 @@
-"""Names: what mentions them follows, and nothing else changes."""
+"""Renaming changes every mention of a name, and nothing else."""
 
 import pytest
 

@@ -1,4 +1,4 @@
-"""A run that goes on as a level of its own state goes on as if nothing had happened."""
+"""A level made from the state of a run continues that run as if nothing had happened."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""Whatever is edited, in whatever order: it loads or the mistake is named, and all is undone."""
+"""After any sequence of edits the level loads, or the mistake is named, and all can be undone."""
 
 from collections.abc import Callable, Iterable
 from contextlib import suppress
@@ -45,7 +45,7 @@ POINT = st.tuples(NUMBER, NUMBER)
 
 
 class Hand:
-    """Draws what a hand would choose in a level."""
+    """Makes choices in a level, as a person would."""
 
     def __init__(self, data: st.DataObject, level: Level) -> None:
         self.level = level
@@ -214,7 +214,7 @@ FAMILIES: tuple[Callable[[str, Hand], str], ...] = (
 
 
 def loads_or_says_why(draft: Draft) -> bool:
-    """Whether it is a level, or every mistake of it is named at its place."""
+    """Whether it is a level, or each of its mistakes is named at its place."""
     return draft.level is not None or all(m.path and m.line for m in draft.mistakes)
 
 

@@ -1,4 +1,4 @@
-"""Snapping: exactly touching, on the grid, at corners; and what is far is left alone."""
+"""Snapping: to contact, to the grid, to corners; and distant parts are left alone."""
 
 from math import cos, pi, sin, sqrt
 

@@ -1,4 +1,4 @@
-"""Patches: one place changes, and everything else stays as it was typed."""
+"""Patches change one place, and keep everything else as it was typed."""
 
 import json
 from pathlib import Path

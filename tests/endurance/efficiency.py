@@ -84,7 +84,7 @@ def in_turns(case: Case) -> dict[str, list[float]]:
 
 
 def told(shares: Sequence[float]) -> str:
-    """Write the median of some shares, and between which they lay."""
+    """Write the median of some shares, and their range."""
     return f"{median(shares):.2f} ({min(shares):.2f} to {max(shares):.2f})"
 
 

@@ -119,7 +119,7 @@ def _report(_turn: int) -> None:
 
 
 def _read_only(part: parts.Part, source: Path, *, quick: bool) -> parts.Content:
-    """Return what there is of a part of the report: measuring the others takes long."""
+    """Return the existing parts of the report: measuring the others takes long."""
     if (source / f"{part.command}.json").exists():
         return COLLECT(part, source, quick=quick)
     raise SandboxError(Message("not measured"))
@@ -166,7 +166,7 @@ class Workplace:
     folder: Path
 
     def begin(self, deed: Callable[[int], None], turn: int) -> int:
-        """Let a process of its own do something, and return its number."""
+        """Start a separate process, and return its ID."""
         if pid := os.fork():
             return pid
         status = 1
@@ -199,12 +199,12 @@ class Workplace:
         return [path for path in found if not WHOLE[path.suffix](path.read_bytes())]
 
     def parts(self) -> list[Path]:
-        """Return what was begun to be written."""
+        """Return the unfinished files."""
         return list(self.folder.rglob(".*.part"))
 
 
 def alive(session: int) -> list[int]:
-    """Return the processes that one has started, and that are there still; Linux only."""
+    """Return the processes that a process has started and that still run; Linux only."""
     found = []
     for place in Path("/proc").glob("[0-9]*/stat"):
         with suppress(OSError):
@@ -223,7 +223,7 @@ def lingering(session: int) -> list[int]:
 
 
 def main(count: int = 1000, seed: int = 0) -> None:
-    """Kill so many commands, and tell what was left."""
+    """Kill a number of commands, and report what was left."""
     random, found = Random(seed), Counter[str]()
     with tempfile.TemporaryDirectory() as name:
         place, takes = Workplace(Path(name)), dict[Callable[[int], None], float]()
@@ -258,7 +258,7 @@ def _kill(
     delay: float,
     found: Counter[str],
 ) -> None:
-    """Let a command work, kill it so long after it has begun [s], and count what is left."""
+    """Start a command, kill it after some time [s], and count what is left."""
     pid = place.begin(deed, turn)
     sleep(delay)
     os.kill(pid, signal.SIGKILL)

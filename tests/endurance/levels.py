@@ -35,7 +35,7 @@ machine that others use is never quieter than it is."""
 
 @dataclass
 class Run:
-    """What came of a level: seconds a step and MB, a part each."""
+    """The result for a level: seconds per step and MB, one value for each part."""
 
     seconds: list[float]
     memory: list[float]
@@ -49,7 +49,7 @@ class Run:
 
 
 def play(name: str, steps: int) -> Run:
-    """Take so many steps of a level, from its start again and again."""
+    """Take a number of steps of a level, restarting it again and again."""
     level, found = load(catalog.find(name)), Run([], [], 1)
     world = build(level)
     whole = count_steps(world)
@@ -69,7 +69,7 @@ def play(name: str, steps: int) -> Run:
 
 
 def main(steps: int = 10_000_000) -> None:
-    """Take so many steps in all, and tell how time and memory went."""
+    """Take a number of steps in all, and report the trends of time and memory."""
     sound = True
     for name in USED:
         found = play(name, steps // len(USED))

@@ -1,4 +1,4 @@
-"""How much memory this process holds."""
+"""The memory of this process."""
 
 import gc
 import os
@@ -10,7 +10,7 @@ STATM = Path("/proc/self/statm")
 
 
 def held() -> float:
-    """Return what is resident, after what is lost has been freed [MB]; Linux only."""
+    """Return the resident memory after a garbage collection [MB]; Linux only."""
     gc.collect()
     give_back_gaps()
     pages = int(STATM.read_text(encoding="ascii").split()[1])

@@ -37,7 +37,7 @@ EVERY = 20
 
 
 class Typo(NamedTuple):
-    """A text of a file, written otherwise."""
+    """A misspelt text of a file."""
 
     place: Position | None
     """Where messages about it point to: at its key, if it has one; None for a key itself."""
@@ -48,7 +48,7 @@ class Typo(NamedTuple):
 
 
 class Batch(NamedTuple):
-    """What one process tries at a time: typos of one level, from one number on."""
+    """The part of the work that one process does at a time: some typos of one level."""
 
     level: str
     first: int
@@ -57,14 +57,14 @@ class Batch(NamedTuple):
 
 
 class Report(NamedTuple):
-    """What came of a batch, and each typo that was not answered."""
+    """The result of a batch, and each typo that was not answered."""
 
     seen: Counter[str]
     failed: list[str]
 
 
 def wrong(text: str, random: Random) -> Iterator[str]:
-    """Yield a text with a letter too few, too many, and wrong."""
+    """Yield a text with a missing letter, an additional one, and a wrong one."""
     at, letter = random.randrange(len(text)), random.choice(string.ascii_lowercase)
     yield text[:at] + text[at + 1 :]
     yield text[:at] + letter + text[at:]
@@ -72,7 +72,7 @@ def wrong(text: str, random: Random) -> Iterator[str]:
 
 
 def typos(text: str, random: Random) -> Iterator[Typo]:
-    """Yield what may be misspelt in the text of a level."""
+    """Yield the texts of a level that may be misspelt."""
     key: int | None = None  # where the key stands whose value comes next
     for match in TOKEN.finditer(text):
         start, end = match.span()
@@ -85,7 +85,7 @@ def typos(text: str, random: Random) -> Iterator[Typo]:
 
 
 def _answered(text: str, body: Position | None) -> str:
-    """Return what comes of a level in which a body may be misspelt at a place."""
+    """Return the result for a level in which a body may be misspelt at a place."""
     try:
         parse(text)
     except LevelError as error:
@@ -105,7 +105,7 @@ def _chosen(level: str, text: str, part: int, seed: int) -> Iterator[Typo]:
 
 
 def _bodies(text: str) -> set[Position]:
-    """Return where in the text of a level bodies are named."""
+    """Return where the text of a level names bodies."""
     level = parse(text)
     places = (level.place(path).split(":") for path, _ in named_bodies(level))
     return {(int(line), int(column)) for _, line, column, *_ in places}
@@ -136,7 +136,7 @@ def _batches(part: int, seed: int) -> Iterator[Batch]:
 
 
 def main(part: int = 1, seed: int = 0, jobs: int = 0) -> None:
-    """Try every level, or each so many-th place of it, and tell what came of it."""
+    """Try every level, or only some of its places at equal distances, and report the results."""
     seen, failed = Counter[str](), 0
     done = spread(attempt, _batches(part, seed), jobs or os.cpu_count() or 1)
     for number, (_, report) in enumerate(done, 1):

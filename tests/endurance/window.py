@@ -149,7 +149,7 @@ class Monkey:
 
 
 def _reading(window: Window) -> float:
-    """Return what is held in a state that is the same each time [MB]: the median of some looks."""
+    """Return the memory in a state that is always the same [MB]: the median of some readings."""
     pygame.display.set_mode(SIZES[0], pygame.RESIZABLE)
     pygame.event.post(pygame.Event(pygame.VIDEORESIZE, size=SIZES[0], w=SIZES[0][0], h=SIZES[0][1]))
     window.comfort.choose(**Preferences().model_dump())
@@ -166,7 +166,7 @@ def _reading(window: Window) -> float:
 
 
 def main(events: int = 100_000, seed: int = 0) -> None:
-    """Post so many events, and tell how memory went."""
+    """Post a number of events, and report the trend of memory."""
     with tempfile.TemporaryDirectory() as folder:
         move_home(folder)
         give_back_large_blocks()  # as the app does
@@ -177,7 +177,7 @@ def main(events: int = 100_000, seed: int = 0) -> None:
 
 
 def _readings(events: int, seed: int, folder: Path) -> list[float]:
-    """Post so many events; return what was held before the first and after each part [MB]."""
+    """Post a number of events; return the memory before the first and after each part [MB]."""
     window, begun = Window(), monotonic()
     for name in catalog.textbook():  # what is made but once is there then
         window.open_level(name)

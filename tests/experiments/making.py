@@ -20,7 +20,7 @@ RANGE = "ball.position.x@landing"
 
 
 def plan(level: str, vary: Mapping[str, str], *measure: str, **others: object) -> Plan:
-    """Return the plan of an experiment in which nothing is wrong."""
+    """Return the plan of a correct experiment."""
     given = {"level": level, "vary": dict(vary), "measure": list(measure), **others}
     experiment, faults = made(given)
     assert experiment is not None, faults
@@ -30,7 +30,7 @@ def plan(level: str, vary: Mapping[str, str], *measure: str, **others: object) -
 
 
 def wrong(level: str, **given: object) -> list[str]:
-    """Return all that is wrong with an experiment, each with its place."""
+    """Return all mistakes of an experiment, each with its place."""
     text = {"level": level, "vary": {}, "measure": ["t@end"], **json.loads(json.dumps(given))}
     experiment, faults = made(text)
     if experiment is not None:

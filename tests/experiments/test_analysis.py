@@ -1,4 +1,4 @@
-"""Sensitivities of a function of which they are known by hand."""
+"""Sensitivities of functions for which they are known by hand."""
 
 from pathlib import Path
 

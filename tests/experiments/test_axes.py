@@ -1,4 +1,4 @@
-"""What may be written of values, and what may not."""
+"""The values of axes: which texts are accepted, and which are not."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""How many rows a batch has: few while nobody knows what they cost, and few at the end."""
+"""The sizes of batches: small while the cost of a row is unknown, and small at the end."""
 
 from collections.abc import Callable
 
@@ -12,7 +12,7 @@ Cost = Callable[[int], float]
 
 
 def batches(jobs: int, rows: int, cost: Cost, together: int = 1) -> list[int]:
-    """Return how large the batches are, if each takes what its rows cost [s]."""
+    """Return the sizes of the batches if each takes as long as its rows [s]."""
     pace = Pace(jobs, rows, together)
     found = plan("kinematics/projectile", {"angle": "5:85:3"}, RANGE)
     sizes = []
@@ -25,7 +25,7 @@ def batches(jobs: int, rows: int, cost: Cost, together: int = 1) -> list[int]:
 
 
 def shared(sizes: list[int], jobs: int, cost: Cost) -> float:
-    """Return the efficiency of processes that take batches as they are free."""
+    """Return the efficiency of processes that take a batch whenever they are free."""
     free = [0.0] * jobs
     for size in sizes:
         free[free.index(min(free))] += cost(size)
@@ -42,7 +42,7 @@ def test_all_processes_end_at_about_the_same_time(jobs: int, rows: int, row: flo
 
 
 def test_few_long_runs_are_shared_one_by_one() -> None:
-    """41 runs of 0.4 s on two processes: 21 of them and 20."""
+    """41 runs of 0.4 s on two processes: 21 and 20."""
     sizes = batches(2, 41, lambda count: 0.4 * count)
     assert max(sizes) <= 2
     assert shared(sizes, 2, lambda count: 0.4 * count) > 0.95
@@ -64,5 +64,5 @@ def test_the_last_batches_are_short() -> None:
 def test_runs_that_go_together_are_shared_evenly_in_as_few_batches_as_can_be(
     jobs: int, rows: int, sizes: list[int]
 ) -> None:
-    """A batch of 12 costs nearly what one of 24 does, so that none is cut to fill a gap."""
+    """A batch of 12 costs nearly as much as one of 24, so none is divided to fill a gap."""
     assert batches(jobs, rows, lambda _: 1.0, together=400) == sizes

@@ -1,4 +1,4 @@
-"""A cluster of several machines, here of two workers on this one, comes to the same bits."""
+"""A cluster, here of two workers on this machine, computes the same bits."""
 
 import os
 import signal

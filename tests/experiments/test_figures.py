@@ -1,4 +1,4 @@
-"""Pictures tell numbers as they are, and show the closed form beside what was measured."""
+"""Figures show numbers without distortion, and the closed form beside the measurements."""
 
 import re
 from pathlib import Path
@@ -20,7 +20,7 @@ def page(tmp_path: Path, vary: dict[str, str], **others: object) -> str:
 
 
 def test_what_a_label_says_is_not_rounded() -> None:
-    """Places are, to a hundredth of a point."""
+    """Only places in the picture are rounded, to a hundredth of a point."""
     figure = Figure()
     figure.subplots().set_xticks([2.0125, 2.015])
     svg = inline(figure, "ticks")

@@ -1,4 +1,4 @@
-"""What is found from noisy data, and how far it may be trusted."""
+"""The results of fits to noisy data, and how far they can be trusted."""
 
 from pathlib import Path
 

@@ -1,4 +1,4 @@
-"""Measures say what they say, against closed forms."""
+"""Measures agree with closed forms."""
 
 from pathlib import Path
 

@@ -1,4 +1,4 @@
-"""Mistakes are told all at once, each with its place; rows are those of the grid."""
+"""All mistakes are reported at once, each with its place; the rows are those of the grid."""
 
 from pathlib import Path
 

@@ -1,4 +1,4 @@
-"""Draws are the same for the same row, whichever rows are made with it."""
+"""A row always gets the same draws, whichever rows are made with it."""
 
 from typing import get_args
 

@@ -1,4 +1,4 @@
-"""Row by row the same bits, whoever runs them and in whatever batches; what fails says why."""
+"""Every row has the same bits, whoever runs it in whatever batches; failures are explained."""
 
 import os
 import signal
@@ -65,7 +65,7 @@ def test_without_an_effect_a_run_is_that_of_the_level_without_it(tmp_path: Path)
 
 
 def test_a_run_that_fails_is_a_row_with_its_reason(tmp_path: Path) -> None:
-    """Drawn values may leave the level's range."""
+    """Drawn values may be outside the level's range."""
     rows = table(plan(THROW, {"angle": "88.5±1.5"}, RANGE, draws=40), tmp_path)
     failed = [reason for reason in rows["failure"].to_pylist() if reason]
     assert 0 < len(failed) < 40
@@ -96,7 +96,7 @@ def parts(folder: Path) -> int:
 
 
 def killed_on_the_way(folder: Path, seed: int, wait: float) -> bool:
-    """Kill a command so long after its first part was there [s]; return whether it was at work."""
+    """Kill a command some time after its first part is there [s]; return whether it was at work."""
     with started(folder, seed) as process:
         assert until(lambda: parts(folder) > 0 or process.poll() is not None)
         time.sleep(wait)

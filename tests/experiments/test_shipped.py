@@ -57,7 +57,7 @@ def test_a_braking_distance_is_that_of_the_closed_form(tmp_path: Path) -> None:
 
 @pytest.mark.sweep
 def test_stages_give_what_tsiolkovsky_says(tmp_path: Path) -> None:
-    """Δv = u ln(m0/m1) + u ln(m2/m3), whatever was dropped in between."""
+    """Δv = u ln(m0/m1) + u ln(m2/m3), whatever is dropped in between."""
     rows = table(small("rocket-staging"), tmp_path)
     first, shell = (np.array(rows[name].to_pylist()) for name in ("first", "shell"))
     start, upper = 80 * (1 + shell) + 5, 80 * (1 - first) * (1 + shell) + 5

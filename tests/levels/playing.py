@@ -1,4 +1,4 @@
-"""A level that runs, and what tells one run from another."""
+"""A level that runs, and the fingerprint of a run."""
 
 from hashlib import sha256
 from math import inf
@@ -23,7 +23,7 @@ class Played(NamedTuple):
 
 
 def play(level: Level, most: float = inf) -> Played:
-    """Run a level to its end, or so many steps."""
+    """Run a level to its end, or for a number of steps."""
     world = build(level)
     recorder, states = Recorder(world, needed(level)), [world.snapshot]
     for _ in range(int(min(count_steps(world), most))):

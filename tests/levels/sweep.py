@@ -1,4 +1,4 @@
-"""Over what the levels are swept, and about how long that takes."""
+"""The parameter values with which levels are swept, and about how long that takes."""
 
 from collections.abc import Callable, Iterable
 from itertools import islice
@@ -20,11 +20,11 @@ def swept(level: Level) -> list[Values]:
 
 
 def steps(level: Level, values: Iterable[Values]) -> float:
-    """Return how many steps its runs take together."""
+    """Return the total number of steps of its runs."""
     return sum(level.duration(chosen) for chosen in values) * level.stepping.rate
 
 
 def marked(name: str, count: Callable[[Level], float], *, quick: bool = True) -> object:
-    """Return a level's name as a parameter of tests that take so many steps, swept if not quick."""
+    """Return a level's name as a test parameter, marked as sweep if its steps take long."""
     marks = [pytest.mark.steps(count(textbook(name)))]
     return pytest.param(name, marks=marks if quick else [*marks, pytest.mark.sweep])

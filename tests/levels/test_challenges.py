@@ -1,4 +1,4 @@
-"""Every challenge that ships can be solved, and is not solved before anybody has done anything."""
+"""Every challenge of the catalog can be solved, and is not solved by doing nothing."""
 
 import pytest
 

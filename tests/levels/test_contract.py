@@ -1,4 +1,4 @@
-"""What holds for every level that comes with the project: a new file joins by being there."""
+"""The contract of every level of the catalog; a new file joins by being there."""
 
 import sys
 from collections.abc import Iterator, Mapping
@@ -61,7 +61,7 @@ def level(name: str) -> Level:
 
 @pytest.fixture(scope="module", params=NAMES)
 def any_level(request: pytest.FixtureRequest) -> Level:
-    """A level of which no step is taken, or a few: the quick tests take them all."""
+    """A level of which no steps or only a few are taken: the quick tests take all levels."""
     return textbook(str(request.param))
 
 
@@ -151,7 +151,7 @@ def _hold_ghosts(
 
 
 def test_a_landscape_is_the_potential_that_the_body_has(level: Level, played: Played) -> None:
-    """To the last digits: the same formula, once written by the level and once by the law."""
+    """To the last digits: the same formula is written in the level and in the law."""
     landscape = level.view.landscape
     if landscape is None:
         return
@@ -169,7 +169,7 @@ def test_a_landscape_is_the_potential_that_the_body_has(level: Level, played: Pl
 
 
 def test_runs_the_same_however_it_is_stepped(level: Level, played: Played) -> None:
-    """One by one and looked at, or many at once."""
+    """One by one and observed, or many at once."""
     count = min(played.world.steps, 120)
     then = build(level).advance(count)
 
@@ -239,7 +239,10 @@ def test_every_account_can_be_kept(any_level: Level) -> None:
 @pytest.mark.sweep
 @pytest.mark.parametrize("seed", [1, 2, 3])
 def test_passes_its_checks_inside_its_ranges(level: Level, seed: int) -> None:
-    """Anywhere: no corner, and no two parameters at the same share of the way. Its ghosts, too."""
+    """At a point that is no corner, with every parameter at another share of its range.
+
+    Its ghosts pass, too.
+    """
     draw = np.random.default_rng(seed)
     values = {n: float(draw.uniform(p.min, p.max)) for n, p in level.parameters.items()}
     axes = {name: [f"{name}.position.{axis}" for axis in "xy"] for name in level.ghosts}
@@ -265,7 +268,7 @@ def begun(hard: Level) -> Played:
 
 
 def test_a_hard_case_says_what_it_is_and_starts_well(hard: Level, begun: Played) -> None:
-    """For some steps, within the bounds of those of its checks that hold at every step."""
+    """For some steps, within the bounds of its checks that hold at every step."""
     assert hard.summary.endswith(".")
     assert hard.reference[0].isdigit()
     assert all(check.label for check in hard.checks)

@@ -68,14 +68,14 @@ ENERGIES = ("system.energy", "system.kinetic_energy", "system.potential_energy")
 
 
 def dead(joint: Joint) -> bool:
-    """Whether a joint takes energy where it is jerked taut, or something runs into it."""
+    """Whether a joint takes energy when it is jerked taut, or when something hits it."""
     return isinstance(joint, Rope) or (
         isinstance(joint, Stop | AngleStop) and joint.restitution is None
     )
 
 
 def conservative(level: Level) -> bool:
-    """Whether nothing in a level takes or gives energy, whatever happens."""
+    """Whether nothing in a level takes or gives energy."""
     effects, values = level.effects, level.defaults
     moving = [body for body in level.bodies.values() if body.type == "dynamic"]
     bouncing = effects.restitution is None or (
@@ -97,7 +97,7 @@ NAMES = [n for n in catalog.textbook() if n not in LAND and conservative(textboo
 
 
 def watched(name: str) -> Trace:
-    """Run a level for ten times its duration, or until its bodies run into something."""
+    """Run a level for ten times its duration, or until its bodies collide."""
     world = build(textbook(name))
     recorder = Recorder(world, ENERGIES)
     once = name in ENDS or name in GAIN_SPEED

@@ -1,4 +1,4 @@
-"""What is known of a fall that nobody can foretell."""
+"""What is known of falls that nobody can predict."""
 
 from json import loads
 

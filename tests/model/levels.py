@@ -1,4 +1,4 @@
-"""Small levels to bend in tests."""
+"""Small levels that tests modify."""
 
 import json
 from collections.abc import Callable
@@ -13,7 +13,7 @@ Change = Callable[[Data], None]
 
 
 def bare() -> Data:
-    """Return the data of a ball that falls, with everything a level needs and no more."""
+    """Return the data of a falling ball, with only what a level needs."""
     return {
         "format": 1,
         "title": "A ball",
@@ -82,12 +82,12 @@ def level(data: Data, *changes: Change) -> Level:
 
 
 def mistakes(data: Data, *changes: Change) -> tuple[Mistake, ...]:
-    """Return what is wrong with some data after the changes; empty if nothing is."""
+    """Return the mistakes of some data after the changes; empty if there are none."""
     return mistakes_in(changed(data, *changes))
 
 
 def mistakes_in(text: str) -> tuple[Mistake, ...]:
-    """Return what is wrong with a text; empty if nothing is."""
+    """Return the mistakes of a text; empty if there are none."""
     try:
         parse(text)
     except LevelError as error:
@@ -96,5 +96,5 @@ def mistakes_in(text: str) -> tuple[Mistake, ...]:
 
 
 def said(found: tuple[Mistake, ...]) -> list[str]:
-    """Return the mistakes as `path: rule`, without the places in the text."""
+    """Return the mistakes as `path: rule`, without their places in the text."""
     return [f"{mistake.path}: {mistake.rule}" for mistake in found]

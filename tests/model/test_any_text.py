@@ -1,4 +1,4 @@
-"""Whatever a text holds, it is a level or one error that says what is wrong."""
+"""Any text is a level, or gives one error that says what is wrong."""
 
 import json
 from copy import deepcopy

@@ -1,4 +1,4 @@
-"""No number of a level is so large or so small that what is computed from it is lost."""
+"""No number of a level is too large or too small to compute with."""
 
 from collections.abc import Iterator
 from typing import Any
@@ -81,7 +81,7 @@ def test_a_level_with_a_number_beyond_its_bound_is_refused(
 
 
 def test_a_line_too_long_to_have_a_moment_of_inertia_is_refused() -> None:
-    """Chipmunk ends the process where a moment is not a number."""
+    """Chipmunk ends the process if a moment of inertia is not a number."""
     data = bare()
     data["effects"]["rotation"] = {}
     data["bodies"]["ball"]["angular_velocity"] = 1

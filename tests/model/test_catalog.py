@@ -1,4 +1,4 @@
-"""The levels that come with the project are found by name, by its end, and by path."""
+"""The levels of the catalog are found by name, by the end of it, and by path."""
 
 from pathlib import Path
 
@@ -12,7 +12,7 @@ from validation.case import textbook
 
 @pytest.fixture
 def shelf(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """Make a small folder of levels the catalog's, and an empty one the current."""
+    """Use a small folder of levels as the catalog, and an empty one as the current folder."""
     levels, elsewhere = tmp_path / "levels", tmp_path / "elsewhere"
     for name in ("newton/atwood", "newton/incline", "energy/incline", "deep/er/level"):
         path = levels / f"{name}.json"

@@ -1,4 +1,4 @@
-"""Challenges: what a level asks of the person who plays, and what is wrong with it."""
+"""Challenges: the tasks of a level, and their mistakes."""
 
 from typing import Any
 
@@ -17,7 +17,7 @@ CHALLENGE: dict[str, Any] = {
 
 
 def scene(**changes: object) -> None:
-    """Read a level whose challenge differs from one that is right."""
+    """Read a level whose challenge differs from a correct one."""
     level(
         {"ball": disc((0, 0), velocity=[0, "v"]), "floor": floor(-9)},
         GRAVITY,

@@ -1,4 +1,4 @@
-"""Constants are names for formulas: nothing else of a level changes with them."""
+"""Constants name formulas, and change nothing else of a level."""
 
 import pickle
 
@@ -92,7 +92,7 @@ def test_a_mistake_is_told_at_its_place(constants: Data, path: str, rule: str) -
 
 
 def test_doubling_two_hundred_times_takes_no_time() -> None:
-    """Written out, the last would be longer than anything."""
+    """Written out, the last formula would be longer than any memory."""
     double = {f"a{i}": f"a{i - 1} + a{i - 1}" for i in range(1, 199)}
     found = level(named(a0="m/2", **double, size="a198/2**198"))
 

@@ -23,13 +23,13 @@ def test_a_crowd_is_a_level_with_so_many_bodies(kind: str, count: int) -> None:
 @pytest.mark.parametrize("kind", ["gas", "chain", "cluster"])
 @pytest.mark.parametrize("count", [2, 20])
 def test_a_crowd_keeps_its_checks(kind: str, count: int) -> None:
-    """A gas its energy: 2e-5 where three meet at once; links and centres are kept to rounding."""
+    """A gas keeps its energy to 2e-5, as three discs meet at once; links and rods to rounding."""
     for result in grade(simulate(parse(text(crowd(kind, count))), duration=2)):
         assert result.verdict == "passed", result
 
 
 def test_a_pile_is_as_deep_however_many_there_are() -> None:
-    """So that the solver has as far to reach: at 60 Hz, discs of a pile twice as deep sink."""
+    """So the solver's task stays equally hard: at 60 Hz, a pile twice as deep sinks."""
     heights = []
     for count in (100, 5000):
         bodies = crowd("pile", count)["bodies"]

@@ -52,7 +52,7 @@ def test_every_function_has_a_derivative() -> None:
 
 
 def test_what_a_constant_factor_makes_zero_is_left_out() -> None:
-    """Else 0 · ∞ would be nowhere: the slope of 1/y in x is 0 also where y is 0."""
+    """Otherwise 0 · ∞ has no value: the derivative of 1/y by x is 0 even where y is 0."""
     assert EnergyInField("1/y").slope("x").at({}, {"y": np.zeros(1)}) == 0
 
 

@@ -1,4 +1,4 @@
-"""Effects switched off and on: what goes with them, and what makes no sense."""
+"""Effects are switched off and on: what changes with them, and what makes no sense."""
 
 from typing import Any
 

@@ -162,7 +162,7 @@ def test_a_folder_without_space_is_no_wrong_usage(
 
 
 def test_a_folder_stays_only_for_the_files_in_it(tmp_path: Path) -> None:
-    """Those that were made for nothing go, with their parents; what was there stays."""
+    """Folders made in vain are removed with their new parents; existing ones stay."""
     (tmp_path / "old").mkdir()
     for name in ("a/b", "old", "old/c"):
         with pytest.raises(SandboxError), folder_of_files(tmp_path / name):
@@ -223,7 +223,7 @@ def test_a_file_stays_whose_it_was(tmp_path: Path, monkeypatch: pytest.MonkeyPat
 def test_of_two_who_make_one_file_the_first_has_it(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, linked: bool
 ) -> None:
-    """Whoever looks and then writes overwrites what came between the two."""
+    """Looking first and then writing would overwrite a file made in between."""
     path, check = tmp_path / "file", check_writable
 
     def overtaken(path: Path) -> None:

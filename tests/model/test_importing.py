@@ -1,4 +1,4 @@
-"""What the import of the format leaves for later: every start of the program waits for it."""
+"""Work that importing the format postpones: every start of the program waits for an import."""
 
 import subprocess
 import sys
@@ -46,7 +46,7 @@ class Told(Model):
 
 
 class Again(Told):
-    """The same, but for what is declared anew."""
+    """The same, for a repeated declaration."""
 
     first: int
     third: int

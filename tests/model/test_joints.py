@@ -1,5 +1,5 @@
 # ruff: noqa: E501 (a table is read by its rows)
-"""Joints, drags and forces: what makes no sense is refused by name and rule."""
+"""Joints, drags and forces: mistakes are refused with their name and rule."""
 
 import json
 from typing import Any
@@ -13,7 +13,7 @@ HOOK = {"type": "disc", "radius": 0.1}
 
 
 def tied(joint: dict[str, Any], **effects: object) -> list[str]:
-    """Return what is wrong with a ball and a block, 5 m apart, that a joint ties."""
+    """Return the mistakes of a ball and a block, 5 m apart, tied by a joint."""
     data = {
         "format": 1,
         "title": "Tied",

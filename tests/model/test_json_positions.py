@@ -1,4 +1,4 @@
-"""Every value of a JSON text is found where it stands."""
+"""Every value of a JSON text is found at its position."""
 
 import json
 

@@ -1,4 +1,4 @@
-"""What was found of a part is found again only of the very same part."""
+"""A result for a part is reused only for the very same part."""
 
 from sandbox.model.last_result_cache import of_the_last
 from sandbox.model.level_parts import expressions

@@ -1,5 +1,5 @@
 # ruff: noqa: E501 (a table is read by its rows)
-"""Whatever a file holds, it is a level or a list of what is wrong with it."""
+"""Any file is a level, or gives a list of its mistakes."""
 
 import json
 import os
@@ -34,7 +34,7 @@ SHIPPED = [(catalog.root() / f"{name}.json") for name in catalog.names()]
 
 @contextmanager
 def refused(told: str) -> Iterator[None]:
-    """Expect a `LevelError` within a second of work, short enough to read."""
+    """Expect a short `LevelError` within a second of computing."""
     started = time.process_time()
     with pytest.raises(LevelError) as caught:
         yield

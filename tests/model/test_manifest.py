@@ -1,4 +1,4 @@
-"""What a manifest of effects must not say, and where it is told."""
+"""The mistakes of a manifest of effects, and where they are reported."""
 
 import json
 

@@ -1,4 +1,4 @@
-"""A name that leads nowhere is told by name and place, wherever a level may say it."""
+"""An unknown name is reported with its place, wherever a level may use a name."""
 
 import json
 import random
@@ -31,12 +31,12 @@ def _names(what: str) -> Wanted:
 
 
 def _is_formula(part: dict[str, Any]) -> bool:
-    """Whether a part of the schema may be a formula over the parameters."""
+    """Whether a part of the schema may be a formula of the parameters."""
     return "string" in part.get("type", "") and "number" in part["type"]
 
 
 def _wherever(part: dict[str, Any], wanted: Wanted) -> Iterator[Sample]:
-    """Yield the least value for each text of a part of the schema that is wanted, wrongly named."""
+    """Yield, for each required text in a part of the schema, the least value with a wrong name."""
     part = _resolved(part)
     if wanted(part):
         keyed = part["type"] == "object"
@@ -107,7 +107,7 @@ FORMULAS, PARAMETERS = _samples(_is_formula), _samples(_names("parameter"))
 
 
 def _with(place: Place, value: Data) -> Data:
-    """Return a level in which a part is what is given."""
+    """Return a level in which a part is replaced."""
     part = str(place[0])
     return {**bare(), "ghosts": {}, "joints": {}, part: deepcopy(value[part])}
 
@@ -178,7 +178,7 @@ def test_a_misspelt_body_beside_a_check_of_the_energy_is_told() -> None:
 
 
 def test_what_only_follows_from_a_misspelt_body_is_not_told() -> None:
-    """The pair leaves the floor without a coefficient, but that is not what is wrong."""
+    """The pair leaves the floor without a coefficient, but that is not the mistake."""
     data = bare()
     data["bodies"]["floor"] = {"type": "static", "shape": {"type": "disc", "radius": 1}}
     pair = {"bodies": ["ball", "flor"], "coefficient": 1}
@@ -210,7 +210,7 @@ def test_a_letter_too_few_in_a_body_s_name_is_answered_at_its_place(name: str) -
 
 @pytest.mark.parametrize("name", catalog.names()[4::9])
 def test_a_letter_too_many_anywhere_in_a_level_is_answered_or_harmless(name: str) -> None:
-    """Whatever the text: nothing but a level or its mistakes comes of it."""
+    """In whatever text: the result is a level or its mistakes."""
     text = catalog.find(name).read_text(encoding="utf-8")
     letters = [index for index, letter in enumerate(text) if letter.isalpha()]
     for index in random.Random(name).sample(letters, 12):

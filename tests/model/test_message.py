@@ -1,4 +1,4 @@
-"""Messages: English texts that can be said in other languages later, and elsewhere."""
+"""Messages: English texts that can be translated later, and elsewhere."""
 
 import copy
 import pickle

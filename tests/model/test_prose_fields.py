@@ -1,4 +1,4 @@
-"""Words for a person are marked where a field is declared, and found wherever they stand."""
+"""Texts for people are marked where a field is declared, and found wherever they are used."""
 
 import json
 from collections.abc import Iterator
@@ -31,7 +31,7 @@ def models(kind: Any, known: set[type[Model]]) -> Iterator[type[Model]]:  # noqa
 
 
 def texts(hint: Any, marks: tuple[object, ...] = ()) -> Iterator[tuple[object, ...]]:  # noqa: ANN401
-    """Yield, for each text that a type may be or hold as a value, the marks that it has."""
+    """Yield, for each text that a type may be or contain as a value, its marks."""
     if hint is str:
         yield marks
     metadata = getattr(hint, "__metadata__", None)
@@ -45,7 +45,7 @@ def texts(hint: Any, marks: tuple[object, ...] = ()) -> Iterator[tuple[object, .
 
 
 def test_every_text_of_a_level_is_words_or_a_name() -> None:
-    """Whoever adds a text to the format says which: else nobody would translate it."""
+    """A new text of the format must say which, or nobody would translate it."""
     unsaid = {
         f"{model.__name__}.{field}"
         for model in models(Level, set())

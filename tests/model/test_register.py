@@ -1,4 +1,4 @@
-"""What an effect says of itself is whole, or what is missing is told; the rest follows from it."""
+"""The declaration of an effect is complete, or the missing part is named; the rest follows."""
 
 from importlib import import_module
 from pkgutil import iter_modules
@@ -21,7 +21,7 @@ from tests.model.levels import Data, bare, level, touching
 
 
 class Silent(Model):
-    """Says nothing of itself."""
+    """Declares nothing."""
 
 
 class Misnamed(Model):
@@ -31,7 +31,7 @@ class Misnamed(Model):
 
 
 class Weak(Model):
-    """Says that its strength is what it has not."""
+    """Names as its strength a field that it does not have."""
 
     effect: ClassVar[Effect] = Effect(name="thing", strength=("strength",))
     mu: Strength
@@ -44,7 +44,7 @@ class Bookless(Model):
 
 
 class Turning(Model):
-    """A whole one."""
+    """A complete declaration."""
 
     effect: ClassVar[Effect] = Effect(name="thing", sees=("velocity",), strength=("mu",))
     mu: Strength

@@ -1,4 +1,4 @@
-"""Effects that are declared, and have no strength whatever the parameters are, are told."""
+"""Declared effects that have no strength for any parameters are reported."""
 
 import pytest
 

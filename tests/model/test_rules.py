@@ -1,5 +1,5 @@
 # ruff: noqa: E501 (a table is read by its rows)
-"""What contradicts itself in a level is told by name, and nothing else is."""
+"""Contradictions in a level are reported by name, and nothing else is."""
 
 from collections.abc import Callable
 from itertools import product
@@ -246,7 +246,7 @@ def test_a_value_must_be_possible_at_the_ends_of_the_ranges(
 def test_nothing_starts_at_a_centre_of_attraction(
     center: list[object], power: float, *, refused: bool
 ) -> None:
-    """There it has no direction, unless it vanishes, as a spring's."""
+    """There the force has no direction, unless it vanishes, like a spring's."""
     sun = setting("effects.attraction", [{"mu": 1, "center": center, "power": power}])
 
     found = said(mistakes(bare(), sun))

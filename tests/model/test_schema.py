@@ -1,4 +1,4 @@
-"""The JSON Schema says what the models say, and editors have the latest."""
+"""The JSON Schema agrees with the models, and editors have the latest one."""
 
 import json
 from collections.abc import Iterator
@@ -33,7 +33,7 @@ def test_the_file_is_what_the_models_say() -> None:
 
 
 def test_every_field_that_names_no_values_itself_has_examples() -> None:
-    """They are what editors offer while one types."""
+    """Editors offer them during typing."""
     made = json.loads(text())
     bare = [f"{part}.{key}" for part, key, field in fields(made) if "examples" not in field]
 
@@ -94,7 +94,7 @@ def test_every_part_is_described_and_refuses_unknown_keys(name: str) -> None:
 
 
 def test_no_part_refuses_every_key() -> None:
-    """An editor would mark whatever is typed there."""
+    """An editor would mark everything typed there."""
     closed = [part for part in _parts(SCHEMA) if part.get("additionalProperties") is False]
 
     assert [part for part in closed if not {"properties", "patternProperties"} & part.keys()] == []

@@ -1,4 +1,4 @@
-"""What a level takes to look at is bounded before it is looked at."""
+"""The work of checking a level is bounded before it is done."""
 
 import json
 from time import process_time
@@ -54,7 +54,7 @@ def test_where_few_are_tried_all_of_a_side_come_first() -> None:
 def test_of_many_parts_fewer_combinations_are_tried(
     data: Data, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """All of them were 600,000 looks at bodies, and 18 s at wires."""
+    """All of them were 600,000 looks at bodies, and 18 s for wires."""
     made, work = level(data), 0.0
 
     def counted(condition: Condition, _: object) -> None:

@@ -26,7 +26,7 @@ def typed(path: Path) -> str:
 
 
 def as_typed(said: str) -> Any:  # noqa: ANN401
-    """Return what JSON says, its numbers as they are typed and its keys in their order."""
+    """Return the JSON data, with numbers as they are typed and keys in their order."""
     mark = "#{}".format
     return json.loads(said, object_pairs_hook=tuple, parse_int=mark, parse_float=mark)
 

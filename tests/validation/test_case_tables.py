@@ -1,4 +1,4 @@
-"""The tables of cases: what they say is read, and what they cannot mean is told with its place."""
+"""The tables of cases are read, and their mistakes are reported with their place."""
 
 from pathlib import Path
 
@@ -31,7 +31,7 @@ order = 2
 
 @pytest.fixture
 def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """A folder of tables, of which nothing has been read yet."""
+    """A folder of tables that has not been read yet."""
     monkeypatch.setattr(case_tables, "FOLDER", tmp_path)
     monkeypatch.setattr(case_tables, "read", case_tables.read.__wrapped__)
     return tmp_path
@@ -79,15 +79,15 @@ def test_a_formula_is_that_of_the_parameters_and_of_the_times(folder: Path) -> N
     ("said", "instead", "told"),
     [
         ("formula = ", "formla = ", "'range of the low ball' lacks formula"),
-        ("order = 2", "ordr = 2", "'range of the low ball': a case has no ordr"),
-        ("over = ", "ovr = ", "a table has no ovr"),
-        ("level = ", "# ", "a table lacks its level"),
+        ("order = 2", "ordr = 2", "'range of the low ball': unknown key: ordr"),
+        ("over = ", "ovr = ", "unknown key in a table: ovr"),
+        ("level = ", "# ", "a table needs a level"),
         ("radians(angle)", "radians(angel)", "formula has an unknown name: angel"),
         ("kinematics.", "kinematik.", "formula has an unknown name: kinematik"),
         (
             'at = {event = "contact", bodies = ["{ball}", "sand"]}',
             'at = "2*angel"',
-            "'at' has a name that is no parameter: angel",
+            "'at' has an unknown parameter: angel",
         ),
     ],
 )

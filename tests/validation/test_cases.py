@@ -26,7 +26,7 @@ def ident(case: Case) -> str:
 
 @cache
 def outcomes(level: str) -> dict[str, Outcome]:
-    """Return how the cases of a level come out; they share their runs."""
+    """Return the results of a level's cases, which share their runs."""
     cases = [case for case in CASES if case.level == level]
     return {ident(case): outcome for case, outcome in zip(cases, run(cases), strict=True)}
 
@@ -88,7 +88,7 @@ def test_naive_pymunk_misses(claim: str, level: str, least: float) -> None:
 
 
 def test_a_formula_that_is_wrong_by_one_percent_would_fail() -> None:
-    """Errors are relative to the largest expected value: that one would be 1e-2."""
+    """Errors are relative to the largest expected value, so this one would be 1e-2."""
     assert [ident(case) for case in CASES if not case.tolerance <= 1e-3] == []
 
 

@@ -1,4 +1,4 @@
-"""The map from the document to the levels leaves out no level, and names none that is not there."""
+"""The map from the chapter to the levels omits no level, and names none that does not exist."""
 
 from pathlib import Path
 

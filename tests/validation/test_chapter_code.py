@@ -1,4 +1,4 @@
-"""The chapter's code prints what it prints, and the sandbox does the same step by step."""
+"""The chapter's code prints what the chapter says, and the sandbox agrees with it at every step."""
 
 import numpy as np
 import pytest
@@ -44,7 +44,7 @@ def test_the_listing_stops_short_of_the_range_that_the_sandbox_finds() -> None:
 
 @pytest.mark.sweep
 def test_plain_euler_in_the_sandbox_is_the_chapters_bit_for_bit() -> None:
-    """It goes over the top, 22.37 J up, where a last digit would grow: there is none."""
+    """It passes the top, 22.37 J up, where a different last digit would grow."""
     columns = record("lagrange/euler-pendulum", THETA, OMEGA, ENERGY).columns
     theta, omega = chapter_code.run(chapter_code.step_euler)
 
@@ -55,7 +55,7 @@ def test_plain_euler_in_the_sandbox_is_the_chapters_bit_for_bit() -> None:
 
 @pytest.mark.sweep
 def test_symplectic_euler_in_the_sandbox_is_the_chapters_begun_with_a_drift() -> None:
-    """The chapter kicks, then drifts; pymunk drifts, then kicks: one chain, begun elsewhere."""
+    """The chapter kicks, then drifts; pymunk drifts, then kicks: one chain with another start."""
     columns = record("lagrange/symplectic-pendulum", THETA, OMEGA).columns
     kick = 9.81 * np.sin(chapter_code.START) * chapter_code.DT
     theta, omega = chapter_code.run(chapter_code.step_symplectic, omega=kick)
@@ -66,7 +66,7 @@ def test_symplectic_euler_in_the_sandbox_is_the_chapters_begun_with_a_drift() ->
 
 @pytest.mark.parametrize("step", [chapter_code.step_euler, chapter_code.step_symplectic])
 def test_plain_euler_leaks_energy_and_symplectic_euler_keeps_it(step: chapter_code.Step) -> None:
-    """For ten seconds plain Euler gains in every step; the other is off by 1.6 % at the most."""
+    """For ten seconds plain Euler gains in every step; the other is off by at most 1.6 %."""
     theta, omega = chapter_code.run(step)
     energy = np.array([chapter_code.energy(*state) for state in zip(theta, omega, strict=True)])
 

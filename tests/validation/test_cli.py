@@ -100,7 +100,7 @@ def test_an_event_that_never_came_is_null_in_the_json() -> None:
 def test_processes_that_share_the_cases_find_what_one_finds(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    """In the same order; only what a step costs is measured anew."""
+    """In the same order; only the costs of steps are measured again."""
     cases = list(few())[::-1]
     alone = suite.outcomes(cases, jobs=1)
     monkeypatch.setattr(suite, "WORTH", 1)

@@ -1,4 +1,4 @@
-"""The judge of compositions: its scenes are the same every time, and each judgement can fail."""
+"""The judges of compositions: scenes are reproducible, and each judgement can fail."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -164,7 +164,7 @@ def test_slopes_are_those_of_small_steps(family: str) -> None:
 
 
 def beam(load: float) -> Document:
-    """A beam of 2 m and 10 kg on two posts, a load half a metre right of its middle."""
+    """A beam of 2 m and 10 kg on two posts, with a load half a metre to the right of its middle."""
     draft = Draft(np.random.default_rng(0))
     draft.block("left", (-0.9, 0.5), (0.2, 1))
     draft.block("right", (0.9, 0.5), (0.2, 1))
@@ -210,14 +210,14 @@ def test_a_mirror_and_a_turn_can_be_undone(family: str) -> None:
 
 
 def shifted(found: Course, body: str, by: tuple[float, float], begin: int = 1) -> Course:
-    """A run in which a body is elsewhere from a step on."""
+    """A run in which a body is at another place from a step on."""
     position = found.seen.position.copy()
     position[begin:, list(found.scene.document["bodies"]).index(body)] += by
     return replace(found, seen=replace(found.seen, position=position))
 
 
 def sinking(found: Course, body: str, begin: int = 1) -> Course:
-    """A run in which a body sinks from a step on, by 1e-6 m each."""
+    """A run in which a body sinks from a step on, by 1e-6 m per step."""
     position = found.seen.position.copy()
     row = list(found.scene.document["bodies"]).index(body)
     position[begin:, row, 1] -= 1e-6 * np.arange(len(position) - begin)
@@ -289,7 +289,7 @@ def test_stock_pymunk_is_of_first_order() -> None:
 
 
 def whirled(rate: float) -> Case:
-    """A ball of 2 kg that goes round on a rod of 0.5 m at 3 m/s."""
+    """A ball of 2 kg that revolves on a rod of 0.5 m at 3 m/s."""
     draft = Draft(np.random.default_rng(0))
     draft.gravity, draft.contact, draft.rotation = (0, 0), False, False
     draft.disc("ball", (0, -0.5), 0.1, 2.0, velocity=(3, 0))
@@ -333,7 +333,7 @@ def test_a_kick_that_goes_wrong_does_not_set_its_own_bound() -> None:
 def test_an_overlap_may_last_as_long_as_pymunk_takes_where_it_is_left_to_it(
     solver: str, e: float | None, left: float, passed: bool
 ) -> None:
-    """A ball falls on a beam at 60 Hz; so much of the overlap is made to be left in each step."""
+    """A ball falls on a beam at 60 Hz, and a share of the overlap remains after each step."""
     document = beam(1.0)
     document["bodies"]["load"]["position"][1] += 0.3
     document["stepping"] = {"rate": 60}
@@ -355,7 +355,7 @@ def test_an_overlap_may_last_as_long_as_pymunk_takes_where_it_is_left_to_it(
 
 @pytest.mark.sweep
 def test_an_overlap_of_an_impact_found_late_is_let_pass_and_no_other() -> None:
-    """A ball falls on a floor and is found 5 mm deep; then it is held there."""
+    """A ball falls on a floor, is found 5 mm deep, and is then kept there."""
     document = beam(1.0)
     document["bodies"]["load"]["position"][1] += 0.3
     level = make(document)
@@ -372,7 +372,7 @@ def test_an_overlap_of_an_impact_found_late_is_let_pass_and_no_other() -> None:
 def test_a_second_corner_that_comes_down_is_an_impact_of_its_own_and_a_deeper_first_is_none() -> (
     None
 ):
-    """A box whose left corner lies 1 mm deep; then its right one comes down, or all of it sinks."""
+    """The left corner of a box is 1 mm deep; then its right one hits, or the whole box sinks."""
     square = np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)], dtype=float)
     ground = np.array([(-5, -1), (5, -1), (5, 0), (-5, 0)], dtype=float)
     tilted, deep = np.array([0.001, 0.001, 0.001]), np.array([-0.001, -0.001, -0.003])

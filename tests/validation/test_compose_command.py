@@ -1,4 +1,4 @@
-"""The command that composes scenes at random."""
+"""The command that composes random scenes."""
 
 import json
 from collections.abc import Callable

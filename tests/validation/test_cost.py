@@ -1,4 +1,4 @@
-"""What accuracy costs: the figures are the machine's, what is made of them is not."""
+"""The cost of accuracy: times depend on the machine, conclusions from given times do not."""
 
 import json
 import math
@@ -80,7 +80,7 @@ def test_the_cost_to_reach_an_error_is_that_of_the_cheapest_run() -> None:
 
 
 def test_the_next_digit_costs_what_a_tenth_of_the_error_does() -> None:
-    """Of second order that is a step that is 4 times as short, of those that are tried."""
+    """For second order, a step that is 4 times shorter, of those that are tried."""
     found = sweep(power(2.0, 1.0, "leapfrog"))
 
     assert next_digit(found) == pytest.approx(4.0)
@@ -90,7 +90,7 @@ def test_the_next_digit_costs_what_a_tenth_of_the_error_does() -> None:
 
 @pytest.mark.sweep
 def test_the_place_that_is_known_least_and_what_is_checked_can_be_trusted_so_far() -> None:
-    """Held against a run with an eighth of the step."""
+    """Compared with a run at an eighth of the step."""
     level = load(catalog.find("lagrange/simple-pendulum"))
     place, *checked = digits(level, ["bob.position.x", "t", "system.energy"])
     fine = level.stepping.at(8 * level.stepping.rate)
@@ -107,7 +107,7 @@ def test_the_place_that_is_known_least_and_what_is_checked_can_be_trusted_so_far
 
 
 def test_the_headline_compares_at_the_same_time_and_at_the_same_error() -> None:
-    """Second order beside first order of the same cost: 1 / 240 as large an error at 240 Hz."""
+    """Second order beside first order of the same cost: 1 / 240 of the error at 240 Hz."""
     found = headline(sweep([*power(2.0, 1.0, "leapfrog"), *power(1.0, 1.0, "symplectic-euler")]))
 
     assert found is not None
@@ -141,7 +141,7 @@ def test_that_pymunk_never_comes_through_is_no_failure_of_ours() -> None:
 
 @pytest.mark.sweep
 def test_a_formula_that_is_an_approximation_gives_way_to_a_finer_run() -> None:
-    """The swing that a formula for small ones gives is off by as much, whatever the step."""
+    """The formula for small swings is off by the same amount at any step."""
     level = small_swings()
 
     stick = yardstick(level, level.defaults, budget=0.2)

@@ -1,4 +1,4 @@
-"""What effects cost: the figures are the machine's, what is measured is not."""
+"""The cost of effects: times depend on the machine, conclusions from given times do not."""
 
 import json
 from pathlib import Path
@@ -34,7 +34,7 @@ def test_a_level_is_measured_with_its_hooks_and_without() -> None:
 
 @pytest.mark.sweep
 def test_what_calls_python_stands_beside_the_effects_of_a_level() -> None:
-    """Each level that calls Python has a law, a joint, or an effect that says why."""
+    """Each level that calls Python has a law, a joint or an effect that explains it."""
     laws = {effect.name for effect in effects.EFFECTS.values() if effect.is_law}
     for name in catalog.textbook():
         level = textbook(name)

@@ -1,4 +1,4 @@
-"""Work and energy: orbits and ramps, held against energy, angular momentum and Newton's law."""
+"""Work and energy: orbits and ramps, compared with conservation laws and Newton's law."""
 
 from math import pi, sqrt
 
@@ -124,13 +124,13 @@ def test_a_slower_one_turns_where_its_energy_ends(r: float, share: float, mu: fl
 
 
 def test_near_the_start_turning_is_a_throw_in_uniform_gravity() -> None:
-    """For a small share f of escape speed g = μ / r², so it rises for f √(2 μ / r) / g."""
+    """For a small share f of the escape speed g = μ / r², so it rises for f √(2 μ / r) / g."""
     assert energy.turning_distance(1, 1e-3) - 1 == pytest.approx(1e-6, rel=1e-3)
     assert energy.turning_time(1, 1e-3, 1) == pytest.approx(1e-3 * sqrt(2), rel=1e-3)
 
 
 def test_an_orbit_that_turns_obeys_newton() -> None:
-    """Second differences of x and y against −(μ / r³ + ε / r⁴) r; h² of the fourth slope is off."""
+    """Second differences of x and y against −(μ / r³ + ε / r⁴) r; off by h² of the fourth slope."""
     near, e, mu, extra, h = 1.5, 0.5, 8.0, 3.0, 1e-4
     t = 1.7 + h * np.array([-1, 0, 1])
     r, angle = energy.revolving_place(near, e, mu, extra, np.concatenate(([0, 0.9], t)))
@@ -142,7 +142,7 @@ def test_an_orbit_that_turns_obeys_newton() -> None:
 
 
 def test_the_perihelia_of_an_orbit_that_turns_advance_alike() -> None:
-    """By 2π (1/κ − 1) a turn, with κ² = 1 − ε / h²."""
+    """By 2π (1/κ − 1) per revolution, with κ² = 1 − ε / h²."""
     near, e, mu, extra = 1.5, 0.3, 8.0, 2.0
     turns = np.linspace(0, 3, 31) * energy.kepler_period(near / (1 - e), mu)
     r, angle = energy.revolving_place(near, e, mu, extra, turns)
@@ -178,7 +178,7 @@ def test_a_push_across_the_path_does_no_work_and_one_at_60_degrees_half_of_it() 
 def test_a_repelled_body_turns_later_than_without_repulsion_and_as_newton_says(
     r: float, speed: float, k: float
 ) -> None:
-    """The time over u, dt = √(a³/k) (1 + cosh u) du, by a sum of small steps of dr / v."""
+    """The time over u, dt = √(a³/k) (1 + cosh u) du, as a sum of small steps of dr / v."""
     near = energy.closest_approach(r, speed, k)
     u = np.linspace(0, np.sqrt(r - near), 4001)  # r = near + u², for v = 0 at the start
     middle = near + ((u[1:] + u[:-1]) / 2) ** 2

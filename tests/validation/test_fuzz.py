@@ -1,4 +1,4 @@
-"""Levels that nobody would write are made, tried, and kept where they are not answered."""
+"""Odd levels are made and tried, and kept if they are not answered."""
 
 import json
 import os
@@ -122,7 +122,7 @@ def test_what_takes_too_long_is_told() -> None:
 
 
 def test_what_gets_no_time_to_compute_is_asked_again(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Of 32,973 levels on a machine with 29 others at work, 8 were told to be slow."""
+    """Of 32,973 levels, tried beside 29 other processes, 8 were reported as slow."""
     answers = [NO_ANSWER, Outcome(RUNS), NO_ANSWER, NO_ANSWER]
     monkeypatch.setattr(Trial, "_ask", lambda *_: answers.pop(0))
 
@@ -153,7 +153,7 @@ def Fuzz():
 
 @pytest.fixture
 def led(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[[int], Generator[Tried]]:
-    """What comes of levels if each process tries so many inputs."""
+    """Return the results for levels if each process tries a number of inputs."""
     (tmp_path / "atheris.py").write_text(STAND_IN, encoding="utf-8")
     monkeypatch.setenv("PYTHONPATH", str(tmp_path), prepend=os.pathsep)
 
@@ -169,7 +169,7 @@ def led(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[[int], Gene
 def test_atheris_is_told_what_comes_of_the_levels_it_makes(
     led: Callable[[int], Generator[Tried]],
 ) -> None:
-    """Three inputs a process: the numbers go on in the next, and mended levels keep theirs."""
+    """Three inputs per process: the next continues their numbers, and mended levels keep theirs."""
     with closing(led(3)) as source:
         found = list(takewhile(lambda tried: tried.number < 7, source))
 
@@ -188,7 +188,7 @@ def test_atheris_that_tries_nothing_is_told(led: Callable[[int], Generator[Tried
 def test_what_atheris_finds_counts_if_the_level_fails_by_itself(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    """A process that ends, that is slow for its counting, or that has had enough of many levels."""
+    """A process may end, be slow because of its counting, or have had enough of many levels."""
     seen = [(0, "{}", Outcome(RUNS)), (0, "[1]", Outcome(SLOW)), (1, "[2]", None)]
     monkeypatch.setattr("validation.fuzz.guided._explored", lambda *_: iter(seen))
     monkeypatch.setattr(Trial, "run", lambda _, text: Outcome(ENDED if "2" in text else RUNS))
@@ -201,7 +201,7 @@ def test_what_atheris_finds_counts_if_the_level_fails_by_itself(
 
 
 def test_inputs_are_choices() -> None:
-    """The same bytes are the same level, and where there are none left each choice is the first."""
+    """Equal bytes give equal levels, and once they are used up each choice is the first."""
     data, others = (Random(seed).randbytes(2000) for seed in (1, 2))
     assert Grammar(Choices(data)).level() == Grammar(Choices(data)).level()
     assert Grammar(Choices(data)).level() != Grammar(Choices(others)).level()

@@ -50,7 +50,7 @@ def test_coupled_oscillators_that_start_alike_swing_alike() -> None:
 def test_a_driven_spring_answers_softly_below_and_against_the_drive_above_its_own_frequency(
     mass: float, stiffness: float, damping: float, ratio: float
 ) -> None:
-    """Slowly driven x = F / k; in tune F / (c ω), a quarter behind; fast −F / (m w²)."""
+    """Driven slowly x = F / k; at resonance F / (c ω), a quarter behind; fast −F / (m w²)."""
     natural = sqrt(stiffness / mass)
     slow, tuned, fast = (
         lagrange.response(mass, stiffness, damping, share * natural) for share in (1e-6, 1, 1e6)
@@ -68,7 +68,7 @@ def test_a_driven_spring_answers_softly_below_and_against_the_drive_above_its_ow
 def test_a_spring_driven_from_rest_obeys_newton_and_ends_in_the_steady_state(
     mass: float, stiffness: float, damping: float, drive: float
 ) -> None:
-    """x = F t² / 2m at first; later nothing is left of the free swing, which dies as e^(−ct/2m)."""
+    """At first x = F t² / 2m; later the free oscillation has decayed as e^(−ct/2m)."""
 
     def swing(t: ArrayLike) -> Array:
         return lagrange.started_oscillation(t, mass, stiffness, damping, 2, drive)
@@ -82,7 +82,7 @@ def test_a_spring_driven_from_rest_obeys_newton_and_ends_in_the_steady_state(
 
 @given(positive, positive)
 def test_a_beam_tips_at_first_with_torque_over_moment(moment: float, torque: float) -> None:
-    """And with less and less: it takes longer than √(π I/τ), the time at the first acceleration."""
+    """Then ever less: it takes longer than √(π I/τ), the time at the initial acceleration."""
     time = lagrange.tipping_time(moment, torque)
 
     assert time == pytest.approx(1.8540746773013719 * sqrt(moment / torque))
@@ -117,7 +117,7 @@ def test_a_pendulum_on_a_cart_of_infinite_mass_is_a_pendulum() -> None:
 def test_a_pendulum_on_a_cart_keeps_its_energy_and_swings_as_it_should(
     cart: float, bob: float
 ) -> None:
-    """After a quarter of the period of small swings it is at the bottom, all energy in motion."""
+    """After a quarter of the period of small swings it is at the bottom, all energy kinetic."""
     omega = lagrange.cart_pendulum_frequency(cart, bob, 1, 9.81)
     _, theta = lagrange.cart_pendulum(pi / 2 / omega, cart, bob, 1, 9.81, 1e-3)
 
@@ -171,7 +171,7 @@ def test_a_double_pendulum_swings_in_its_modes_if_it_swings_little() -> None:
 
 
 def test_a_cycloid_is_quicker_than_a_straight_wire_and_a_bowl() -> None:
-    """From the cusp to the lowest point, π R beside it and 2 R below."""
+    """From the cusp to the lowest point, π R to the side and 2 R below."""
     straight = energy.time_of_descent(lambda s: np.pi * s, lambda s: 2 * (1 - s), 9.81)
     bowl = energy.time_of_descent(lambda s: np.pi * s, lambda s: 2 * (1 - s) ** 2, 9.81)
 

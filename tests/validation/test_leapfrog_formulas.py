@@ -1,4 +1,4 @@
-"""The bounds on leapfrog, held against a leapfrog written here in a few lines."""
+"""The bounds on leapfrog, compared with a leapfrog written here in a few lines."""
 
 from collections.abc import Callable
 
@@ -12,7 +12,7 @@ MOST = 100_000  # steps
 def orbit(
     place: complex, velocity: complex, mu: float, dt: float, until: Callable[[complex], bool]
 ) -> tuple[complex, complex]:
-    """Return place and velocity at the first step at which the velocity has come that far."""
+    """Return place and velocity at the first step at which the velocity has turned so far."""
 
     def kick(r: complex) -> complex:
         return -mu * r / abs(r) ** 3 * dt / 2

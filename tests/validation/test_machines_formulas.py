@@ -1,4 +1,4 @@
-"""The closed forms of the machines hold what is known of them otherwise."""
+"""The closed forms of the machines agree with their known limits."""
 
 from math import asin, cos, exp, hypot, pi, radians, sin
 
@@ -39,14 +39,14 @@ def test_a_light_rope_of_many_knots_holds_e_to_the_mu_phi(mu: float) -> None:
 
 
 def test_without_friction_a_capstan_is_an_atwood_machine() -> None:
-    """Whose rope weighs as much on either side."""
+    """Its rope has the same weight on either side."""
     assert machines.capstan_acceleration(2.0, 0.0, 25, 1e-12, G) == pytest.approx(G / 3, rel=1e-9)
 
 
 @pytest.mark.parametrize("masses", [(1.0, 1.0), (1.0, 50.0), (1000.0, 1.0)])
 @pytest.mark.parametrize("degrees", [-30, 0, 20, 70, 90])
 def test_an_elastic_dumbbell_keeps_its_energy(masses: tuple[float, float], degrees: float) -> None:
-    """And the end that is struck leaves with the speed with which it came."""
+    """The struck end leaves with the speed with which it arrived."""
     speed, length, whole = 3.0, 2.0, sum(masses)
     spin, rise = machines.dumbbell_bounce(masses, radians(degrees), speed, 1.0, length)
 
@@ -65,7 +65,7 @@ def test_an_upright_dumbbell_bounces_as_a_ball() -> None:
 
 
 def test_a_trebuchet_whose_weight_hangs_at_the_axle_is_a_falling_stick() -> None:
-    """From the level to upside down: ω² = 3 g / L, of a stick on a pin at its end."""
+    """From the horizontal to upside down: ω² = 3 g / L, for a stick on a pin at its end."""
     arm = 2.0, 2.0 * 4.0 / 3, 1.0
 
     spin = machines.trebuchet_spin(0.0, -pi / 2, arm, 0.0, (5.0, 1.0), (0.0, 0j), G)
@@ -74,7 +74,7 @@ def test_a_trebuchet_whose_weight_hangs_at_the_axle_is_a_falling_stick() -> None
 
 
 def test_a_spiral_without_growth_is_a_loop() -> None:
-    """Let go at its top it presses on its side by 2 m g: it came down by its radius."""
+    """Released at its top it presses on its side with 2 m g: it came down by its radius."""
     start = -(pi - 0.0001)
 
     force = machines.spiral_force(1.0, 2.0, 0.0, start, pi / 2, G)

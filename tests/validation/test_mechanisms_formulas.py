@@ -1,4 +1,4 @@
-"""Linkages, cranes and lifts: what their geometry and virtual work say."""
+"""Linkages, cranes and lifts agree with their geometry and with virtual work."""
 
 from math import hypot, pi, radians, tan
 
@@ -15,7 +15,7 @@ angles = st.floats(0, 2 * pi)
 
 @given(cranks, angles)
 def test_a_piston_goes_as_fast_as_its_place_changes(crank: float, angle: float) -> None:
-    """Central differences over 1e-4 rad: their error is of the order of 1e-8 / (1 − r)³."""
+    """Central differences over 1e-4 rad, with an error of the order of 1e-8 / (1 − r)³."""
     h = 1e-4
     before, now, after = (mechanisms.slider(angle + step, 1.0, crank, 1.0) for step in (-h, 0.0, h))
 
@@ -32,7 +32,7 @@ def test_a_long_rod_makes_the_piston_a_sine() -> None:
 
 
 def test_a_motor_does_no_work_over_a_whole_turn() -> None:
-    """What it gives the parts in one half it takes back in the other."""
+    """What it gives to the parts in one half it gets back in the other."""
     angle = np.linspace(0, 2 * pi, 721)[:-1]
 
     torque = mechanisms.engine_torque(angle, 6.0, 0.5, 1.5, (1.0, 2.0))
@@ -62,7 +62,7 @@ def test_a_stay_at_45_degrees_bears_the_torque_over_its_lever() -> None:
 
 @given(st.integers(1, 5), st.floats(10, 70))
 def test_a_scissor_lift_at_rest_needs_its_weights_over_the_tangent(pairs: int, low: float) -> None:
-    """n times what is on top, and n² times an arm, for two arms a pair go up by half and more."""
+    """n times the load, and n² times an arm: the two arms of a pair rise by their half and more."""
     lift = mechanisms.Scissor(pairs, 2.0, 3.0, 50.0)
 
     force = lift.force(2 * np.cos(radians(low)), 0.0, 0.0, 10.0)
@@ -116,7 +116,7 @@ def test_a_drawbridge_keeps_its_energy() -> None:
 
 
 def test_a_belt_passes_on_power() -> None:
-    """Torque times rate is the same at both wheels; equal wheels have parallel sides."""
+    """Torque times angular velocity is equal at both wheels; equal wheels have parallel sides."""
     belt = mechanisms.belt(20.0, 300.0, (0.3, 0.6), 4.0)
 
     assert float(belt.torque) * 5.0 == pytest.approx(20.0 * 5.0 * 0.3 / 0.6)

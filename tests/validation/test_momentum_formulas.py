@@ -1,4 +1,4 @@
-"""Momentum and collisions: what is kept, the chapter's limits, and bounces."""
+"""Momentum and collisions: conservation, the chapter's limits, and bounces."""
 
 from math import pi
 
@@ -149,5 +149,5 @@ def test_a_ballistic_pendulum_hangs_by_its_weight_before_it_swings() -> None:
 
 
 def test_what_is_thrown_lands_on_the_platform_below_its_apex() -> None:
-    """At 7 m/s and 10 m/s² it comes to 2.45 m, and falls 0.45 m: in 0.3 s, to 3 m/s."""
+    """At 7 m/s and 10 m/s² it rises by 2.45 m, and falls by 0.45 m in 0.3 s, reaching 3 m/s."""
     assert momentum.platform_landing(7, 10) == pytest.approx((1.0, 3.0))

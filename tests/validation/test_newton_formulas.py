@@ -92,7 +92,7 @@ def test_drag_ends_at_its_terminal_velocity_and_begins_as_a_free_fall() -> None:
 
 
 def test_an_atwood_machine_on_an_atwood_machine_weighs_less_than_at_rest() -> None:
-    """As 4 m2 m3 / (m2 + m3) and its wheel: 11/3 kg, where 4 kg hang."""
+    """It weighs as much as 4 m2 m3 / (m2 + m3) and its wheel: 11/3 kg, where 4 kg hang."""
     left, first, second = pulleys.double_atwood_accelerations(4, 1, 1, 2, 9.81)
     balanced = pulleys.double_atwood_accelerations(1 + 8 / 3, 1, 1, 2, 9.81)
 
@@ -119,7 +119,7 @@ def test_a_block_pulled_loose_obeys_its_equation_of_motion() -> None:
 
 
 def test_a_rocket_obeys_its_equation_of_motion() -> None:
-    """m dv/dt = μ u, and its way is the integral of its velocity."""
+    """m dv/dt = μ u, and its distance is the integral of its velocity."""
     u, rate, start = 30.0, 2.0, 10.0
     t = np.linspace(0.1, 4, 4001)
     v = newton.rocket_velocity(u, start - rate * t, start)

@@ -1,4 +1,4 @@
-"""What a level needs of a core, and what comes of accuracies that are asked for at random."""
+"""The share of a core that a level needs, and the results of random requests for accuracy."""
 
 import json
 from pathlib import Path
@@ -26,7 +26,7 @@ def test_the_json_has_the_fields_that_scripts_rely_on(tmp_path: Path) -> None:
 
 
 def test_half_of_a_core_is_enough_and_more_is_not() -> None:
-    """Of the reference core: a machine that is slow, or busy, changes nothing."""
+    """Of the reference core: a slow or busy machine changes nothing."""
     assert Pace("a", 100.0, 9e-3, 0.9, 0.5).in_time
     assert not Pace("a", 100.0, 4e-3, 0.4, 0.6).in_time
 
@@ -34,7 +34,7 @@ def test_half_of_a_core_is_enough_and_more_is_not() -> None:
 def test_a_core_half_as_fast_leaves_the_share_of_the_reference(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    """Each look at a clock that is twice as fast takes twice as long, and the yardstick too."""
+    """By a clock twice as fast every measurement takes twice as long, and so does the yardstick."""
     clock = iter(range(10**6))
     found = []
     for tick in (1e-3, 2e-3):
@@ -66,7 +66,7 @@ def test_what_is_delivered_told_as_it_is_and_cheap_is_no_complaint() -> None:
     trials = [drawn(9e-4, 5e-4), Trial(2, "b", {}, 1e-9, "cannot be had", refused=True)]
 
     assert complaints(trials) == []
-    assert "1 refused, 1 looked at; of these 1 delivered, 1 told as they are" in summary(trials)
+    assert "1 refused, 1 compared; of these 1 delivered, 1 with the stated error" in summary(trials)
 
 
 @pytest.mark.parametrize(
@@ -79,7 +79,7 @@ def test_what_is_not_is_one(bad: Trial) -> None:
 @pytest.mark.sweep
 @pytest.mark.parametrize("seed", [1, 15])
 def test_a_trial_is_the_same_twice(seed: int) -> None:
-    """What it says but for the cost, which is measured."""
+    """All but its cost, which is measured."""
     first, second = trial(seed), trial(seed)
 
     assert (first.values, first.target) == (second.values, second.target)

@@ -1,4 +1,4 @@
-"""The report: one page that holds everything, is valid, and tells what is missing."""
+"""The report is one valid page with everything in it, and says what is missing."""
 
 import json
 import os
@@ -29,7 +29,7 @@ Attributes = list[tuple[str, str | None]]
 
 
 class Page(HTMLParser):
-    """What a page is made of, and what is wrong with it."""
+    """The elements of a page, and its mistakes."""
 
     def __init__(self, text: str) -> None:
         super().__init__()
@@ -70,7 +70,7 @@ def _small() -> Iterator[None]:
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Where a report was written."""
+    """The folder of a report."""
     folder = tmp_path_factory.mktemp("report") / "new"
     done = write("--quick", "--figures", "--output", folder)
     assert done.exit_code == 0, done.output

@@ -1,4 +1,4 @@
-"""Accuracies that are asked for in the cost sweep."""
+"""Requests for accuracy in the cost sweep."""
 
 import json
 from math import inf, nan
@@ -40,7 +40,7 @@ def test_a_request_is_honoured_if_it_is_delivered_and_not_dear() -> None:
 
 
 def test_stock_pymunk_counts_where_impacts_come_in_sequence_too() -> None:
-    """It has all of a break at once, for a twentieth of the cost."""
+    """It solves all impacts of a break at once, for a twentieth of the cost."""
     name = "momentum/billiard-break"
     schemes: tuple[Scheme, ...] = ("symplectic-euler", "leapfrog")
     points = tuple(Point(scheme, 60, 10, 0.0, nan, 1, 0) for scheme in schemes)
@@ -56,4 +56,4 @@ def test_stock_pymunk_counts_where_impacts_come_in_sequence_too() -> None:
 def test_the_sum_counts_what_was_met() -> None:
     sweep = errors("newton/incline", Budget(run=0.01, rates=(60.0,), targets=(1e-3,)))
 
-    assert summed([sweep]).startswith("1 of 1 accuracies that were asked for were delivered")
+    assert summed([sweep]).startswith("1 of 1 requested accuracies were delivered")

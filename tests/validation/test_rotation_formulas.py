@@ -1,4 +1,4 @@
-"""Rotation and rolling: energy, torque and angular momentum, and the order of the race."""
+"""Rotation and rolling: energy, torque and angular momentum, and the order of a race."""
 
 from math import pi, radians
 
@@ -64,7 +64,7 @@ def test_friction_on_a_round_body_is_never_more_than_coulombs(
 
 @given(factors, st.floats(0.1, 100), st.floats(0.05, 2), positive)
 def test_a_slide_ends_in_rolling(factor: float, speed: float, mu: float, g: float) -> None:
-    """Torque r μ m g over k m r² has spun it up to v / r by then."""
+    """By then a torque of r μ m g over k m r² has spun it up to v / r."""
     t = rotation.sliding_time(factor, speed, mu, g)
     way = rotation.slide_and_roll_way(factor, speed, mu, g, [t, t + 1])
     final = rotation.rolling_speed(factor, speed)

@@ -1,4 +1,4 @@
-"""The reference solver: right where a closed form is known, at whatever times it is asked."""
+"""The reference solver agrees with closed forms, at any requested times."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""The hard cases: their machinery, some of them to the end, and pymunk alone where it breaks."""
+"""The hard cases: their machinery, some of them run to the end, and pymunk where it fails."""
 
 import json
 from collections.abc import Iterator
@@ -92,7 +92,7 @@ def test_a_search_ends_where_it_is_told_to_and_says_if_nothing_holds() -> None:
 
 
 def test_the_search_stops_at_the_first_failure_that_it_sees() -> None:
-    """What holds again further out, by luck, does not count."""
+    """A difficulty beyond it that holds by luck does not count."""
     assert furthest(lambda x: x < 5 or x > 100, 1, 1000) < 5
 
 
@@ -197,7 +197,7 @@ def test_a_run_that_has_to_stop_misses_its_bound_and_says_why(
 
 
 def test_pymunk_breaks_where_the_sandbox_holds() -> None:
-    """A row of five that touch: pymunk solves their impacts at once."""
+    """A row of five touching balls: pymunk solves their impacts at once."""
     frontier = FRONTIERS["a cradle that touches"]
 
     here, alone = trial(frontier, 5), trial(frontier, 5, alone=True)
@@ -219,7 +219,7 @@ def test_pymunk_breaks_where_the_sandbox_holds() -> None:
 def test_pymunk_misses_compositions_that_are_solved_together(
     name: str, difficulty: float, missed: float
 ) -> None:
-    """At the same cost: a force by 1e-1, a rope's way by several times, 6e-6 m, and 0.6 m/s."""
+    """At equal cost: a force by 1e-1, a rope's slip by several times, 6e-6 m, and 0.6 m/s."""
     frontier = FRONTIERS[name]
 
     here, alone = trial(frontier, difficulty), trial(frontier, difficulty, alone=True)
@@ -229,7 +229,7 @@ def test_pymunk_misses_compositions_that_are_solved_together(
 
 
 def test_pymunk_may_spend_what_the_sandbox_spends() -> None:
-    """Its rate follows from the cost of a step: a second costs both the same."""
+    """Its rate follows from the cost of a step: a second of the scene costs both the same."""
     frontier = FRONTIERS["a load on 20 links"]
 
     here = trial(replace(frontier, duration=0.01), 10)

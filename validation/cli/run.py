@@ -42,10 +42,7 @@ def command(
 def of_levels(names: Sequence[str]) -> list[Case]:
     """Return the cases of some levels, all cases if there are no names.
 
-    Raises
-    ------
-    SandboxError
-        If there is no such level.
+    Raises `SandboxError` if there is no such level.
     """
     chosen = {catalog.find(name) for name in names}
     return [case for case in all_cases() if not chosen or catalog.find(case.level) in chosen]

@@ -19,28 +19,10 @@ from validation.environment import environment
 def measure(
     chosen: Sequence[int], json_file: Path | None, folder: Path | None, jobs: int | None
 ) -> bool:
-    """Judge scenes, print the failures by family, and write the requested files.
+    """Judge scenes, print the failures by family, and return whether all judgements hold.
 
-    Parameters
-    ----------
-    chosen
-        The seeds of the scenes.
-    json_file
-        The file for the outcomes, if any.
-    folder
-        The folder for the levels of failed scenes, if any.
-    jobs
-        The most processes to use; None for as many as there are cores.
-
-    Returns
-    -------
-    bool
-        Whether all judgements hold.
-
-    Raises
-    ------
-    SandboxError
-        If a file cannot be written.
+    The outcomes go to the JSON file, and the levels of failed scenes to the folder, if any. By
+    default there are as many processes as cores. Raises `SandboxError` if a file cannot be written.
     """
     if json_file:
         check_writable(json_file)

@@ -173,13 +173,10 @@ class Energies:
         return float(np.sum((pulls * jumps) @ self._mass)) * course.dt / 4
 
     def allowed(self, overlapped: float) -> float:
-        """Return the largest allowed error of the energy [J].
+        """Return the largest allowed error of the energy [J], from the depths of all overlaps [m].
 
-        Parameters
-        ----------
-        overlapped
-            The sum of the depths of overlaps [m]: an impact that is found late begins with one, and
-            the bodies in it are then pushed apart.
+        An impact that is found late begins with an overlap, and the bodies in it are then pushed
+        apart.
         """
         largest = max(float(np.abs(e).max()) for e in (self.kinetic, self.stored, self.high))
         late = self.weight() * overlapped + self.landings()

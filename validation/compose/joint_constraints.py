@@ -52,13 +52,7 @@ class Kept:
 
 
 class Keeping:
-    """The constraints of a level's exact joints, relative to the start.
-
-    Parameters
-    ----------
-    document, level
-        The level, as in its file and as parsed.
-    """
+    """The constraints of a level's exact joints, relative to the start."""
 
     def __init__(self, document: Document, level: Level) -> None:
         self._rows = {name: i for i, name in enumerate(document["bodies"])}
@@ -181,19 +175,9 @@ class Keeping:
         return np.zeros_like(places.t) if name is None else places.angle[:, self._rows[name]]
 
     def slopes(self, places: Places) -> tuple[list[str], NDArray[np.float64]]:
-        """Return the joint of each equation, and its Jacobian with respect to positions and angles.
+        """Return the joint of each equation, (m,), and its Jacobian, (T, m, n, 3), at T instants.
 
-        Parameters
-        ----------
-        places
-            The positions at T instants.
-
-        Returns
-        -------
-        list
-            (m,), the names of the joints.
-        array
-            (T, m, n, 3), the Jacobian.
+        The Jacobian is that with respect to positions and angles.
         """
         times, count = places.x.shape
         names = [kept.joint for kept in self(places)]

@@ -29,10 +29,7 @@ def overlapped(couple: Couple) -> float:
 def excess(course: Course, couple: Couple, extents: Array) -> float:
     """Return the overlap of two bodies beyond what a recent impact explains [m].
 
-    Parameters
-    ----------
-    extents
-        (n,), the reach of the bodies from their centres [m].
+    `extents` are the reach of the bodies from their centres: (n,) [m].
     """
     depth = np.maximum(-couple.separation, 0.0)
     if not (depth > SKIN).any():

@@ -83,19 +83,9 @@ class Course:
 
 
 def start(level: Level, rate: float | None = None) -> World:
-    """Return the world of a level, at a rate that the sandbox accepts.
+    """Return the world of a level at the first rate that the sandbox accepts, from one on [Hz].
 
-    Parameters
-    ----------
-    level
-        The level.
-    rate
-        The first rate to try; the level's own if left out [Hz].
-
-    Raises
-    ------
-    Refused
-        If no sufficient rate is advised.
+    Raises `Refused` if no sufficient rate is advised.
     """
     rate = rate or level.stepping.rate
     for _ in range(TRIES):
@@ -112,16 +102,13 @@ def start(level: Level, rate: float | None = None) -> World:
         rate = ceil(MARGIN * asked)
         if rate > HIGHEST_RATE:
             raise Refused(f"needs a rate of {rate:,} Hz")
-    raise Refused(f"asks for ever higher rates, at last {rate:,} Hz")
+    raise Refused(f"needs ever higher rates, at last {rate:,} Hz")
 
 
 def led(scene: Scene, level: Level) -> Course:
     """Run a level and, if it stops and a rate is advised, run it again at that rate.
 
-    Raises
-    ------
-    Refused
-        If it cannot start.
+    Raises `Refused` if it cannot start.
     """
     course = run(scene, level, start(level))
     for _ in range(TRIES):
@@ -207,10 +194,7 @@ def _total(account: Mapping[str, float]) -> float:
 def positions(level: Level, rate: float, steps: int, every: int) -> Snapshot:
     """Return states of a level at another rate, a number of steps apart.
 
-    Raises
-    ------
-    SandboxError
-        If the run stops before the last state, or takes too long.
+    Raises `SandboxError` if the run stops before the last state, or takes too long.
     """
     world = build(level, stepping=level.stepping.at(rate))
     seen, deadline = [world.snapshot], process_time() + LIMIT

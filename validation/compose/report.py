@@ -5,6 +5,7 @@ from collections.abc import Iterator, Sequence
 
 from rich.table import Table
 
+from validation import output
 from validation.compose.outcome import Outcome
 
 TOLD = 20
@@ -13,11 +14,8 @@ TOLD = 20
 
 def by_family(found: Sequence[Outcome]) -> Table:
     """Return a table with a row per family: how many scenes pass, and which judgements fail."""
-    table = Table(title="Random compositions", header_style="bold", row_styles=("", "dim"))
-    table.add_column("family")
-    for heading in ("scenes", "hold", "refused"):
-        table.add_column(heading, justify="right")
-    table.add_column("judgements that fail, of how many")
+    table = output.table("Random compositions", "family", ("scenes", "hold", "refused"))
+    table.add_column("failed judgements, of all")
     table.add_column("")
     families: dict[str, list[Outcome]] = defaultdict(list)
     for outcome in found:

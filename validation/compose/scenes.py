@@ -38,13 +38,7 @@ class Scene:
         return f"{self.family}-{self.seed}"
 
     def level(self) -> Level:
-        """Return the level.
-
-        Raises
-        ------
-        LevelError
-            If it has mistakes.
-        """
+        """Return the level; raise `LevelError` if it has mistakes."""
         return make(self.document)
 
 

@@ -36,12 +36,7 @@ class Gap:
 def placed(part: Part, position: Array, angle: Array) -> Array:
     """Return the corners of a body's part in the plane: (T, k, 2) [m].
 
-    Parameters
-    ----------
-    part
-        A part of the outline.
-    position, angle
-        (T, 2) and (T,), those of the body [m, rad].
+    The position of the body is (T, 2) [m], its angle (T,) [rad].
     """
     c, s = np.cos(angle)[:, None], np.sin(angle)[:, None]
     x, y = part.corners.T
@@ -49,14 +44,9 @@ def placed(part: Part, position: Array, angle: Array) -> Array:
 
 
 def gap(a: Array, b: Array, radii: float = 0.0) -> Gap:
-    """Return the distance between the convex hulls of corners, less their radii.
+    """Return the distance between the convex hulls of corners, less the sum of their radii [m].
 
-    Parameters
-    ----------
-    a, b
-        (T, k, 2), the corners of each, counter-clockwise [m].
-    radii
-        The sum of both radii around the corners [m].
+    The corners of each are (T, k, 2), counter-clockwise.
     """
     directions = np.concatenate([_across(a), -_across(b), _nearest(a, b)], axis=1)
     start = np.einsum("tkc,tdc->tdk", a, directions).max(axis=2)
@@ -123,12 +113,7 @@ def _within(first: Placed, second: Placed, depth: float) -> Booleans:
 def couples(document: Document, position: Array, angle: Array) -> Iterator[Couple]:
     """Yield the pairs of bodies that come near each other in a run and are not welded.
 
-    Parameters
-    ----------
-    document
-        The level.
-    position, angle
-        (T, n, 2) and (T, n), those of the bodies [m, rad].
+    The positions are (T, n, 2) [m], the angles (T, n) [rad].
     """
     bodies = document["bodies"]
     welded = solids(document)

@@ -53,15 +53,7 @@ class Measured:
 
 
 class Statics:
-    """The equilibrium of a scene with its bodies at given positions.
-
-    Parameters
-    ----------
-    document, keeping
-        The level, and the constraints of its joints.
-    places
-        The state of its bodies at one instant.
-    """
+    """The equilibrium of a scene with its bodies at the positions of one instant."""
 
     def __init__(self, document: Document, keeping: Keeping, places: Places) -> None:
         self._document, self._keeping, self._places = document, keeping, places

@@ -28,12 +28,8 @@ def measure(
 ) -> list[str]:
     """Sweep levels, print the table, write the requested files, and return the failed levels.
 
-    Without names it sweeps all levels or, if `quick`, a sample of them.
-
-    Raises
-    ------
-    SandboxError
-        If there is no such level, or a file cannot be written.
+    Without names it sweeps all levels or, if `quick`, a sample of them. Raises `SandboxError` if
+    there is no such level, or a file cannot be written.
     """
     if json_file:
         check_writable(json_file)
@@ -62,13 +58,7 @@ def _show(found: Sequence[Sweep]) -> None:
 
 
 def sample(levels: Iterable[str]) -> list[str]:
-    """Return the first of each `EACH` levels of every chapter.
-
-    Parameters
-    ----------
-    levels
-        Names such as `newton/atwood`, chapter by chapter.
-    """
+    """Return the first of each `EACH` levels of every chapter, from names chapter by chapter."""
     chapters = groupby(levels, lambda level: level.partition("/")[0])
     return [level for _, chapter in chapters for level in list(chapter)[::EACH]]
 

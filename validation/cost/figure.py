@@ -24,10 +24,7 @@ LOOKS = {
 def draw(sweep: Sweep, folder: Path) -> Path:
     """Draw a level's diagram as a PNG in a folder, and return its path.
 
-    Raises
-    ------
-    SandboxError
-        If it cannot be written.
+    Raises `SandboxError` if it cannot be written.
     """
     path = folder / f"{sweep.level.replace('/', '-')}.png"
     write_atomically(path, plots.written(diagram(sweep), "png"))

@@ -133,9 +133,9 @@ def summed(sweeps: Sequence[Sweep]) -> str:
     requests = [request for sweep in sweeps for request in sweep.requests]
     met = sum(request.honoured for request in requests)
     beyond = sum(request.beyond for request in requests)
-    message = f"{met} of {len(requests)} accuracies that were asked for were delivered"
     return (
-        f"{message}; of {beyond} it was said that they cannot be had, and the sweep has none either"
+        f"{met} of {len(requests)} requested accuracies were delivered; {beyond} were refused, and "
+        "no run of the sweep reaches them either"
     )
 
 

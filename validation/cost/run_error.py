@@ -71,17 +71,8 @@ class Yardstick:
 def yardstick(level: Level, values: Values, budget: float) -> Yardstick | None:
     """Return the references for a level's runs; None if no check applies.
 
-    Parameters
-    ----------
-    level, values
-        The run.
-    budget
-        The time that the finest run may take, about [s].
-
-    Raises
-    ------
-    SimulationError
-        If the level does not run at its own rate.
+    The finest run may take about the budget [s]. Raises `SimulationError` if the level does not run
+    at its own rate.
     """
     start = perf_counter()
     coarse = fine = run(level, values, _at(level, level.stepping.rate))

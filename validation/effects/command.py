@@ -16,10 +16,7 @@ from validation.environment import environment
 def measure(json_file: Path | None, *, quick: bool) -> None:
     """Measure levels, effects and crowds, print three tables, and write the figures if asked to.
 
-    Raises
-    ------
-    SandboxError
-        If a level cannot be measured, or the file cannot be written.
+    Raises `SandboxError` if a level cannot be measured, or the file cannot be written.
     """
     if json_file:
         check_writable(json_file)

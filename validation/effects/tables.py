@@ -4,6 +4,7 @@ from collections.abc import Sequence
 
 from rich.table import Table
 
+from validation import output
 from validation.effects.costs import EffectCost, LevelCost
 from validation.effects.growth import Growth
 
@@ -29,12 +30,10 @@ def level_table(costs: Sequence[LevelCost]) -> Table:
 
 def effect_table(costs: Sequence[EffectCost]) -> Table:
     """Return a table with a row per effect: its cost for several numbers of bodies."""
-    table = Table(title="What an effect adds to a step, over the number of bodies")
-    table.add_column("effect", no_wrap=True)
     counts = sorted({count for cost in costs for count in cost.bodies})
-    for count in counts:
-        table.add_column(f"{count:,}", justify="right", no_wrap=True)
-    table.add_column("step ~ n^p", justify="right", no_wrap=True)
+    headings = (*(f"{count:,}" for count in counts), "step ~ n^p")
+    title = "What an effect adds to a step, over the number of bodies"
+    table = output.table(title, "effect", headings)
     for cost in costs:
         added = dict(zip(cost.bodies, cost.seconds_per_step, strict=True))
         cells = [_micro(added[count]) if count in added else "-" for count in counts]
@@ -45,12 +44,8 @@ def effect_table(costs: Sequence[EffectCost]) -> Table:
 
 def growth_table(growths: Sequence[Growth]) -> Table:
     """Return a table with a row per crowd and number of bodies: the costs here and in pymunk."""
-    table = Table(title="What a body costs a step, over the number of bodies")
-    table.add_column("scene", no_wrap=True)
-    table.add_column("bodies", justify="right", no_wrap=True)
-    for whose in ("", "bare: "):
-        for heading in (f"{whose}contacts", "a body", "growth"):
-            table.add_column(heading, justify="right", no_wrap=True)
+    headings = ("bodies", "contacts", "a body", "growth", "bare: contacts", "a body", "growth")
+    table = output.table("What a body costs a step, over the number of bodies", "scene", headings)
     for growth in growths:
         for row in rows(growth):
             table.add_row(growth.scene, *row)

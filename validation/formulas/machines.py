@@ -22,12 +22,7 @@ def axle_loads(
 ) -> tuple[float, float]:
     """Return the loads on two axles [N]: forces and torques sum to zero.
 
-    Parameters
-    ----------
-    weights
-        Each weight [N], and its position [m].
-    axles
-        The positions of the axles [m].
+    Each weight [N] comes with its position, and the axles are at theirs [m].
     """
     whole = sum(weight for weight, _ in weights)
     torque = sum(weight * (place - axles[0]) for weight, place in weights)
@@ -141,18 +136,10 @@ def trebuchet_spin(
         A a'' − q sin(χ − a) χ'' = q cos(χ − a) χ'² − ∂V/∂a
         M l² χ'' − q sin(χ − a) a'' = −q cos(χ − a) a'² − M g l sin χ
 
-    Parameters
-    ----------
-    start, angle
-        Those of the long arm.
-    arm
-        Its mass [kg], its moment about the axle [kg m²], and the distance of its centre [m].
-    short
-        The distance of the weight's pivot from the axle, on the other side [m].
-    hanging
-        Its mass [kg], and the length of its rod [m].
-    stone
-        Its mass [kg], and its position, along the arm and across [m].
+    The start and the angle are those of the long arm. `arm` has its mass [kg], its moment about the
+    axle [kg m²], and the distance of its centre [m]; `short` is the distance of the weight's pivot
+    from the axle, on the other side [m]; `hanging` has its mass [kg] and the length of its rod [m],
+    `stone` its mass [kg] and its position, along the arm and across [m].
     """
     (mass, moment, out), (weight, rod), (shot, held) = arm, hanging, stone
     whole = moment + shot * abs(held) ** 2 + weight * short**2
@@ -179,7 +166,7 @@ def _spin_at(angle: float, slope: Slope, start: Array) -> float:
             last = int(beyond[0])
             share = (angle - states[0, last - 1]) / (states[0, last] - states[0, last - 1])
             return float(states[2, last - 1] + share * (states[2, last] - states[2, last - 1]))
-    raise ValueError(f"it does not come to {angle:.3g} rad within {SPAN:g} s")
+    raise ValueError(f"the arm does not reach {angle:.3g} rad within {SPAN:g} s")
 
 
 def spiral(radius: float, growth: float, turned: float) -> complex:

@@ -15,12 +15,8 @@ def solution(slope: Callable[[Array], Array], start: Array, t: ArrayLike) -> Arr
     """Return the solution of y' = slope(y) from `start` at time 0, at unordered times: (k, T).
 
     By SciPy's DOP853, the eighth-order method of Dormand and Prince in Hairer, Nørsett and Wanner
-    (Solving Ordinary Differential Equations I, 1993).
-
-    Raises
-    ------
-    ArithmeticError
-        If the required step becomes too small.
+    (Solving Ordinary Differential Equations I, 1993). Raises `ArithmeticError` if the required step
+    becomes too small.
     """
     from scipy.integrate import solve_ivp  # takes a third of a second to load
 

@@ -59,23 +59,9 @@ def fuzz(
 ) -> bool:
     """Try levels, keep those without an answer, and return whether there are none.
 
-    Parameters
-    ----------
-    number
-        The number of levels; as many as the time allows if left out.
-    seed
-        The seed of the levels.
-    minutes
-        The longest time; unlimited if left out.
-    json_file
-        A file for the findings, if any.
-    samples
-        A folder for the reduced forms of levels that fail; made if missing.
-
-    Raises
-    ------
-    SandboxError
-        If a file cannot be written.
+    Without a number, there are as many as the time allows. The findings go to the JSON file, if
+    any, and the reduced forms of levels that fail to the folder of samples, made if missing. Raises
+    `SandboxError` if a file cannot be written.
     """
     if json_file:
         check_writable(json_file)

@@ -29,19 +29,9 @@ def guided(seed: int, trial: Trial) -> Generator[Tried]:
     """Yield the outcomes of the levels that Atheris makes, endlessly.
 
     An outcome in its process counts if it is an answer. Otherwise the level is tried again by
-    itself, since instrumented code is slow, and a long-running process has a history.
-
-    Parameters
-    ----------
-    seed
-        The seed; the rest depends on the code.
-    trial
-        Tries a level by itself.
-
-    Raises
-    ------
-    SandboxError
-        If the process ends before its first attempt.
+    itself, since instrumented code is slow, and a long-running process has a history. The levels
+    depend on the seed and on the code. Raises `SandboxError` if the process ends before its first
+    attempt.
     """
     before = 0
     with TemporaryDirectory() as folder:

@@ -16,12 +16,7 @@ def answered(
 ) -> Iterator[tuple[dict[str, Any], Outcome]]:
     """Yield a level with its outcome, and repaired versions for as long as it is refused.
 
-    Parameters
-    ----------
-    data
-        The level.
-    run
-        Returns the outcome of a level's text.
+    `run` returns the outcome of a level's text.
     """
     for _ in range(ROUNDS + 1):
         outcome = run(json.dumps(data))

@@ -12,12 +12,7 @@ TRIES = 120
 def shrunk(data: dict[str, Any], wrong: Callable[[dict[str, Any]], bool]) -> dict[str, Any]:
     """Return a failing level without everything that the failure does not need.
 
-    Parameters
-    ----------
-    data
-        A level that fails.
-    wrong
-        Returns whether another level fails in the same way.
+    `wrong` tells whether another level fails in the same way.
     """
     tries, number = 0, 0
     while tries < TRIES:

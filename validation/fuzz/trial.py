@@ -105,10 +105,7 @@ def _of(error: SandboxError, answer: str) -> Outcome:
 class Trial:
     """A separate process that tries levels one after the other, restarted whenever it has ended.
 
-    Parameters
-    ----------
-    seconds
-        The processor time that an answer may take.
+    An answer may take some seconds of processor time.
     """
 
     def __init__(self, seconds: float = SECONDS) -> None:

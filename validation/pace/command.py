@@ -16,10 +16,7 @@ from validation.pace.measuring import Pace, pace
 def measure(names: Sequence[str], json_file: Path | None) -> list[str]:
     """Measure levels, print the table, write it if asked to, and return the slow levels.
 
-    Raises
-    ------
-    SandboxError
-        If there is no such level, it does not run, or the file cannot be written.
+    Raises `SandboxError` if there is no such level, it does not run, or the file cannot be written.
     """
     if json_file:
         check_writable(json_file)

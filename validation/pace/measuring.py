@@ -49,10 +49,7 @@ class Pace:
 def pace(name: str) -> Pace:
     """Measure a level from its start, for its duration or for as long as the time allows.
 
-    Raises
-    ------
-    SandboxError
-        If there is no such level, or it does not run.
+    Raises `SandboxError` if there is no such level, or it does not run.
     """
     level = load(find(name))
     start = partial(build, level)

@@ -20,21 +20,10 @@ FIGURES = "figures"
 def write(output: Path, source: Path | None, *, quick: bool, figures: bool) -> bool:
     """Measure or read every part, write the page, and return whether everything passed.
 
-    Parameters
-    ----------
-    output
-        The folder of the page, made if missing; its figures are also stored as JSON.
-    source
-        A folder with files of other commands, which are read instead of measuring again.
-    quick
-        Whether to measure only a few cases, levels and repetitions.
-    figures
-        Whether the diagrams are also written as separate files.
-
-    Raises
-    ------
-    SandboxError
-        If the folder cannot be written, or there is nothing to read.
+    The folder of the page is made if missing; the figures of the page are stored there as JSON, and
+    with `figures` the diagrams as separate files. A `source` has files of other commands, which are
+    read instead of measuring again. If `quick`, only a few cases, levels and repetitions are
+    measured. Raises `SandboxError` if the folder cannot be written, or there is nothing to read.
     """
     if source and not source.is_dir():
         raise MisuseError(Message("cannot read {source}: there is no such folder", source=source))

@@ -105,10 +105,7 @@ PARTS = (
 def collect(part: Part, source: Path | None, *, quick: bool) -> Content:
     """Return a part from its file in a folder, or measure it if there is no such file.
 
-    Raises
-    ------
-    SandboxError
-        If it cannot be read or measured.
+    Raises `SandboxError` if it cannot be read or measured.
     """
     file = source / f"{part.command}.json" if source else None
     if file is None or not file.exists():
@@ -130,10 +127,7 @@ def collect(part: Part, source: Path | None, *, quick: bool) -> Content:
 def outcomes(content: Content) -> list[Outcome]:
     """Return the cases of `validation run`.
 
-    Raises
-    ------
-    SandboxError
-        If the content has another form.
+    Raises `SandboxError` if the content has another form.
     """
     rows = [_filled(row, error=inf, naive_error=inf) for row in _rows(content, "cases")]
     return _validated(TypeAdapter(list[Outcome]), rows)

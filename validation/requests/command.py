@@ -17,19 +17,8 @@ from validation.requests.trial import Trial, trial
 def measure(count: int, seed: int, json_file: Path | None, jobs: int | None) -> bool:
     """Request accuracies, print the missed ones, and return whether all promises hold.
 
-    Parameters
-    ----------
-    count, seed
-        The number of requests, and the seed of the first.
-    json_file
-        A file for the outcomes, if any.
-    jobs
-        The number of processes; None for as many as there are cores.
-
-    Raises
-    ------
-    SandboxError
-        If the file cannot be written.
+    The seed is that of the first request. The outcomes go to the JSON file, if any. By default
+    there are as many processes as cores. Raises `SandboxError` if the file cannot be written.
     """
     if json_file:
         check_writable(json_file)
@@ -55,9 +44,10 @@ def summary(trials: Sequence[Trial]) -> str:
     seen = [each for each in trials if each.looked_at]
     refused = sum(each.refused for each in trials)
     return (
-        f"{len(trials)} accuracies asked for: {refused} refused, {len(seen)} looked at; of these "
-        f"{sum(each.kept for each in seen)} delivered, {sum(each.honest for each in seen)} told "
-        f"as they are, {sum(not each.cheaper for each in seen)} for three times the least or less"
+        f"{len(trials)} accuracies requested: {refused} refused, {len(seen)} compared; "
+        f"of these {sum(each.kept for each in seen)} delivered, "
+        f"{sum(each.honest for each in seen)} with the stated error, "
+        f"{sum(not each.cheaper for each in seen)} at up to three times the least cost"
     )
 
 

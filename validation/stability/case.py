@@ -30,8 +30,8 @@ class HardCase:
 
     name: str
     """The claim, in a few words."""
-    family: str
-    """The module that it comes from."""
+    family: str = ""
+    """The module that it comes from; set by `all_cases`."""
     group: str
     """A: should be exact; B: should converge; C: should stand; D: beyond pymunk's own solver."""
     level: str
@@ -67,7 +67,7 @@ class Frontier:
     """The difficulty up to which a scene stays within its bound."""
 
     name: str
-    family: str
+    family: str = ""
     """As for a case."""
     axis: str
     """The quantity that makes it harder."""
@@ -99,10 +99,7 @@ class Frontier:
 def watch(level: Level, world: World, duration: float, *, every_step: bool = False) -> Run:
     """Run a world, sample it at intervals, and return the samples.
 
-    Raises
-    ------
-    SimulationError
-        If the run had to stop.
+    Raises `SimulationError` if the run had to stop.
     """
     steps = count_steps(world, duration)
     stride = 1 if every_step else max(1, steps // LOOKS)

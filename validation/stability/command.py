@@ -19,10 +19,7 @@ from validation.stability.run import Outcome, outcomes
 def measure(json_file: Path | None, *, quick: bool, update: bool) -> list[str]:
     """Run all hard cases, print the tables, write the requested files, and return the failures.
 
-    Raises
-    ------
-    SandboxError
-        If the outcome cannot be written.
+    Raises `SandboxError` if the outcome cannot be written.
     """
     if json_file:
         check_writable(json_file)

@@ -49,15 +49,7 @@ class Reach:
 
 
 def reach(frontier: Frontier, *, alone: bool = False) -> Reach:
-    """Search for a frontier.
-
-    Parameters
-    ----------
-    frontier
-        The frontier whose scene is made harder.
-    alone
-        Whether pymunk does everything by itself, at the sandbox's cost.
-    """
+    """Search for a frontier; if `alone`, pymunk does everything, at the sandbox's cost."""
     if frontier.over_time:
         return _lasts(frontier, alone=alone)
     found: dict[float, Reach] = {}

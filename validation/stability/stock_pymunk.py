@@ -16,14 +16,9 @@ LONG = 1e3
 
 
 def naive(level: Level, rate: float) -> World:
-    """Return a world in which pymunk does everything, with its default iterations.
+    """Return a world at a rate [Hz] in which pymunk does everything, with its default iterations.
 
-    Parameters
-    ----------
-    level
-        The scene; pymunk must have all of its joints.
-    rate
-        The rate [Hz].
+    Pymunk must have all joints of the level.
     """
     stepping = Stepping(rate=rate, scheme="symplectic-euler")
     world = build(level.model_copy(update={"joints": {}}), stepping=stepping)

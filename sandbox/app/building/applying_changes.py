@@ -18,20 +18,14 @@ PATIENCE = 1.5
 
 
 class Applying:
-    """Applies the edited level to the session.
-
-    Attributes
-    ----------
-    refusal
-        The reason why the level cannot run as it is; empty if it can.
-    culprits
-        The bodies and joints that the reason names.
-    """
+    """Applies the edited level to the session."""
 
     def __init__(self, work: Work, drafts: Drafts, tools: Toolbox) -> None:
         self._work, self._drafts, self._tools = work, drafts, tools
         self.refusal: Message = NOTHING
+        """The reason why the level cannot run as it is; empty if it can."""
         self.culprits: frozenset[str] = frozenset()
+        """The bodies and joints that the reason names."""
         self._played: Level | None = None  # the version that the session has
         self._tried: object = self._state
         self._waits = 0.0  # s, until the changes are applied
@@ -65,7 +59,7 @@ class Applying:
         self._played, self._tried = session.original, self._state
         self.refusal, self.culprits = NOTHING, frozenset()
         if draft.text != session.original.text:
-            self._work.tell(say("What you have changed is still here, and not saved"))
+            self._work.tell(say("Your changes are still here, but not saved"))
             self.apply(session)
 
     def apply_pending(self, session: Session) -> bool:

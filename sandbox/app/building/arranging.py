@@ -58,7 +58,7 @@ def _rope(work: Work, names: Sequence[str]) -> list[Act]:
     level = work.draft.level
     if level is None or drum_of(level, names) is None:
         return []
-    tip = say("knots on rods, from one of the other bodies over the disc to the other one")
+    tip = say("knots joined by rods, from one body over the disc to the other")
     said = say("lay a rope over the disc")
     lay = partial(work.make, said, lambda text, level: wrap(text, level, names))
     return [Act(say("Rope over the disc"), tip, lay)]
@@ -77,7 +77,7 @@ def _grouping(work: Work, names: Sequence[str]) -> list[Act]:
 
 
 def _flat(work: Work) -> Act:
-    tip = say("turn and move it so that a side of it lies on what is nearest")
+    tip = say("turn and move it until one side lies on the nearest surface")
     return _arranging(work, say("Lay flat"), tip, _lay_flat, reach=NEAR / work.camera.scale)
 
 

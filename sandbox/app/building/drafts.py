@@ -18,20 +18,14 @@ OFTEN = 1.0  # s, between two checks of drafts and files
 
 
 class Drafts:
-    """The drafts under edit, with or without a file.
-
-    Attributes
-    ----------
-    left
-        Unsaved drafts of earlier windows, the newest first; None before the first search.
-    outside
-        Whether another program has written the file of the draft that is shown.
-    """
+    """The drafts under edit, with or without a file."""
 
     def __init__(self) -> None:
         self._kept: dict[Draft, Recovery] = {}
         self.left: list[Recoverable] | None = None  # not searched yet
+        """Unsaved drafts of earlier windows, the newest first; None before the first search."""
         self.outside = False
+        """Whether another program has written the file of the draft that is shown."""
         self._mine: Draft | None = None  # to be written over the changes of another program
         self._since = OFTEN
 
@@ -88,10 +82,8 @@ class Drafts:
     def save(self, draft: Draft, path: Path | None, *, overwrite: bool) -> None:
         """Write a draft to its file, or to another.
 
-        Raises
-        ------
-        SandboxError
-            If it cannot be written, or would overwrite another file without consent.
+        Raises `SandboxError` if it cannot be written, or would overwrite another file without
+        consent.
         """
         mine = draft is self._mine and path in (None, draft.path)
         if path is not None and path.parent == save_folder.folder():

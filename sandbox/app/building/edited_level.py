@@ -5,7 +5,7 @@ from collections.abc import Callable, Collection, Mapping, Sequence
 from typing import Any, TypeVar
 
 from sandbox.app.building.partial_level import Sketch
-from sandbox.app.building.pointer import Part, Snapped
+from sandbox.app.building.pointer import Part
 from sandbox.app.building.snapping import Snapping
 from sandbox.app.drawing.camera import Camera
 from sandbox.app.words.language import later, say
@@ -121,7 +121,7 @@ class Work:
         level = self.draft.level
         found = text if level is None else suggest.followed(level, text)
         if found.count('"formula"') < text.count('"formula"'):
-            self.tell(say("The suggested checks are gone with what they were about"))
+            self.tell(say("The suggested checks were removed with the parts that they were about"))
         return found
 
     def change(
@@ -140,13 +140,7 @@ class Work:
 
     @property
     def level(self) -> Level:
-        """The level of the text.
-
-        Raises
-        ------
-        SandboxError
-            If the text has mistakes.
-        """
+        """The level of the text; raise `SandboxError` if the text has mistakes."""
         level = self.draft.level
         if level is None:
             raise SandboxError(self.mistake)
@@ -224,7 +218,7 @@ class Work:
         """Make the selected bodies a group, which is selected as a whole."""
         names = self.chosen
         if self.change(say("group"), lambda text, level: grouping.group(text, level, names)):
-            self.tell(say("A click selects the group now, a second one the body alone"))
+            self.tell(say("A click now selects the group; a second click selects the body alone"))
 
     def ungroup(self) -> None:
         """Ungroup the selected bodies, so that each is selected alone again."""
@@ -278,10 +272,6 @@ class Work:
         if joint and (self.sketch.is_pin(joint) or not covered):
             return "joints", joint
         return ("bodies", body) if body else None
-
-    def snapped_by(self, names: Sequence[str], by: XY) -> Snapped:
-        """Return the displacement with which bodies touch what they come near [m]."""
-        return self.snapping.moved(names, by)
 
 
 def _first(mistakes: Sequence[Mistake]) -> Message:

@@ -32,38 +32,27 @@ if TYPE_CHECKING:
 
 
 class Editor:
-    """The worker of the Build page, one for each window.
-
-    Attributes
-    ----------
-    work
-        The level under edit.
-    trial
-        The runs of the level.
-    drafts
-        The drafts of all edited levels.
-    tools
-        The tools that change the level, or its run.
-    applying
-        Applies changes to the session, or gives the reason why the level cannot run.
-    trying
-        Switches between building and the run.
-    saving
-        Saves and reads the level's file.
-    costs
-        Measures what each effect costs.
-    complete
-        Accepts the first name that the page offers, and returns whether there is one.
-    """
+    """The worker of the Build page, one for each window."""
 
     def __init__(self) -> None:
-        self.work, self.drafts, self.trial = Work(), Drafts(), Trial()
+        self.work = Work()
+        """The level under edit."""
+        self.drafts = Drafts()
+        """The drafts of all edited levels."""
+        self.trial = Trial()
+        """The runs of the level."""
         self.tools = Toolbox(self.work, self.trial.live)
+        """The tools that change the level, or its run."""
         self.applying = Applying(self.work, self.drafts, self.tools)
+        """Applies changes to the session, or gives the reason why the level cannot run."""
         self.trying = ModeSwitch(self.work, self.trial, self.tools, self.applying)
+        """Switches between building and the run."""
         self.saving = Saving(self.work, self.drafts, self.tools)
+        """Saves and reads the level's file."""
         self.costs = EffectCosts()
+        """Measures what each effect costs."""
         self.complete: Callable[[], bool] = bool
+        """Accepts the first name that the page offers, and returns whether there is one."""
         self._on_stage = EditorOnStage(self.work, self.trial.live, self.tools, self.applying)
 
     @property

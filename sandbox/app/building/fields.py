@@ -67,17 +67,7 @@ Row = tuple[Entry, ...] | Section
 
 
 def rows(model: type[Model], said: Mapping[str, Json], path: Path) -> list[Row]:
-    """Return the rows for the fields of a part.
-
-    Parameters
-    ----------
-    model
-        The model of the part.
-    said
-        The part as in the level.
-    path
-        Its path in the level.
-    """
+    """Return the rows for the fields of a part, given as the level says it and by its path."""
     found: list[Row] = []
     for name, field in model.model_fields.items():
         if model is Effects and said.get(name) is None:

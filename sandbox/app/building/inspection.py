@@ -29,7 +29,7 @@ from sandbox.model.json_positions import Path
 from sandbox.model.level import Level
 from sandbox.model.level_parts import expressions
 
-NAMED = later("what it is called: a letter, then letters, digits or _; all mentions of it follow")
+NAMED = later("its name: a letter, then letters, digits or _; every mention of it changes, too")
 
 ALIKE = (
     "type", "mass", "friction", "static_friction", "restitution", "sensor", "color", "hidden",
@@ -215,4 +215,4 @@ def _take(work: Work, one: Suggestion) -> None:
         return entitled(suggest.take(text, level, one), title)
 
     if work.change(say(one.setup), edit):
-        work.tell(say("Its checks are on the level's page (O), and are tested while it runs"))
+        work.tell(say("Its checks are on the level's page (O); they are tested while it runs"))

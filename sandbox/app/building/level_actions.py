@@ -51,12 +51,12 @@ def stated(work: Work) -> list[Act]:
 def _challenge(work: Work, level: Level, moving: list[str]) -> list[Act]:
     """Return the action that adds a challenge, or removes the present one."""
     if level.challenge is not None:
-        tip = say("the level asks for nothing any more")
+        tip = say("remove the task from the level")
         drop = partial(
             work.change, say("take out the challenge"), lambda text, _: drop_challenge(text)
         )
         return [Act(say("− challenge"), tip, drop)]
-    tip = say("a task for the sliders: a body has to end where something stands")
+    tip = say("a task to solve with the sliders: bring a body to a target")
     return [Act(say("Add a challenge"), tip, partial(_set_task, work, name)) for name in moving[:1]]
 
 

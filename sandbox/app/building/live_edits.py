@@ -74,10 +74,7 @@ class Live(Work):
     def put(self, text: str, said: str, merge: str | None = None) -> None:
         """Let the run continue with a changed text.
 
-        Raises
-        ------
-        SandboxError
-            If it cannot; nothing is changed then.
+        Raises `SandboxError` if it cannot; nothing is changed then.
         """
         if self._refused:
             raise SandboxError(self._refused)
@@ -96,10 +93,7 @@ class Live(Work):
     def kept(self) -> Draft:
         """Return the present state as a level of its own.
 
-        Raises
-        ------
-        SandboxError
-            If no level can start from this state.
+        Raises `SandboxError` if no level can start from this state.
         """
         draft = Draft.of(self.session.original.text)
         draft.change(as_it_stands(self.session.world, anew=True), say("keep the run as a level"))

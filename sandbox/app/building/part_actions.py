@@ -34,7 +34,7 @@ def part_actions(work: Work) -> list[Act]:
 
 def _of_joint(work: Work, level: Level, name: str) -> Iterator[Act]:
     if not events.is_cut(level, name):
-        tip = say("an event lets it go at a time, or when a quantity crosses a value")
+        tip = say("an event releases it at a time, or when a quantity crosses a value")
         cut = partial(_happen, work, say("cut {name} in the run", name=name), events.cut, name)
         yield Act(say("Cut it in the run"), tip, cut)
 
@@ -42,7 +42,7 @@ def _of_joint(work: Work, level: Level, name: str) -> Iterator[Act]:
 def _of_body(work: Work, level: Level, name: str) -> Iterator[Act]:
     body = level.bodies[name]
     if body.one_way is not None:
-        tip = say("an event lets it let through the other way, at a time or at a crossing")
+        tip = say("an event reverses its direction, at a time or when a quantity crosses a value")
         said = say("reverse {name} in the run", name=name)
         reverse = partial(_happen, work, said, events.reverse, name)
         yield Act(say("Reverse it in the run"), tip, reverse)
@@ -50,11 +50,13 @@ def _of_body(work: Work, level: Level, name: str) -> Iterator[Act]:
         tip = say("its angle becomes a parameter; what lies on it turns with it")
         yield Act(say("Slider for the slope"), tip, partial(_tilt, work, name))
     if body.type == "dynamic" and peg_of(level, name) is not None:
-        tip = say("draws it aside; its angle becomes a parameter, and what holds it stays as long")
+        tip = say(
+            "draws it aside; its angle becomes a parameter, and its rod or rope keeps its length"
+        )
         yield Act(say("Slider for the swing"), tip, partial(_swing, work, name))
     if body.type == "dynamic" and name not in level.ghosts:
         tip = say(
-            "draws where a formula says that the body is; it flies freely until you type another"
+            "shows where a formula puts the body: in free flight, until you type another formula"
         )
         yield Act(say("Add a ghost"), tip, partial(_haunt, work, name))
     if body.shape.type in ROUND:
@@ -67,7 +69,7 @@ def _of_body(work: Work, level: Level, name: str) -> Iterator[Act]:
 def _happen(work: Work, said: str, edit: Callable[[str, Level, str], str], name: str) -> None:
     """Add an event that acts on a part."""
     if work.change(said, lambda text, level: edit(text, level, name)):
-        work.tell(say("When that happens is in the level's own fields, under events (Esc)"))
+        work.tell(say("Set when that happens in the level's own fields, under events (Esc)"))
 
 
 def _tilt(work: Work, name: str) -> None:

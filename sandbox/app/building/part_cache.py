@@ -11,10 +11,7 @@ Part = TypeVar("Part")
 class Readings(Generic[Part]):
     """Reads parts, and reuses those that are unchanged in the next scene.
 
-    Parameters
-    ----------
-    read
-        Makes a part from its JSON text, or raises a `ValidationError`.
+    `read` makes a part from its JSON text, or raises a `ValidationError`.
     """
 
     def __init__(self, read: Callable[[str], Part]) -> None:

@@ -27,7 +27,7 @@ from sandbox.model.constants import let_use
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Expression, Values
 from sandbox.model.joint_ends import place
-from sandbox.model.joints import AngleStop, Joint, Rail, Stop, Winding, Wire, body_of, points
+from sandbox.model.joints import Joint, Rail, Wire, points
 from sandbox.model.level import Level
 from sandbox.model.shapes import XY, evaluate
 from sandbox.model.view import View
@@ -85,23 +85,14 @@ def parts_of(level: Level) -> Parts:
 
 
 class Sketch(Parts):
-    """The drawable content of a level's text.
-
-    Attributes
-    ----------
-    values
-        The parameters' default values, and those of constants, as far as they can be read.
-    bodies, joints
-        The bodies and joints that can be drawn, by name.
-    view
-        The part of the plane that the level asks to show.
-    """
+    """The drawable content of a level's text."""
 
     def __init__(self, document: Mapping[str, Any]) -> None:
         _body.begin()
         _joint.begin()
         parameters = dict(_numbers(_mapping(document, "parameters")))
         self.values = _with_constants(parameters, _mapping(document, "constants"))
+        """The parameters' default values, and those of constants, as far as they can be read."""
         specs = {
             name: spec
             for name, part in _mapping(document, "bodies").items()
@@ -113,6 +104,7 @@ class Sketch(Parts):
         super().__init__(dict(drawn), dict(paths))
         self._open = _open(_mapping(document, "events"))
         self.view = _view(json.dumps(document.get("view", {})))
+        """The part of the plane that the level asks to show."""
 
     def body_at(self, point: XY, margin: float) -> str | None:
         """Return the topmost body within a margin of a point [m]; moving bodies come first."""
@@ -244,15 +236,7 @@ def _path(joint: Joint, specs: Mapping[str, Body], values: Values) -> list[XY]:
     path = [(p.real, p.imag) for p in (place(end, specs, values) for end in points(joint))]
     if isinstance(joint, Rail):
         return _rail(path[1], evaluate(joint.direction, values))
-    if isinstance(joint, Winding):
-        return joints.around(path[0], path[1], joint.radius(values), joint)
-    if isinstance(joint, Stop):
-        return joints.limits(joint, path, values)
-    if isinstance(joint, AngleStop):
-        base = body_of(joint.ends[0])
-        angle = 0.0 if base is None else specs[base].angle(values)
-        return joints.rays(joint, path[1], angle, values)
-    return path
+    return joints.drawn(joint, path, values, lambda body: specs[body].angle(values))
 
 
 def _rail(through: XY, direction: XY) -> list[XY]:

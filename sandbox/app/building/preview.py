@@ -55,8 +55,7 @@ def caught(surface: pygame.Surface, camera: Camera, pen: Pen, snapped: Snapped) 
         return
     x, y = camera.to_screen(snapped.point)
     if snapped.by == "grid":
-        for a, b in (((x - MARK, y), (x + MARK, y)), ((x, y - MARK), (x, y + MARK))):
-            lines.stroke(surface, theme.NOTICE, a, b, 1)
+        lines.cross(surface, theme.NOTICE, (x, y), MARK, 1)
         return
     pygame.draw.aacircle(surface, theme.NOTICE, (x, y), MARK, 2)
     text = pen.outlined(say(snapped.by))

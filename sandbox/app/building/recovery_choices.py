@@ -66,7 +66,7 @@ def _recovering(left: Recoverable, editor: Editor, session: Session) -> Offer:
     when = strftime("%Y-%m-%d %H:%M", localtime(left.when))
     going_on = partial(recover, left, editor, session)
     act = Act(say("Recover"), say("go on with it"), going_on)
-    forget = Act(say("Forget it"), say("throw it away"), partial(_forget, left, editor))
+    forget = Act(say("Forget it"), say("delete it"), partial(_forget, left, editor))
     message = say("What was drawn in {name} ({when}) was not saved.", name=name, when=when)
     return Offer(message, (act, forget))
 

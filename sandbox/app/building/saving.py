@@ -11,17 +11,12 @@ from sandbox.model.errors import SandboxError
 
 
 class Saving:
-    """Saves the level under edit.
-
-    Attributes
-    ----------
-    naming
-        Whether the page asks for a name to save under.
-    """
+    """Saves the level under edit."""
 
     def __init__(self, work: Work, drafts: Drafts, tools: Toolbox) -> None:
         self._work, self._drafts, self._tools = work, drafts, tools
         self.naming = False
+        """Whether the page asks for a name to save under."""
 
     def save(self, path: Path | None = None, *, overwrite: bool = False) -> None:
         """Save the level to its file, or to another.

@@ -10,18 +10,13 @@ FIRST = TOOLS[0].name
 
 
 class Toolbox:
-    """The tools: one set for the level, and one for its run.
-
-    Attributes
-    ----------
-    bench
-        The level or its run, whichever the tools change.
-    tool
-        The name of the current tool.
-    """
+    """The tools: one set for the level, and one for its run."""
 
     def __init__(self, level: Work, run: Work) -> None:
-        self.bench, self.tool = level, FIRST
+        self.bench = level
+        """The level or its run, whichever the tools change."""
+        self.tool = FIRST
+        """The name of the current tool."""
         self._run = run
         self._tools = {
             bench: {kind.name: kind.make(bench) for kind in TOOLS} for bench in (level, run)

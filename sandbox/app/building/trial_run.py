@@ -24,16 +24,11 @@ class Run(NamedTuple):
 
 
 class Trial:
-    """The runs of a level under edit.
-
-    Attributes
-    ----------
-    live
-        The run on the stage, as the tools see it.
-    """
+    """The runs of a level under edit."""
 
     def __init__(self) -> None:
         self.live = Live()
+        """The run on the stage, as the tools see it."""
         self._left: dict[str, Run] = {}
         self._undone: list[Action] = []
         self._latest: str | None = None  # the text whose run was left last, and can be redone
@@ -84,10 +79,7 @@ class Trial:
     def do_again(self, session: Session) -> bool:
         """Redo a change that was undone at this step, and return whether there was one.
 
-        Raises
-        ------
-        SandboxError
-            If it is impossible; nothing is changed then.
+        Raises `SandboxError` if it is impossible; nothing is changed then.
         """
         if not self.is_taken_back(session):
             self._undone.clear()

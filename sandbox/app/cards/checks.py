@@ -30,22 +30,8 @@ def checks(
 ) -> pygame.Surface:
     """Draw the results of a level's checks, and the number of checks that are left out.
 
-    Where the numerical error of a check is known, only the digits that it leaves certain are shown.
-
-    Parameters
-    ----------
-    pen, width
-        The pen, and the width of the card [px].
-    readings
-        The results so far.
-    words
-        Translates the level's texts.
-    disturbed
-        Whether the run was changed by hand, so that no formula describes it.
-    left_out
-        The number of checks that are not among the readings.
-    splits
-        The numerical errors of checks, by index.
+    Where the numerical error of a check is known (`splits`, by index), only the digits that it
+    leaves certain are shown. If the run was `disturbed` by hand, no formula describes it.
     """
     card = Card(pen, width)
     card.heading(say("Checks"))

@@ -40,16 +40,10 @@ def groups(mistakes: Sequence[Mistake]) -> list[list[Mistake]]:
 def excerpt(
     pen: Pen, width: int, lines: Sequence[str], mistakes: Sequence[Mistake]
 ) -> pygame.Surface:
-    """Draw the lines around some mistakes, with a caret and a message at each.
+    """Draw the lines around a group of mistakes, with a caret and a message at each.
 
-    Parameters
-    ----------
-    pen, width
-        The pen, and the width of the picture [px].
-    lines
-        The lines of the file; empty if it cannot be read.
-    mistakes
-        A group of mistakes from `groups`, in the order of the text.
+    `lines` are those of the file, none if it cannot be read. The mistakes are in the order of the
+    text.
     """
     card = Card(pen, width)
     card.y = PADDING

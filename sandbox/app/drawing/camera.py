@@ -15,26 +15,18 @@ LEAST, MOST = 1e-3, 1e5
 
 
 class Camera:
-    """The part of the plane that a surface shows.
-
-    Attributes
-    ----------
-    center
-        The point in the middle of the surface [m].
-    scale
-        The scale [px/m].
-    fitted
-        Whether it shows the level's view, rather than one chosen by the user.
-    size
-        The size of the surface [px].
-    """
+    """The part of the plane that a surface shows."""
 
     def __init__(self, size: tuple[int, int]) -> None:
         self.size = size
+        """The size of the surface [px]."""
         self.center: XY = (0.0, 0.0)
+        """The point in the middle of the surface [m]."""
         self.scale = 50.0
+        """The scale [px/m]."""
         self._width = self._middle = 10.0
         self.fitted = True
+        """Whether it shows the level's view, rather than one chosen by the user."""
 
     def fit(self, view: View, values: Values) -> None:
         """Show a level's view."""

@@ -85,6 +85,13 @@ def stroke(surface: pygame.Surface, color: Color, a: XY, b: XY, width: float) ->
     pygame.draw.aaline(surface, color, a, b, max(round(width), 1))
 
 
+def cross(surface: pygame.Surface, color: Color, center: XY, arm: float, width: float) -> None:
+    """Draw an upright cross, each arm of a length [px]."""
+    x, y = center
+    stroke(surface, color, (x - arm, y), (x + arm, y), width)
+    stroke(surface, color, (x, y - arm), (x, y + arm), width)
+
+
 def polygon(surface: pygame.Surface, color: tuple[int, ...], corners: Sequence[XY]) -> None:
     """Fill a polygon near the picture; pygame would round its corners to the upper left."""
     pygame.draw.polygon(surface, color, [(round(x), round(y)) for x, y in corners])

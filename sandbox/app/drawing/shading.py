@@ -125,16 +125,9 @@ def _grain() -> pygame.Surface:
 def bank(
     surface: pygame.Surface, color: Color, corners: Sequence[XY], side: int, depth: float
 ) -> None:
-    """Draw ground that fades out with its depth on one side of a line.
+    """Draw ground that fades out with its depth on one side of a line [px].
 
-    Parameters
-    ----------
-    surface, color, corners
-        What to draw on, the colour of the ground, and the line [px].
-    side
-        The side of the ground: 1 for that of the normal (uy, −ux) to the line, −1 for the other.
-    depth
-        The depth of the ground [px].
+    The side is 1 for that of the normal (uy, −ux) to the line, −1 for the other.
     """
     if not theme.SHADING:
         return

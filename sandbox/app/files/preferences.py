@@ -56,19 +56,12 @@ def suiting(height: int) -> int:
 class Comfort:
     """The preferences of a window, initially those that were saved last.
 
-    Attributes
-    ----------
-    chosen
-        The current settings; every change replaces the object.
-
-    Parameters
-    ----------
-    desktop
-        The height of the desktop [px]; 0 if unknown.
+    `desktop` is the height of the desktop [px]; 0 if unknown.
     """
 
     def __init__(self, desktop: int = 0) -> None:
         self.chosen = user_data.read(file(), _KIND, Preferences())
+        """The current settings; every change replaces the object."""
         self._suiting = suiting(desktop)
 
     @property

@@ -24,15 +24,11 @@ class Recent:
     """The files that were opened recently.
 
     A list that is missing or not valid counts as empty.
-
-    Attributes
-    ----------
-    paths
-        The files that still exist, the latest first.
     """
 
     def __init__(self) -> None:
         self.paths: tuple[Path, ...] = tuple(map(Path, filter(os.path.isfile, _read())))
+        """The files that still exist, the latest first."""
 
     def add(self, path: Path) -> str:
         """Add an opened file and save the list; return why that fails, else an empty string."""

@@ -17,19 +17,14 @@ PADDING = 11  # px, beside a caption
 
 
 class ChapterBar:
-    """The headings of the cards as buttons, in as many rows as they need.
-
-    Attributes
-    ----------
-    hovered
-        The heading under the mouse, or None.
-    """
+    """The headings of the cards as buttons, in as many rows as they need."""
 
     def __init__(self, pen: Pen) -> None:
         self._pen = pen
         self._area = pygame.Rect(0, 0, 0, 0)
         self._places: Sequence[tuple[Heading, pygame.Rect]] = ()
         self.hovered: Heading | None = None
+        """The heading under the mouse, or None."""
 
     def take_room(self, area: pygame.Rect, headings: Sequence[Heading]) -> pygame.Rect:
         """Take the top of an area, and return the rest; a single heading needs no bar."""
@@ -63,15 +58,7 @@ class ChapterBar:
         return self._area.collidepoint(pixel)
 
     def draw(self, surface: pygame.Surface, top: float) -> None:
-        """Draw the chapters, and mark the one at the top of the visible cards.
-
-        Parameters
-        ----------
-        surface
-            The surface to draw on.
-        top
-            The height on the sheet of cards at the top of the visible part [px].
-        """
+        """Draw the chapters, and mark the one whose cards are at the visible `top` [px]."""
         surface.fill(theme.STAGE, self._area.clip(surface.get_rect()))
         here = _at(top, [heading for heading, _ in self._places])
         for heading, place in self._places:

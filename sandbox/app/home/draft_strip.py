@@ -19,19 +19,14 @@ PADDING = 12  # px, beside the text
 
 
 class Strip:
-    """Rows of drafts that can be clicked.
-
-    Attributes
-    ----------
-    hovered
-        The draft under the mouse, or None.
-    """
+    """Rows of drafts that can be clicked."""
 
     def __init__(self, pen: Pen) -> None:
         self._pen = pen
         self._rows: Sequence[Recoverable] = ()
         self._area = pygame.Rect(0, 0, 0, 0)
         self.hovered: Recoverable | None = None
+        """The draft under the mouse, or None."""
 
     def offer(self, left: Sequence[Recoverable]) -> None:
         """Set the drafts to show."""

@@ -35,34 +35,24 @@ _STEPS = {
 
 
 class Home:
-    """Cards of levels, which can be chosen by mouse and keyboard.
-
-    Attributes
-    ----------
-    open
-        Whether the page is shown.
-    chosen
-        The level that was chosen last, until the window takes it.
-    recovered
-        The draft that was chosen last, until the window takes it.
-    thumbnails
-        The pictures on the cards.
-    preview
-        The level that plays on its card.
-    strip
-        The drafts above the cards.
-    chapters
-        The bar of chapters above the cards.
-    """
+    """Cards of levels, which can be chosen by mouse and keyboard."""
 
     def __init__(self, pen: Pen) -> None:
         self._pen = pen
         self.open = False
+        """Whether the page is shown."""
         self.chosen: Path | None = None
+        """The level that was chosen last, until the window takes it."""
         self.recovered: Recoverable | None = None
-        self.strip, self.preview = Strip(pen), Preview()
+        """The draft that was chosen last, until the window takes it."""
+        self.strip = Strip(pen)
+        """The drafts above the cards."""
+        self.preview = Preview()
+        """The level that plays on its card."""
         self.chapters = ChapterBar(pen)
+        """The bar of chapters above the cards."""
         self.thumbnails = Thumbnails()
+        """The pictures on the cards."""
         self._progress = Progress()
         self._area = pygame.Rect(0, 0, 1, 1)
         self._laid_out: object = None
@@ -111,17 +101,7 @@ class Home:
         return self._grid.cards[index][1].move(self._area.x, self._area.y - round(self._top))
 
     def update(self, area: pygame.Rect, found: Sequence[Entry], sought: str) -> None:
-        """Update the layout for an area and a search, and take in finished pictures.
-
-        Parameters
-        ----------
-        area
-            The area of the page in the window [px].
-        found
-            The levels to show.
-        sought
-            The text of the search.
-        """
+        """Lay out the levels that a search found in an area [px], and take in finished pictures."""
         area = self.strip.take_room(area)
         wanted = tuple(area), tuple(found), sought.strip()
         if wanted != self._laid_out:

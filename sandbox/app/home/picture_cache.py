@@ -56,10 +56,7 @@ def folder() -> Path:
 def key(path: Path) -> str:
     """Return the key of a level's picture, a hash of everything that the picture depends on.
 
-    Raises
-    ------
-    OSError
-        If the file cannot be read, or is larger than a level may be.
+    Raises `OSError` if the file cannot be read, or is larger than a level may be.
     """
     content = read_ordinary(path.resolve(), MAX_BYTES)
     if content is None:
@@ -105,10 +102,7 @@ def _made(path: Path, pen: Pen, where: Path) -> Picture:
 def draw(path: Path, pen: Pen) -> pygame.Surface:
     """Draw a level at a telling moment, or as far as it gets in `PATIENCE` of computing.
 
-    Raises
-    ------
-    SandboxError
-        If the level cannot be opened.
+    Raises `SandboxError` if the level cannot be opened.
     """
     session = Session(load(path), patient=False)
     stage, surface = Stage(pen, DRAWN, plain=True), pygame.Surface(DRAWN)

@@ -32,16 +32,11 @@ frame."""
 
 
 class Preview:
-    """Plays the level under the mouse on its card.
-
-    Attributes
-    ----------
-    path
-        The level whose card is under the mouse, or None.
-    """
+    """Plays the level under the mouse on its card."""
 
     def __init__(self) -> None:
         self.path: Path | None = None
+        """The level whose card is under the mouse, or None."""
         self._rested = 0.0  # s
         self._session: Session | None = None
         self._dear: set[Path] = set()

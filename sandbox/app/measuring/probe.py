@@ -49,17 +49,7 @@ class Found(NamedTuple):
 
 
 def find(view: View, session: Session, pixel: XY) -> Found | None:
-    """Return the nearest recorded instant of this run or an earlier one; None if none is near.
-
-    Parameters
-    ----------
-    view
-        The world and the camera.
-    session
-        The session of the runs.
-    pixel
-        The position of the mouse on the stage [px].
-    """
+    """Return the instant of this run or an earlier one nearest to a pixel; None if none is near."""
     if not (view.few and view.shown["trail"] and alike(session.world, view.world)):
         return None
     histories = session.history, *(run.history for run in session.earlier)

@@ -28,13 +28,7 @@ class Doing(Enum):
 
 
 class Hand:
-    """The mouse over the stage.
-
-    Attributes
-    ----------
-    tape
-        The last measurement, a distance or an angle; None after a click without Shift.
-    """
+    """The mouse over the stage."""
 
     def __init__(self, stage: Stage) -> None:
         self._stage = stage
@@ -43,6 +37,7 @@ class Hand:
         self._moved = False
         self._components: dict[str, tuple[int, float]] = {}  # by parameter: axis, N at the start
         self.tape: Tape | Protractor | None = None
+        """The last measurement, a distance or an angle; None after a click without Shift."""
         self._before: Tape | Protractor | None = None  # to which a protractor is attached
 
     def process(self, event: pygame.event.Event, area: pygame.Rect, session: Session) -> None:

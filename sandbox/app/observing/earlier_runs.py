@@ -63,18 +63,10 @@ def alike(world: World, other: World) -> bool:
 def kept(
     earlier: tuple[Earlier, ...], run: Observed, values: Values, left: float | None = None
 ) -> tuple[Earlier, ...]:
-    """Return the earlier runs with one more, at most as many as there are colours.
+    """Return the earlier runs with one more, at most as many as there are colours, the newest last.
 
-    Parameters
-    ----------
-    earlier
-        The earlier runs so far, the newest last.
-    run
-        The observations of the run to add.
-    values
-        The parameters of the next run.
-    left
-        The time at which a branch leaves it [s]; None if the next run starts anew.
+    `values` are the parameters of the next run. If that is a branch, it leaves the run at the time
+    `left` [s].
     """
     made = Earlier(_differing(run.world.values, values), left, *run)
     others = tuple(one for one in earlier if not one.repeats(made))

@@ -32,27 +32,17 @@ class Energies:
 class Books:
     """Records the energies of a world from its current state on; `note` is called at every step.
 
-    The balance is recorded only while it is shown: that takes as long as the steps themselves, or
-    longer.
-
-    Attributes
-    ----------
-    start
-        The energies at the start of the run, or after the user's last action on a body.
-
-    Parameters
-    ----------
-    world
-        The world to watch.
-    steps
-        The number of steps in the level's duration.
+    `steps` is the number of steps in the level's duration. The balance is recorded only while it is
+    shown: that takes as long as the steps themselves, or longer.
     """
 
     def __init__(self, world: World, steps: int) -> None:
         self._world = world
         self._meter = Meter(world, _ENERGIES)
         self._every = max(steps // INSTANTS, 1)
-        self.start, self._let_go = self.energies, False
+        self.start = self.energies
+        """The energies at the start of the run, or after the user's last action on a body."""
+        self._let_go = False
         self._history = States(self._rows, world.snapshot)
         self._ledger: Ledger | None = None
         self._since: float | None = None

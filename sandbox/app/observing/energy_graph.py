@@ -21,16 +21,9 @@ ROUNDING = 1e-12
 
 
 def energies(size: tuple[int, int], points: Array, duration: float) -> pygame.Surface:
-    """Draw energies over time.
+    """Draw energies over at least a duration [s].
 
-    Parameters
-    ----------
-    size
-        The size of the graph [px].
-    points
-        (k, 4), k > 0: time [s], then kinetic, potential and total energy [J].
-    duration
-        The least time span of the graph [s].
+    The points are (k, 4), k > 0: time [s], then kinetic, potential and total energy [J].
     """
     graph = pygame.Surface(size)
     graph.fill(theme.STAGE)

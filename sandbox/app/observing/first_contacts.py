@@ -14,13 +14,7 @@ class Met(NamedTuple):
 
 
 class FirstContacts:
-    """Records first contacts in a world from its current state on; `note` is called at every step.
-
-    Attributes
-    ----------
-    met
-        The first contacts so far, by pair of bodies.
-    """
+    """Records first contacts in a world from now on; `note` is called at every step."""
 
     def __init__(self, world: World) -> None:
         self._world, self._names = world, list(world.scene.bodies)

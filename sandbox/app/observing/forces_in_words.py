@@ -17,13 +17,7 @@ TURNS = 1e-6
 
 
 def forces(world: World) -> Iterator[str]:
-    """Yield the forces on each dynamic body: a line per body, or a line per force.
-
-    Parameters
-    ----------
-    world
-        The world, at the moment to describe.
-    """
+    """Yield the present forces on each dynamic body: a line per body, or a line per force."""
     bodies = FreeBodies(world)
     for name, body in world.level.bodies.items():
         if body.type != "dynamic":

@@ -36,17 +36,12 @@ class Reading:
 
 
 class Ration(Generic[T]):
-    """Evaluates a growing run, within the share of time that this may take.
-
-    Attributes
-    ----------
-    found
-        The last result.
-    """
+    """Evaluates a growing run, within the share of time that this may take."""
 
     def __init__(self, look: Callable[[], T], nothing: T) -> None:
         self._look = look
         self.found = nothing
+        """The last result."""
         self._seen = 0
         self._next = 0.0
 

@@ -28,17 +28,7 @@ only counted."""
 def describe(
     world: World, results: tuple[Result, ...], *, with_forces: bool = False
 ) -> Iterator[str]:
-    """Yield the lines of a description of the stage.
-
-    Parameters
-    ----------
-    world
-        The world, at the moment to describe.
-    results
-        The results of the level's checks.
-    with_forces
-        Whether to list the forces on each body, too.
-    """
+    """Yield lines that describe the stage, the results of the checks, and perhaps the forces."""
     level = world.level
     yield f"{level.title}. {level.summary}".strip()
     yield f"Time: {formatting.number(world.t, 4)} s of {level.duration(world.values):.4g} s."

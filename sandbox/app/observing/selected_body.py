@@ -39,16 +39,12 @@ HELD = 0.3
 
 
 class Looking:
-    """The body that the user has selected, and the forces on it.
-
-    Attributes
-    ----------
-    chosen
-        The body that was clicked last; it may not exist in another level or at an earlier step.
-    """
+    """The body that the user has selected, and the forces on it."""
 
     def __init__(self) -> None:
         self.chosen: str | None = None
+        """The body that was clicked last; it may not exist in another level or at an earlier
+        step."""
         self._bodies: tuple[World, FreeBodies] | None = None
         self._seen: tuple[Snapshot, str, FreeBody | None] | None = None
         self._full: dict[str, float] = {}

@@ -14,14 +14,8 @@ more than one."""
 class States:
     """Rows of numbers, one for each state; when memory is full, every second one is dropped.
 
-    States are collected until the rows are needed, or until there are many.
-
-    Parameters
-    ----------
-    rows
-        Converts k stacked states into rows: (k, ...).
-    first
-        The first state.
+    `rows` converts k stacked states into rows: (k, ...). States are collected until the rows are
+    needed, or until there are many.
     """
 
     def __init__(self, rows: Callable[[Snapshot], Array], first: Snapshot) -> None:

@@ -12,11 +12,6 @@ class Trail:
     """A series of arrays of one shape, such as the positions of bodies.
 
     When it is full, every second instant is dropped, and new ones are kept half as often.
-
-    Attributes
-    ----------
-    version
-        Changes whenever earlier instants are dropped.
     """
 
     def __init__(self, position: Array) -> None:
@@ -26,6 +21,7 @@ class Trail:
         self._seen = 0
         self._count = 0
         self.version = 0
+        """Changes whenever earlier instants are dropped."""
         self.add(position)
 
     def __len__(self) -> int:

@@ -42,6 +42,21 @@ class Worker(Protocol):
         """Cancel the work."""
 
 
+class Idle:
+    """A worker without background work, which only remembers something for its page."""
+
+    running = False
+
+    def __init__(self) -> None:
+        self.news = object()
+
+    def follow(self, session: Session, seconds: float, *, watched: bool) -> str | None:
+        """Do nothing, as there is no work."""
+
+    def cancel(self) -> None:
+        """Do nothing, as there is no work."""
+
+
 W = TypeVar("W", bound=Worker)
 
 
@@ -112,13 +127,7 @@ class Desk(NamedTuple):
 
 
 def worker(workers: Sequence[Worker], kind: type[W]) -> W:
-    """Return the worker of a kind.
-
-    Raises
-    ------
-    LookupError
-        If no page declares it.
-    """
+    """Return the worker of a kind; raise `LookupError` if no page declares it."""
     for each in workers:
         if isinstance(each, kind):
             return each
@@ -154,10 +163,7 @@ class PageCommand(NamedTuple):
 class Page:
     """The declaration of a page, in the `__init__.py` of its folder.
 
-    Raises
-    ------
-    ValueError
-        If a part is missing.
+    Raises `ValueError` if a part is missing.
     """
 
     name: str

@@ -7,17 +7,12 @@ from sandbox.app.runs.session import Session
 
 
 class Workers:
-    """The workers of a window, with its lifetime.
-
-    Attributes
-    ----------
-    all
-        The workers, one for each page that declares one.
-    """
+    """The workers of a window, with its lifetime."""
 
     def __init__(self, pages: Sequence[Page]) -> None:
         self._by_page = {page.command: page.worker() for page in pages if page.worker is not None}
         self.all: tuple[Worker, ...] = tuple(self._by_page.values())
+        """The workers, one for each page that declares one."""
         self._on_stage = {
             page: worker for page, worker in self._by_page.items() if isinstance(worker, OnStage)
         }

@@ -19,13 +19,7 @@ PADDING = 22  # px, beside the caption of a button, left and right together
 
 
 class Bar:
-    """Buttons for commands.
-
-    Parameters
-    ----------
-    rect
-        Its place in the window [px].
-    """
+    """Buttons for commands, in a place of the window [px]."""
 
     def __init__(self, manager: UIManager, pen: Pen, rect: pygame.Rect) -> None:
         self._manager, self._pen, self._rect = manager, pen, rect

@@ -166,7 +166,7 @@ def _overlays() -> list[tuple[str, str]]:
 def notes(session: Session) -> Iterator[tuple[str, theme.Color]]:
     """Yield the notes beside the time, the longest first, in case there is no room for it."""
     if session.recalled:
-        yield say("as recorded; the run itself is on its way there"), theme.NOTICE
+        yield say("recorded; the run is still on its way there"), theme.NOTICE
         yield say("as recorded"), theme.NOTICE
         return
     reduced = session.pace.reduced if session.playing else None

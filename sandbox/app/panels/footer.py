@@ -43,27 +43,16 @@ LAST = 8  # px, the margin at the bottom
 
 
 class Foot:
-    """The footer below every page.
-
-    Attributes
-    ----------
-    top
-        Its upper edge [px].
-    view
-        The view of the energy.
-    switch
-        The button that leads to the next view of the energy.
-    books
-        Whether it shows where energy comes from and goes.
-    verdicts
-        The button that counts the checks and leads to them; None for a level without any.
-    """
+    """The footer below every page."""
 
     def __init__(
         self, manager: UIManager, pen: Pen, rect: pygame.Rect, session: Session, view: View
     ) -> None:
-        self._pen, self._session, self.view = pen, session, view
+        self._pen, self._session = pen, session
+        self.view = view
+        """The view of the energy."""
         self.books = view == "bars"
+        """Whether it shows where energy comes from and goes."""
         px = pen.px
         self._width = rect.width - 2 * px(MARGIN) - px(10)
         height = min(max(rect.height // 5 - px(CAPTION), px(HIGH[0])), px(HIGH[1]))
@@ -71,8 +60,10 @@ class Foot:
         drawn = self._drawn()
         checks = bool(session.readings())
         self.top = max(rect.bottom - drawn.height - px(LAST) - checks * px(VERDICTS), rect.top + 1)
+        """Its upper edge [px]."""
         place = drawn.get_rect(topleft=(rect.x + px(MARGIN), self.top + checks * px(VERDICTS)))
         self.verdicts: UIButton | None = None
+        """The button that counts the checks and leads to them; None for a level without any."""
         if checks:
             line = pygame.Rect(rect.x + px(MARGIN - 8), self.top, self._width + px(8), px(VERDICTS))
             self.verdicts = UIButton(
@@ -86,6 +77,7 @@ class Foot:
             pygame.Rect((place.right - switch[0], place.top + px(4)), switch),
             caption, manager, tool_tip_text=tip("energy"),
         )  # fmt: skip
+        """The button that leads to the next view of the energy."""
 
     def kill(self) -> None:
         """Remove all widgets."""

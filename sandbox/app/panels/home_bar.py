@@ -19,13 +19,7 @@ HINTS = (
 
 
 class HomeBar(Bar):
-    """A button that leads back to the open level, and a hint; no buttons for the hidden run.
-
-    Parameters
-    ----------
-    session
-        The session of the open level; None if there is none.
-    """
+    """A button that leads back to the open level, and a hint; no buttons for the hidden run."""
 
     def __init__(
         self, manager: UIManager, pen: Pen, rect: pygame.Rect, session: Session | None

@@ -70,15 +70,6 @@ class LevelList:
 
     A button is made when its row becomes visible, and removed when the row is far away, since
     making all takes a tenth of a second and about 25 MB.
-
-    Attributes
-    ----------
-    column
-        The container of all widgets.
-    field
-        The search field.
-    rows
-        The buttons made so far.
     """
 
     def __init__(
@@ -93,12 +84,14 @@ class LevelList:
         px = self._px
         width = rect.width - 2 * px(MARGIN)
         self.column = UIContainer(rect, manager)
+        """The container of all widgets."""
         self._commands = dict(self._ways(manager, pen, width))
         self.field = Field(
             pygame.Rect(px(MARGIN), 2 * px(MARGIN) + px(FIELD), width, px(FIELD)), manager,
             container=self.column,
             initial_text=sought, placeholder_text=say("Find a level ( / )"),
         )  # fmt: skip
+        """The search field."""
         self.field.set_forbidden_characters(["/"])  # the key that leads here
         self.field.set_text_length_limit(LONGEST)
         top = 2 * self._px(FIELD) + 3 * self._px(MARGIN)
@@ -112,6 +105,7 @@ class LevelList:
         self._levels = tuple(levels)
         self._tops: dict[Entry, int] = {}  # px, the heights of the rows found
         self.rows: dict[Entry, Row] = {}
+        """The buttons made so far."""
         self._seen: float | None = None  # px, the scroll position when rows were last made
         self._chosen: Path | None = None
         self._progress = Progress()

@@ -22,18 +22,13 @@ WIDEST = 1000  # px, since longer lines are hard to read
 
 
 class Refusal:
-    """A page in place of the stage, which scrolls if necessary.
-
-    Attributes
-    ----------
-    text
-        The full message, as on the command line.
-    """
+    """A page in place of the stage, which scrolls if necessary."""
 
     def __init__(
         self, manager: UIManager, pen: Pen, stage: pygame.Rect, error: SandboxError
     ) -> None:
         self.text = say(error.message)
+        """The full message, as on the command line."""
         area = pygame.Rect(0, stage.y + TOP, min(stage.width, pen.px(WIDEST)), 0)
         area.height = max(stage.height - TOP - pen.px(FOOT), 1)
         area.centerx = stage.centerx
@@ -62,8 +57,8 @@ def _head(pen: Pen, width: int, error: SandboxError, *, mendable: bool) -> pygam
         count = len(error.mistakes)
         if mendable:
             way_out = plural(
-                "{count} mistake: mend the file, and this page follows until the level opens.",
-                "{count} mistakes: mend the file, and this page follows until the level opens.",
+                "{count} mistake: correct the file; this page is updated until the level opens.",
+                "{count} mistakes: correct the file; this page is updated until the level opens.",
                 count,
             )
     else:

@@ -22,6 +22,7 @@ from sandbox.app.widgets.sheet import MARGIN, Panel, Sheet
 from sandbox.app.widgets.widget_helpers import scroll, scrolled
 from sandbox.app.words.formatting import seconds
 from sandbox.app.words.language import say
+from sandbox.model.errors import SandboxError
 
 REFRESH = 0.1  # s
 LEAST = 160  # px, the least height of a page above the footer
@@ -31,19 +32,7 @@ BEGINS = tuple("0123456789.-+")
 
 
 class SidePanel:
-    """The column of a session: a page, which scrolls if necessary, and below most pages the footer.
-
-    Attributes
-    ----------
-    page
-        The page of the chosen tab.
-    desk
-        The objects with which pages work.
-    foot
-        The footer below the page; None below a page that needs the room.
-    books
-        Whether the column shows where energy or momentum comes from and goes.
-    """
+    """The column of a session: a page, which scrolls if necessary, and mostly the footer below."""
 
     def __init__(
         self, manager: UIManager, pen: Pen, rect: pygame.Rect, session: Session, *,
@@ -52,6 +41,7 @@ class SidePanel:
         self._session, self._pen = session, pen
         self._workers = workers
         self.desk = Desk(session, workers.all, load, comfort)
+        """The objects with which pages work."""
         px = pen.px
         across = pygame.Rect(rect.x + px(MARGIN), px(TOP), rect.width - 2 * px(MARGIN), 0)
         self._tabs = Tabs(manager, pen, across, register.PAGES, page)
@@ -62,12 +52,15 @@ class SidePanel:
         )
         lowest = top + px(LEAST)
         self.foot = next((foot for foot in feet if foot.top >= least.get(foot.view, lowest)), None)
+        """The footer below the page; None below a page that needs the room."""
         end = self.foot.top if self.foot is not None else rect.bottom
         upper = pygame.Rect(rect.x, top, rect.width, max(end - top, 1))
         self._sheet = Sheet(manager, pen, upper)
         self.page: Panel = register.page(page).open(self._sheet, self.desk)
+        """The page of the chosen tab."""
         self._recalls = register.page(page).recalls
         self.books = register.page(page).books or bool(self.foot and self.foot.books)
+        """Whether the column shows where energy or momentum comes from and goes."""
         self._since, self._below = 0.0, False  # whether the footer is to be updated
         self._shown = self._state
 
@@ -95,7 +88,10 @@ class SidePanel:
 
     def act(self, event: pygame.event.Event) -> str | None:
         """Let the page handle a click, and return its message, if there is one."""
-        message = self.page.process(event)
+        try:
+            message = self.page.process(event)
+        except SandboxError as error:
+            message = say(error.message)
         if message is not None:
             self.page.update()
         return message
@@ -121,7 +117,7 @@ class SidePanel:
         rect, pen = self._sheet.container.rect, self._pen
         if self._session.recalled is None or (self._recalls and self.foot is None):
             return
-        at = say("Here still t = {t}: the run is on its way", t=seconds(self._session.t))
+        at = say("This page still shows t = {t}: the run is on its way", t=seconds(self._session.t))
         told = pen.write(pen.shorten(at, rect.width - 2 * pen.px(MARGIN), 13), 13, theme.NOTICE)
         strip = pygame.Rect(rect.x, 0, rect.width, told.height + pen.px(8))
         if self.foot is not None:  # at the bottom, so that it hides no heading

@@ -22,13 +22,7 @@ TOP = 10  # px, above the first row
 
 
 class Tabs:
-    """A button for each page.
-
-    Attributes
-    ----------
-    bottom
-        Their lower edge [px].
-    """
+    """A button for each page."""
 
     def __init__(
         self, manager: UIManager, pen: Pen, area: pygame.Rect, pages: Sequence[Page], chosen: str
@@ -36,6 +30,7 @@ class Tabs:
         self._pages: dict[UIButton, str] = {}
         px = pen.px
         self.bottom = px(TOP)
+        """Their lower edge [px]."""
         for row in rows(pen, pages, area.width):
             room = area.width - px(GAP) * (len(row) - 1)
             widths = stretched([_width(pen, page) for page in row], room)

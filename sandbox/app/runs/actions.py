@@ -38,10 +38,8 @@ class Action(Model):
 def perform(action: Action, world: World) -> World:
     """Perform an action, and return the world in which the run continues.
 
-    Raises
-    ------
-    SandboxError
-        If the action is not possible. A branch or alteration then leaves the world unchanged.
+    Raises `SandboxError` if the action is not possible. A branch or alteration then leaves the
+    world unchanged.
     """
     if action.kind in ("grab", "place") and action.body not in world.scene.bodies:
         raise SandboxError(Message("there is no body '{name}' to move", name=brief(action.body)))

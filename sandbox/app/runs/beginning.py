@@ -28,19 +28,8 @@ class Beginning(NamedTuple):
 def begin(level: Level, values: Values, beside: Sequence[Variant], *, patient: bool) -> Beginning:
     """Build a level, and its companion runs.
 
-    Parameters
-    ----------
-    level, values
-        The level, and its parameters.
-    beside
-        The variants of the companion runs.
-    patient
-        Whether to search for an unknown setting that reaches the accuracy the level asks for.
-
-    Raises
-    ------
-    SandboxError
-        If the level or a variant cannot be built with these values.
+    If `patient`, search for the setting that reaches the accuracy the level asks for, unless it is
+    known. Raises `SandboxError` if the level or a variant cannot be built with these values.
     """
     setting = _known(level, values, patient)
     if setting is not None:

@@ -69,31 +69,19 @@ class Variant:
 class Companion:
     """A companion run.
 
-    Attributes
-    ----------
-    variant
-        The variant of the level.
-    world
-        The world of the run.
-    trail
-        The paths of its bodies.
-    clock
-        The computing time of its steps.
-    failure
-        The error that stopped the run, or None.
-
-    Raises
-    ------
-    SandboxError
-        If the variant cannot be run with these values.
+    Raises `SandboxError` if the variant cannot be run with these values.
     """
 
     def __init__(self, variant: Variant, values: Values) -> None:
         self.variant = variant
         self.world = build(variant.level, values)
         self.trail = Trail(self.world.snapshot.position)
-        self.clock, self._patience = Clock(), Patience()
+        """The paths of its bodies."""
+        self.clock = Clock()
+        """The computing time of its steps."""
+        self._patience = Patience()
         self.failure: SandboxError | None = None
+        """The error that stopped the run, or None."""
         self._end = count_steps(self.world)
         self._recorder = Recorder(self.world, needed(variant.level))
         self._grading = Grading(self._recorder)

@@ -13,20 +13,13 @@ SLOW = 1.0
 
 
 class Limits:
-    """Watches one run.
-
-    Attributes
-    ----------
-    message
-        Why the run is to pause; empty if it is within the limits.
-    recorder
-        The recorder of the run.
-    """
+    """Watches one run."""
 
     recorder: Recorder
 
     def __init__(self) -> None:
         self.message = ""
+        """Why the run is to pause; empty if it is within the limits."""
         self._patience: Patience | None = Patience(SLOW)
         self._room = True  # until the user has been told
 
@@ -38,7 +31,7 @@ class Limits:
             self._patience = None  # the user has been told
         elif self._room and self.recorder.full:
             self.message = say(
-                "{count:,} instants are recorded, the most there can be: checks see no more",
+                "{count:,} instants are recorded, the most possible: checks ignore later ones",
                 count=len(self.recorder),
             )
             self._room = False

@@ -33,87 +33,50 @@ if TYPE_CHECKING:
 
 
 class LiveRun:
-    """A run, from its start to the step that is shown.
-
-    Attributes
-    ----------
-    world
-        The world of the run; a new one after the run has branched.
-    companions
-        The companion runs, in lockstep.
-    setting
-        The setting that reaches the accuracy that the level asks for; None if it asks for none, or
-        if the setting is not known yet.
-    begun_with
-        The parameters at the start; the run may have branched since.
-    clock
-        The computing time of the steps.
-    end
-        The number of steps in the level's duration.
-    failure
-        The error that stopped the run, or that prevented the next one from being built, or None.
-    trying, advice
-        Whether remedies for the failure are being tried, and the ones found; None if not known yet.
-    limits
-        The limits on the time and memory of the run.
-    trail
-        The paths of the bodies.
-    history
-        The states of the run.
-    books
-        The energies of the run, and their balance.
-    blows
-        The impacts, for flashes and tones.
-    marks
-        The impacts that are marked on the time bar, also those after the current step.
-    contacts
-        The first contacts of the bodies.
-    pace
-        The pace at which the machine simulates the run.
-    earlier
-        The last runs with other parameters, the newest last.
-    actions
-        The user's actions up to the current step.
-    script
-        Actions at later steps, recorded before the run was rewound, to be repeated there; dropped
-        when the user acts first.
-    ahead
-        The observations of the run before it was rewound; None if it was not.
-
-    Parameters
-    ----------
-    original
-        The level as its file declares it.
-    begun
-        The start of the run.
-    earlier
-        The earlier runs.
-    """
+    """A run of a level, `original` as its file declares it, from the start to the step shown."""
 
     def __init__(
         self, original: Level, begun: Beginning, earlier: tuple[Earlier, ...] = ()
     ) -> None:
-        world, self.companions, self.setting = begun
-        self.world, self.begun_with = world, world.values
+        self.world = world = begun.world
+        """The world of the run; a new one after the run has branched."""
+        self.companions = begun.companions
+        """The companion runs, in lockstep."""
+        self.setting = begun.setting
+        """The setting that reaches the accuracy asked for; None if none is, or it is not known."""
+        self.begun_with = world.values
+        """The parameters at the start; the run may have branched since."""
         self.earlier = earlier
+        """The last runs with other parameters, the newest last."""
         self.clock = Clock()
         self.end = count_steps(world)
+        """The number of steps in the level's duration."""
         self.failure: SandboxError | None = None
+        """The error that stopped the run, or prevented the next one; None if there is none."""
         self.trying = False
         self.advice: Advice | None = None
+        """Whether remedies are being tried, and those found; None if not known yet."""
         self.trail = Trail(world.snapshot.position)
         self.history = History(world.snapshot)
         self.books = Books(world, self.end)
-        self.blows, self.contacts = ImpactLog(world), FirstContacts(world)
+        """The energies of the run, and their balance."""
+        self.blows = ImpactLog(world)
+        """The impacts, for flashes and tones."""
+        self.contacts = FirstContacts(world)
         self.marks = ImpactMarks()
+        """The impacts that are marked on the time bar, also those after the current step."""
         self.pace = Pace()
         self.actions: list[Action] = []
+        """The user's actions up to the current step."""
         self.script: Sequence[Action] = ()
+        """Actions at later steps, to be repeated there unless the user acts first."""
         self.ahead: Observed | None = None
+        """The observations of the run before it was rewound; None if it was not."""
         self._fork: World | None = None  # the world before the last branch
         graded = *needed(original), *needed(world.level), *milestones.needed(world.level)
         self._quantities = tuple(dict.fromkeys(graded))
-        self.limits, self._patience = Limits(), Patience()
+        self.limits = Limits()
+        self._patience = Patience()
         self._record()
         self._attempts: Ration[Attempt | None] = Ration(self._attempt, None)
 
@@ -225,10 +188,7 @@ class LiveRun:
     def branch(self, settings: Mapping[str, float]) -> None:
         """Continue with changed parameters; the run so far is kept as an earlier run.
 
-        Raises
-        ------
-        SandboxError
-            If that is not possible; then nothing is changed.
+        Raises `SandboxError` if that is not possible; then nothing is changed.
         """
         last = self.actions[-1] if self.actions else None
         again = last is not None and (last.kind, last.step) == ("branch", self.world.steps)
@@ -243,17 +203,9 @@ class LiveRun:
         self._go_on_in(world, before, action)
 
     def alter(self, text: str) -> None:
-        """Continue as another level, that of the current state with other parts.
+        """Continue as another level (JSON), that of the current state with other parts.
 
-        Parameters
-        ----------
-        text
-            The level as JSON.
-
-        Raises
-        ------
-        SandboxError
-            If that is not possible; then nothing is changed.
+        Raises `SandboxError` if that is not possible; then nothing is changed.
         """
         action = Action(step=self.world.steps, kind="alter", level=json.loads(text))
         world = perform(action, self.world)
@@ -268,7 +220,8 @@ class LiveRun:
         booked = self.books.kept
         self.books = Books(world, self.end)
         self.books.keep(booked)
-        self.blows, self.contacts = ImpactLog(world), FirstContacts(world)
+        self.blows = ImpactLog(world)
+        self.contacts = FirstContacts(world)
         self.trail = Trail(world.snapshot.position)
         self.history = History(world.snapshot)
 

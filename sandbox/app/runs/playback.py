@@ -35,31 +35,18 @@ ON_THE_WAY = 0.05  # s, the time for seeking in later frames
 class Playback(RunView, ABC):
     """A run that is played.
 
-    Attributes
-    ----------
-    playing, speed
-        Whether the run plays, and the simulated seconds per second.
-    locked
-        Whether time is stopped until the user has predicted the outcome of the run.
-    booked
-        Whether the balance of energy and momentum is recorded; see `Books`.
-    sought
-        The step that the run is seeking, backwards or forwards; None if it is not.
-
-    Parameters
-    ----------
-    run
-        The run to play.
-    watched
-        Whether the run pauses with a message when a step takes long or memory is full.
+    If `watched`, it pauses with a message when a step takes long or memory is full.
     """
 
     def __init__(self, run: LiveRun, *, watched: bool) -> None:
         self._watched = watched
         self.playing = False
         self.speed = 1.0
+        """The simulated seconds per second."""
         self.locked = False
+        """Whether time is stopped until the user has predicted the outcome of the run."""
         self.booked = False
+        """Whether the balance of energy and momentum is recorded; see `Books`."""
         self._take_up(run)
 
     def _take_up(self, run: LiveRun) -> None:
@@ -69,6 +56,7 @@ class Playback(RunView, ABC):
         self._grip = Grip(run)
         self._owed = 0.0  # steps
         self.sought: int | None = None
+        """The step that the run is seeking, backwards or forwards; None if it is not."""
         self._records = Records()  # of the run as it was before rewinding
         self._recalled: Observed | None = None  # the record of the sought step, if any
 
@@ -139,19 +127,8 @@ class Playback(RunView, ABC):
         To go back, the run is repeated from its start with the user's actions, which gives the same
         states to the last bit. Later actions are repeated at their steps, unless the user acts
         before. Seeking may take some frames, see `sought`; a recorded state is shown meanwhile, see
-        `recalled`.
-
-        Parameters
-        ----------
-        step
-            The step to seek.
-        undone
-            Whether to drop the actions at that step and later.
-
-        Raises
-        ------
-        SandboxError
-            If the run cannot be built again.
+        `recalled`. `undone` drops the actions at that step and later. Raises `SandboxError` if the
+        run cannot be built again.
         """
         sought = min(max(step, 0), self.span)
         back = undone or sought < self.world.steps
@@ -273,10 +250,8 @@ class Playback(RunView, ABC):
     def drag(self, point: XY) -> None:
         """Pull the held body towards a point [m] while the run plays, else move it there.
 
-        Raises
-        ------
-        SandboxError
-            If the body cannot be moved there. Then the run is restored, and the body released.
+        Raises `SandboxError` if the body cannot be moved there. Then the run is restored, and the
+        body released.
         """
         well = self.failure is None
         self._grip.drag(point, playing=self.playing)
@@ -290,7 +265,9 @@ class Playback(RunView, ABC):
         self._recall()
         self._seek(AT_ONCE)
         reason = failure.reason if isinstance(failure, SimulationError) else failure.message
-        raise SandboxError("it cannot be put there: {reason}; play, and pull it", reason=reason)
+        raise SandboxError(
+            "it cannot be put there: {reason}; play the run, and pull it instead", reason=reason
+        )
 
     def release(self) -> None:
         """Release the body."""

@@ -21,16 +21,11 @@ from sandbox.physics.stepping.world import World
 
 
 class RunView:
-    """Read access to the current run.
-
-    Attributes
-    ----------
-    run
-        The run; replaced whenever it starts anew.
-    """
+    """Read access to the current run."""
 
     def __init__(self, run: LiveRun) -> None:
         self.run = run
+        """The run; replaced whenever it starts anew."""
 
     @property
     def world(self) -> World:

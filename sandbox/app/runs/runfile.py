@@ -74,10 +74,7 @@ def _scene(level: Level) -> Level:
 def replay(run: Run) -> Session:
     """Repeat a run without a window, and return its session at the end.
 
-    Raises
-    ------
-    SandboxError
-        If the level is not well formed, or cannot be run.
+    Raises `SandboxError` if the level is not well formed, or cannot be run.
     """
     session = session_of(run)
     session.do_again(run.actions, run.steps)
@@ -89,12 +86,8 @@ def replay(run: Run) -> Session:
 def session_of(run: Run, *, patient: bool = True) -> Session:
     """Return a session at the start of a run, which repeats the user's actions at their steps.
 
-    For `patient` see `Session`.
-
-    Raises
-    ------
-    SandboxError
-        If the level is not well formed, or cannot be built.
+    For `patient` see `Session`. Raises `SandboxError` if the level is not well formed, or cannot be
+    built.
     """
     level = parse(json.dumps(run.level), "the level of the run")
     session = Session(level, choose(level, run.parameters), patient=patient)
@@ -111,10 +104,7 @@ def is_same(run: Run, session: Session) -> bool:
 def save(run: Run, path: Path) -> None:
     """Write a run to a file, completely or not at all.
 
-    Raises
-    ------
-    SandboxError
-        If the file cannot be written.
+    Raises `SandboxError` if the file cannot be written.
     """
     write_atomically(path, run.model_dump_json(indent=1) + "\n")
 
@@ -122,10 +112,7 @@ def save(run: Run, path: Path) -> None:
 def read(path: Path) -> Run:
     """Read a run from a file.
 
-    Raises
-    ------
-    SandboxError
-        If the file cannot be read, or is not a run file.
+    Raises `SandboxError` if the file cannot be read, or is not a run file.
     """
     try:
         content = read_ordinary(path, LARGEST)

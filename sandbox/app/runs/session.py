@@ -22,35 +22,11 @@ from sandbox.physics.state.errors import SimulationError
 
 
 class Session(Playback):
-    """A level that is played.
+    """A level that is played, with its own parameters and rate [Hz] unless others are given.
 
-    Attributes
-    ----------
-    original
-        The level as its file declares it.
-    begun_as
-        The level as which runs start: the original, perhaps with other effects or stepping.
-    changes
-        The effects that were switched off and on.
-    branches
-        Whether a changed parameter acts from now on, instead of from the start.
-    looking
-        The body that the user has selected, and the forces on it.
-    repeats
-        Whether it repeats a run from a file, which earns no stars.
-
-    Parameters
-    ----------
-    level, values, rate
-        The level, its parameters and its rate [Hz]; by default those of the level.
-    patient
-        Whether to search at once for a setting that reaches the accuracy the level asks for, and
-        to allow long steps; else the run waits until `settle` is called.
-
-    Raises
-    ------
-    SandboxError
-        If the level cannot be run with these values.
+    If `patient`, it searches at once for a setting that reaches the accuracy the level asks for,
+    and allows long steps; else the run waits until `settle` is called. Raises `SandboxError` if the
+    level cannot be run with these values.
     """
 
     def __init__(
@@ -62,12 +38,18 @@ class Session(Playback):
         patient: bool = True,
     ) -> None:
         self.original = level
+        """The level as its file declares it."""
         self._patient = patient
         self.begun_as = at_rate(level, rate)
+        """The level as which runs start: the original, perhaps with other effects or stepping."""
         self.changes = NONE
+        """The effects that were switched off and on."""
         self.branches = False
+        """Whether a changed parameter acts from now on, instead of from the start."""
         self.looking = Looking()
+        """The body that the user has selected, and the forces on it."""
         self.repeats = False
+        """Whether it repeats a run from a file, which earns no stars."""
         begun = self._built(self.begun_as, (), level.defaults if values is None else values)
         super().__init__(LiveRun(level, begun), watched=not patient)
         self._opened = self.level, self.values
@@ -109,10 +91,7 @@ class Session(Playback):
     def restart(self, settings: Mapping[str, float] | None = None) -> None:
         """Restart with some parameters changed.
 
-        Raises
-        ------
-        ValueRangeError
-            If a parameter cannot have that value.
+        Raises `ValueRangeError` if a parameter cannot have that value.
         """
         values = choose(self.begun_as, {**self.values_for(self.begun_as), **(settings or {})})
         if values != self.values and self.world.steps:
@@ -139,17 +118,8 @@ class Session(Playback):
     def change(self, settings: Mapping[str, float], *, otherwise: bool = False) -> None:
         """Change some parameters: from the start, or from now on if the session `branches`.
 
-        Parameters
-        ----------
-        settings
-            The new values.
-        otherwise
-            Whether to do the opposite of `branches`, this once.
-
-        Raises
-        ------
-        SandboxError
-            If a parameter cannot have that value, or cannot be changed from now on.
+        `otherwise` does the opposite of `branches`, this once. Raises `SandboxError` if a parameter
+        cannot have that value, or cannot be changed from now on.
         """
         if self.branches != otherwise:
             self.branch(settings)
@@ -159,10 +129,7 @@ class Session(Playback):
     def branch(self, settings: Mapping[str, float]) -> None:
         """Continue with changed parameters; the run so far is kept as an earlier run.
 
-        Raises
-        ------
-        SandboxError
-            If that is not possible; then nothing is changed.
+        Raises `SandboxError` if that is not possible; then nothing is changed.
         """
         if not self.world.steps and not self.recalled:
             self.restart(settings)
@@ -172,17 +139,9 @@ class Session(Playback):
         self.run.branch(settings)
 
     def alter(self, text: str) -> None:
-        """Continue as another level, that of the current state with other parts.
+        """Continue as another level (JSON), that of the current state with other parts.
 
-        Parameters
-        ----------
-        text
-            The level as JSON.
-
-        Raises
-        ------
-        SandboxError
-            If that is not possible; then nothing is changed.
+        Raises `SandboxError` if that is not possible; then nothing is changed.
         """
         self._require_one_that_goes_on(Message("with other parts"))
         if self.changes:
@@ -194,27 +153,16 @@ class Session(Playback):
         if self.companions or self.failure is not None or self.recalled:
             why = Message("it had to stop")
             if self.companions:
-                why = Message("other runs go beside it")
+                why = Message("other runs are played beside it")
             if self.recalled:
                 why = Message("it is still on its way")
             raise SandboxError("this run cannot continue {how}: {why}", how=how, why=why)
 
     def resume(self, actions: Sequence[Action], steps: int, values: Values | None = None) -> None:
-        """Repeat a run from its start up to some step, and pause there; this may take some frames.
+        """Repeat a run with its actions up to some step, and pause there.
 
-        Parameters
-        ----------
-        actions
-            The user's actions.
-        steps
-            The number of steps.
-        values
-            The parameters at the start; by default those of the current run.
-
-        Raises
-        ------
-        SandboxError
-            If the run cannot be built.
+        This may take some frames. By default it starts with the parameters of the current run.
+        Raises `SandboxError` if the run cannot be built.
         """
         self._take_up(self._run_with(self.begun_with if values is None else values))
         self.playing = False
@@ -235,10 +183,7 @@ class Session(Playback):
     def edit(self, level: Level) -> None:
         """Replace the level by an edited one, at its start.
 
-        Raises
-        ------
-        SandboxError
-            If it cannot be run; then nothing is changed.
+        Raises `SandboxError` if it cannot be run; then nothing is changed.
         """
         begun = self._built(level, (), level.defaults)
         self.original = self.begun_as = level
@@ -254,21 +199,9 @@ class Session(Playback):
     ) -> None:
         """Restart with another variant of the level, with other companion runs.
 
-        Parameters
-        ----------
-        level
-            The original with other effects or another stepping.
-        beside
-            The variants of the companion runs.
-        changes
-            The effects in which the level differs from the original.
-        values
-            The parameters; by default the current ones.
-
-        Raises
-        ------
-        SandboxError
-            If one of them cannot be run; then nothing is changed.
+        `changes` are the effects in which it differs from the original. By default it has the
+        current parameters. Raises `SandboxError` if one of them cannot be run; then nothing is
+        changed.
         """
         begun = self._built(level, beside, self.values_for(level) if values is None else values)
         self.begun_as, self.changes = level, changes

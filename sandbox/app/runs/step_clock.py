@@ -21,10 +21,7 @@ class Clock:
     def take_step(self, world: World, patience: Patience) -> Snapshot:
         """Advance a world by a step, record the time that it took, and return the new state.
 
-        Raises
-        ------
-        SandboxError
-            If the step failed, or took too long.
+        Raises `SandboxError` if the step failed, or took too long.
         """
         begun = perf_counter()
         with patience.within_steps():

@@ -81,10 +81,7 @@ class Undoing:
     def redo(self, session: Session) -> str:
         """Redo a change that was undone, and return the message for it.
 
-        Raises
-        ------
-        SandboxError
-            If that is not possible; then nothing is changed.
+        Raises `SandboxError` if that is not possible; then nothing is changed.
         """
         return self._go(
             session, self._future, self._past, later("done again: {what}"),
@@ -138,10 +135,7 @@ def differences(before: Setup, after: Setup) -> frozenset[str]:
 def apply(session: Session, wanted: Setup) -> None:
     """Restore the choices of a session.
 
-    Raises
-    ------
-    SandboxError
-        If that is not possible; then nothing is changed.
+    Raises `SandboxError` if that is not possible; then nothing is changed.
     """
     now = setup(session)
     both = zip(now.branches, wanted.branches, strict=False)

@@ -40,27 +40,18 @@ INSTANTS = 240
 
 @dataclass(frozen=True, slots=True)
 class Arrow:
-    """A force with its point of application.
-
-    Attributes
-    ----------
-    row
-        The index of the body.
-    tail
-        The point of application [m].
-    newtons
-        The components [N].
-    handles
-        The parameters that are components of the force, by axis; only these can be dragged.
-    name
-        The name of the force, or empty.
-    """
+    """A force with its point of application."""
 
     row: int
+    """The index of the body."""
     tail: XY
+    """The point of application [m]."""
     newtons: XY
+    """The components [N]."""
     handles: Mapping[int, str]
+    """The parameters that are components of the force, by axis; only these can be dragged."""
     name: str
+    """The name of the force, or empty."""
 
     def tip(self, camera: Camera, scale: float) -> XY:
         """Return the position of the tip [px] at a scale [px/N]."""

@@ -28,6 +28,7 @@ from sandbox.model.joints import (
     Weld,
     Winding,
     Wire,
+    body_of,
 )
 from sandbox.model.shapes import XY, evaluate
 
@@ -236,22 +237,31 @@ def limits(joint: Stop, path: Sequence[XY], values: Values) -> list[XY]:
 def rays(joint: AngleStop, center: XY, angle: float, values: Values) -> list[XY]:
     """Return a pin, and points in the directions of the stops around it [m].
 
-    Parameters
-    ----------
-    joint
-        The stop of an angle.
-    center
-        The pin [m].
-    angle
-        The angle of the reference of the stops [rad].
-    values
-        The level's parameters.
+    The angle is that of the reference of the stops [rad].
     """
     held = joint.ends[1]
     at = complex(*evaluate(held.at, values)) if isinstance(held, Held) else 0j
     angle += phase(-at) if at else 0.0
     found = [angle + limit(values) for limit in joint.range]
     return [center, *((center[0] + cos(a), center[1] + sin(a)) for a in found)]
+
+
+def drawn(
+    joint: Joint, path: list[XY], values: Values, angle_of: Callable[[str], float]
+) -> list[XY]:
+    """Return the points through which a joint is drawn, given those that it runs through [m].
+
+    `angle_of` returns the angle of a body [rad].
+    """
+    match joint:
+        case Winding():
+            return around(path[0], path[1], joint.radius(values), joint)
+        case Stop():
+            return limits(joint, path, values)
+        case AngleStop():
+            base = body_of(joint.ends[0])
+            return rays(joint, path[1], angle_of(base) if base else 0.0, values)
+    return path
 
 
 def _weld(surface: pygame.Surface, corners: Sequence[XY], _: bool) -> None:

@@ -11,22 +11,13 @@ from sandbox.model.shapes import XY
 class Labels:
     """The areas of a picture that are occupied by labels and lines.
 
-    Attributes
-    ----------
-    bounds
-        The area for labels [px].
-
-    Parameters
-    ----------
-    bounds
-        The area for labels [px].
-    kept
-        The last place of each named label, as an index, updated by each new one: a label stays
-        there from picture to picture while no other place is better.
+    `kept` has the last place of each named label, as an index: a label stays there from picture to
+    picture while no other place is better.
     """
 
     def __init__(self, bounds: pygame.Rect, kept: dict[str, int] | None = None) -> None:
         self.bounds = bounds
+        """The area for labels [px]."""
         self._kept = {} if kept is None else kept
         self._taken: list[pygame.Rect] = []
         self._crossed: list[tuple[XY, XY]] = []
@@ -47,18 +38,11 @@ class Labels:
         name: str = "",
         strict: bool = False,
     ) -> pygame.Rect | None:
-        """Return the best free place, and mark it as occupied; None if there is none.
+        """Return the best free place [px], and mark it as occupied; None if there is none.
 
-        Parameters
-        ----------
-        places
-            The possible places of a label [px], the best first.
-        avoid
-            Areas to avoid if possible, with priority over lines [px].
-        name
-            The name by which a label is known in the next picture; empty if it may change places.
-        strict
-            Whether there is no place rather than one in an area to avoid.
+        The best of the places comes first. Areas to avoid count for more than lines; if `strict`,
+        no place is better than one in such an area. A label without a name may change places in the
+        next picture.
         """
         free = {
             i: place

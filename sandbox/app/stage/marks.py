@@ -1,7 +1,7 @@
 """Draws the marks that explain a motion: trails, ghosts, velocity arrows, events, names."""
 
 from collections.abc import Iterable, Iterator, Sequence
-from math import copysign, hypot, isfinite
+from math import copysign, hypot
 
 import numpy as np
 import pygame
@@ -69,7 +69,7 @@ def draw_ghost_path(
     """Draw the closed form's path over the level's duration."""
     t = np.linspace(0.0, duration, PATH_POINTS)
     where = places(formulas, values, t)
-    if where is not None and np.isfinite(where).all():
+    if where is not None:
         draw_ghost_trail(surface, camera, where)
 
 
@@ -82,18 +82,16 @@ def draw_ghost_trail(surface: pygame.Surface, camera: Camera, points: Array) -> 
 def place(formulas: tuple[Formula, Formula], values: Values, t: float) -> XY | None:
     """Return the closed form's position of a body [m]; None if it is not defined."""
     where = places(formulas, values, np.array([t]))
-    if where is None:
-        return None
-    x, y = float(where[0, 0]), float(where[0, 1])
-    return (x, y) if isfinite(x) and isfinite(y) else None
+    return None if where is None else (float(where[0, 0]), float(where[0, 1]))
 
 
 def places(formulas: tuple[Formula, Formula], values: Values, t: Array) -> Array | None:
-    """Return the closed form's positions at many times, (k, 2) [m]; None if not defined."""
+    """Return the closed form's positions at many times, (k, 2) [m]; None if not all defined."""
     try:
-        return np.stack([formula.over(values, t) for formula in formulas], axis=-1)
+        found = np.stack([formula.over(values, t) for formula in formulas], axis=-1)
     except ExpressionError:
         return None
+    return found if np.isfinite(found).all() else None
 
 
 def draw_arrow(
@@ -132,7 +130,7 @@ def fastest(world: World, duration: float) -> float:
     t = np.linspace(0.0, duration, PATH_POINTS)
     for formulas in world.level.ghosts.values():
         where = places(formulas, world.values, t)
-        if where is not None and np.isfinite(where).all():
+        if where is not None:
             steps = np.diff(where, axis=0)
             # the percentile ignores jumps of the formula
             speeds.append(float(np.percentile(np.hypot(steps[:, 0], steps[:, 1]), 95)) / t[1])

@@ -50,7 +50,7 @@ def expected(world: World) -> float:
     for row, name in mass.items():
         formulas = world.level.ghosts.get(name)
         where = places(formulas, world.values, t) if formulas else None
-        if where is None or not np.isfinite(where).all():
+        if where is None:
             continue
         velocity = np.diff(where, axis=0) / t[1]
         speed = np.hypot(velocity[:, 0], velocity[:, 1])
@@ -67,24 +67,12 @@ def scale(owner: object, world: World, observed: Snapshot) -> float:
     """Return the momentum of a full bar [kg m/s]; 0 if nothing has moved yet.
 
     The scale is a round number that stays the same during a run, also when the run is rewound or
-    repeated. It may grow if no ghost gives the largest momentum in advance.
-
-    Parameters
-    ----------
-    owner
-        The owner of the scale, such as a session, which determines its lifetime.
-    world
-        The world whose momenta are drawn.
-    observed
-        The states so far: one snapshot, or a stack.
+    repeated. It may grow if no ghost gives the largest momentum in advance. It lives as long as its
+    owner, such as a session. `observed` are the states so far: one snapshot, or a stack.
     """
     kept = _scales.get(owner)
     values, disturbed = dict(world.values), world.disturbed
-    if kept is None or (kept.level, kept.values, kept.disturbed) != (
-        world.level,
-        values,
-        disturbed,
-    ):
+    if kept is None or kept[:3] != (world.level, values, disturbed):
         kept = _Kept(world.level, values, disturbed, rounded_up(expected(world)))
         kept = kept._replace(scale=max(kept.scale, rounded_up(_peak(momenta(world, observed)))))
     peak = _peak(momenta(world, world.snapshot))

@@ -28,58 +28,37 @@ RIM = 6
 
 @dataclass(frozen=True, slots=True)
 class Outline:
-    """A body's shape, relative to its position and angle.
-
-    Attributes
-    ----------
-    name
-        The name of the body.
-    row
-        The index of the body in a snapshot's arrays.
-    moves
-        Whether the body is dynamic or kinematic.
-    heavy
-        Whether the body is dynamic, so that the user can move it.
-    color
-        The colour of the body.
-    radius
-        The radius of a disc or hoop [m]; None for shapes with corners.
-    points
-        The corners [m]; for a circle, those of an inscribed polygon.
-    closed
-        Whether the last corner is connected to the first.
-    curved
-        Whether the body is a curve, which is hatched on the same side all along.
-    hollow
-        Whether only the rim is drawn.
-    thickness
-        The thickness of a line [m].
-    sensor
-        Whether the body is an area that others pass through.
-    lets
-        The direction in which a one-way line lets bodies through: 1 to the left, −1 to the right;
-        0 for other bodies.
-    hidden
-        Whether the body is left out of the picture.
-    layer
-        Bodies with a higher value are drawn over those with a lower one.
-    """
+    """A body's shape, relative to its position and angle."""
 
     name: str
     row: int
+    """The index of the body in a snapshot's arrays."""
     moves: bool
+    """Whether the body is dynamic or kinematic."""
     heavy: bool
+    """Whether the body is dynamic, so that the user can move it."""
     color: Color
     radius: float | None
+    """The radius of a disc or hoop [m]; None for shapes with corners."""
     points: tuple[XY, ...]
+    """The corners [m]; for a circle, those of an inscribed polygon."""
     closed: bool
+    """Whether the last corner is connected to the first."""
     curved: bool
+    """Whether the body is a curve, which is hatched on the same side all along."""
     hollow: bool
+    """Whether only the rim is drawn."""
     thickness: float
+    """The thickness of a line [m]."""
     sensor: bool = False
+    """Whether the body is an area that others pass through."""
     lets: int = 0
+    """The direction in which a one-way line lets bodies through: 1 to the left, −1 to the right; 0
+    for other bodies."""
     hidden: bool = False
+    """Whether the body is left out of the picture."""
     layer: int = 0
+    """Bodies with a higher value are drawn over those with a lower one."""
 
     def placed(self, position: XY, angle: float) -> list[XY]:
         """Return the corners in the plane [m]."""
@@ -88,16 +67,9 @@ class Outline:
         return [(px + c * x - s * y, py + s * x + c * y) for x, y in self.points]
 
     def covers(self, offset: XY, angle: float, margin: float) -> bool:
-        """Whether a point is on the body, or within a margin of it.
+        """Whether a point, relative to the body's position, is within a margin of the body [m].
 
-        Parameters
-        ----------
-        offset
-            The point relative to the body's position [m].
-        angle
-            The angle of the body [rad].
-        margin
-            The margin [m].
+        The angle is that of the body [rad].
         """
         c, s = cos(angle), sin(angle)
         x, y = c * offset[0] + s * offset[1], c * offset[1] - s * offset[0]

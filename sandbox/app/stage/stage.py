@@ -30,7 +30,7 @@ from sandbox.app.stage.overlays.overlay import Overlay
 from sandbox.app.stage.overlays.register import OVERLAYS, at_first
 from sandbox.app.stage.view import View
 from sandbox.app.words import level_words
-from sandbox.model.joints import AngleStop, Rail, Stop, Winding, body_of
+from sandbox.model.joints import Rail, body_of
 from sandbox.model.shapes import XY, evaluate
 from sandbox.physics.state.anchor import Plane
 from sandbox.physics.stepping.world import World
@@ -234,8 +234,7 @@ class Stage:
             red, green, blue, _ = self._base.get_at((int(x), int(y)))
             color = theme.contrasting((red, green, blue))
             pygame.draw.aacircle(self._base, color, (x, y), 8, 2)
-            for a, b in (((x - 5, y), (x + 5, y)), ((x, y - 5), (x, y + 5))):
-                lines.stroke(self._base, color, a, b, 2)
+            lines.cross(self._base, color, (x, y), 5, 2)
 
     def _draw_trails(self, own: Trail | None, others: Sequence[tuple[Trail, theme.Color]]) -> None:
         """Update the trails on the canvas, starting from the base if necessary."""
@@ -272,16 +271,12 @@ class Stage:
             if isinstance(joint, Rail) and body_of(joint.ends[1]) is None:
                 places = self._far_along(joint, places[1])
             path = [(float(place.real), float(place.imag)) for place in places]
-            if isinstance(joint, Winding):
-                path = joints.around(path[0], path[1], world.scene.joints.radii[name], joint)
-            elif isinstance(joint, Stop):
-                path = joints.limits(joint, path, world.values)
-            elif isinstance(joint, AngleStop):
-                base = paths[name][0].body
-                angle = 0.0 if base is None else float(snapshot.angle[base])
-                path = joints.rays(joint, path[1], angle, world.values)
+            path = joints.drawn(joint, path, world.values, self._angle_of)
             slack = snapshot.tension[row] == 0
             joints.draw_joint(surface, self.camera, joint, path, bool(slack))
+
+    def _angle_of(self, body: str) -> float:
+        return self.view.state(self.view.outlines[body])[1]
 
     def _draw_open(self, surface: pygame.Surface, name: str) -> None:
         """Draw an open joint, if it is still to latch."""

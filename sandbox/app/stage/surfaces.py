@@ -24,12 +24,8 @@ def draw_surface(
 ) -> None:  # fmt: skip
     """Draw a static body; a thin line is hatched on the side away from the moving bodies.
 
-    A one-way line has arrows instead, on the side from which it lets bodies through.
-
-    Parameters
-    ----------
-    inside
-        A point on the side of the moving bodies [m].
+    `inside` is a point on the side of the moving bodies [m]. A one-way line has arrows instead, on
+    the side from which it lets bodies through.
     """
     if outline.sensor:
         draw_area(surface, camera, outline, position, angle)
@@ -81,10 +77,7 @@ def _side(a: XY, b: XY, inside: XY) -> int:
 def _hatch(surface: pygame.Surface, a: XY, b: XY, side: int, begun: float) -> float:
     """Hatch the opposite side of a line; return the distance from its end to the next stroke [px].
 
-    Parameters
-    ----------
-    begun
-        The distance from the start of the line to the first stroke [px].
+    The first stroke is at a distance `begun` from the start.
     """
     length = dist(a, b)
     if not length:

@@ -32,59 +32,42 @@ LONGER = 1.1
 
 
 class View:
-    """A world with its camera and its outlines.
-
-    Attributes
-    ----------
-    world, camera, pen
-        The world, the camera, and the pen.
-    outlines
-        The outlines of all bodies, by name.
-    moving, still
-        The outlines of moving and of static bodies without hidden ones, the lowest layer first.
-    in_front
-        The outlines drawn in every frame: moving bodies, and static ones on a layer above 0.
-    few
-        Whether there are at most `NAMED` moving bodies, so that each can be explained.
-    duration
-        The duration of the run [s].
-    forces
-        The level's given forces as arrows.
-    shown
-        Whether each overlay is drawn, by name.
-    trail
-        The paths of the bodies, or None.
-    looking
-        The selected body, or None.
-    starts
-        The positions of moving bodies in the level: (k, 2) [m].
-    flashes
-        The flashes of recent impacts.
-    labels
-        The places of labels in the current frame.
-    kept
-        The last place of each label, as an index.
-    """
+    """A world with its camera and its outlines."""
 
     def __init__(self, world: World, camera: Camera, pen: Pen, shown: Mapping[str, bool]) -> None:
-        self.world, self.camera, self.pen, self.shown = world, camera, pen, shown
+        self.world, self.camera, self.pen = world, camera, pen
+        self.shown = shown
+        """Whether each overlay is drawn, by name."""
         self.outlines = outlines(world.level, world.values)
+        """The outlines of all bodies, by name."""
         seen = sorted((o for o in self.outlines.values() if not o.hidden), key=lambda o: o.layer)
         self.moving: Sequence[Outline] = [o for o in seen if o.moves]
         self.still: Sequence[Outline] = [o for o in seen if not o.moves]
+        """The outlines of moving and of static bodies without hidden ones, the lowest layer
+        first."""
         raised = [o for o in self.still if o.layer > 0]
         self.in_front = sorted([*self.moving, *raised], key=lambda o: o.layer)
+        """The outlines drawn in every frame: moving bodies, and static ones on a layer above 0."""
         self.few = len(self.moving) <= NAMED
+        """Whether there are at most `NAMED` moving bodies, so that each can be explained."""
         self.duration = count_steps(world) * world.dt
+        """The duration of the run [s]."""
         self.forces = Forces(world.level)
+        """The level's given forces as arrows."""
         self.trail: Trail | None = None
+        """The paths of the bodies, or None."""
         self.looking: Looking | None = None
+        """The selected body, or None."""
         self.flashes: Sequence[Flash] = ()
+        """The flashes of recent impacts."""
         self.kept: dict[str, int] = {}
+        """The last place of each label, as an index."""
         self.labels = Labels(pygame.Rect((0, 0), camera.size), self.kept)
+        """The places of labels in the current frame."""
         self.starts: Array = np.array(
             [evaluate(world.level.bodies[o.name].position, world.values) for o in self.moving]
         )
+        """The positions of moving bodies in the level: (k, 2) [m]."""
         self._fastest = marks.fastest(world, self.duration)
 
     def state(self, outline: Outline) -> tuple[XY, float]:

@@ -92,20 +92,8 @@ def draw(
 ) -> pygame.Surface:  # fmt: skip
     """Draw a graph of lines, the last on top.
 
-    Parameters
-    ----------
-    pen, size
-        The pen, and the size of the graph [px].
-    series
-        The lines.
-    span
-        The scale of x.
-    cursor
-        The value of x at which to draw a cursor, or None.
-    up
-        The scale of y; by default one with room for all lines.
-    units
-        The units of x and y; radians are shown in degrees.
+    The cursor is a value of x. By default the scale of y has room for all lines. The units are
+    those of x and y; radians are shown in degrees.
     """
     surface = pygame.Surface(size)
     surface.fill(theme.STAGE)

@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from itertools import pairwise
 
+from pygame_gui.core import UIElement
 from pygame_gui.elements import UIButton, UIScrollingContainer
 
 
@@ -20,6 +21,14 @@ def allow(button: UIButton, possible: bool) -> None:
         button.enable()  # type: ignore[no-untyped-call]
     elif not possible and button.is_enabled:
         button.disable()  # type: ignore[no-untyped-call]
+
+
+def show(widget: UIElement, shown: bool) -> None:
+    """Show or hide a widget."""
+    if shown and not widget.visible:
+        widget.show()  # type: ignore[no-untyped-call]
+    elif not shown and widget.visible:
+        widget.hide()  # type: ignore[no-untyped-call]
 
 
 def stretched(widths: Sequence[int], room: int) -> list[int]:

@@ -55,15 +55,10 @@ def of_system(environment: Mapping[str, str] = os.environ) -> Name:
 
 
 def say(message: str, **values: object) -> str:
-    """Return a message in the current language.
+    """Return a message in the current language, with a value for each `{name}` in braces.
 
-    Parameters
-    ----------
-    message
-        The message in English, with a `{name}` in braces for each value; or a `Message` that
-        contains its values, like that of an error.
-    values
-        The values, by name; messages and errors among them are translated, too.
+    A `Message`, like that of an error, contains its values. Messages and errors among the values
+    are translated, too.
     """
     template = message
     if isinstance(message, Message):

@@ -23,15 +23,7 @@ def of(level: Level) -> Say:
 
 
 def shown(words: Iterable[str], source: str) -> Say:
-    """Return the function that translates some texts of a level into the current language.
-
-    Parameters
-    ----------
-    words
-        The texts.
-    source
-        The level's file.
-    """
+    """Return the function that translates texts of a level's file into the current language."""
     if not _comes_along(source):
         return str
     known = language.catalogue(language.used(), "levels")

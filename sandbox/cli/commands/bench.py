@@ -5,13 +5,12 @@ from typing import Annotated
 
 import typer
 
+from sandbox.cli.commands.options import argument, option
+
 
 def command(
     levels: Annotated[
-        list[str] | None,
-        typer.Argument(
-            metavar="[LEVEL]...", help="The levels to measure; all if left out.", show_default=False
-        ),
+        list[str] | None, argument("[LEVEL]...", "The levels to measure; all if left out.")
     ] = None,
     size: Annotated[
         str, typer.Option(metavar="WIDTHxHEIGHT", help="The size of the window, in pixels.")
@@ -20,10 +19,7 @@ def command(
         float, typer.Option(metavar="S", help="How long each level plays.", min=0.1, max=600)
     ] = 2.0,
     json_: Annotated[
-        Path | None,
-        typer.Option(
-            "--json", metavar="FILE", help="Also write the result as JSON.", show_default=False
-        ),
+        Path | None, option("FILE", "Also write the result as JSON.", "--json")
     ] = None,
 ) -> None:
     """Measure how long the window takes to start, to change levels, and to draw each frame.

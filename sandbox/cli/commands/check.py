@@ -5,17 +5,14 @@ from typing import Annotated
 
 import typer
 
+from sandbox.cli.commands.options import LevelsArgument
+
 SHARE = 10
 """How many levels justify one more process, which takes half a second to start."""
 
 
 def command(
-    levels: Annotated[
-        list[str],
-        typer.Argument(
-            metavar="LEVEL", help="Names of levels, or paths of files.", show_default=False
-        ),
-    ],
+    levels: LevelsArgument,
     watch: Annotated[
         bool,
         typer.Option("--watch", help="Check again whenever a file changes, until Ctrl-C."),

@@ -3,105 +3,71 @@
 from pathlib import Path
 from typing import Annotated
 
-import typer
-
-from sandbox.cli.commands.options import DurationOption, RateOption, SchemeOption, SetOption
+from sandbox.cli.commands.options import (
+    DurationOption,
+    RateOption,
+    SchemeOption,
+    SetOption,
+    argument,
+    option,
+)
 
 SubjectArgument = Annotated[
     str,
-    typer.Argument(
-        metavar="LEVEL|EXPERIMENT",
-        help="A level, which the options vary and measure; or, without options, an experiment:"
+    argument(
+        "LEVEL|EXPERIMENT",
+        "A level, which the options vary and measure; or, without options, an experiment:"
         " the path of its file, or a name such as flip-map.",
-        show_default=False,
     ),
 ]
-OutputOption = Annotated[
-    Path,
-    typer.Option(
-        metavar="DIR", help="The folder for the results; made if missing.", show_default=False
-    ),
-]
+OutputOption = Annotated[Path, option("DIR", "The folder for the results; made if missing.")]
 VaryOption = Annotated[
     list[str] | None,
-    typer.Option(
-        metavar="NAME=VALUES",
-        help="A parameter, 'without' (effects), 'scheme' or 'rate', and its values: a grid"
+    option(
+        "NAME=VALUES",
+        "A parameter, 'without' (effects), 'scheme' or 'rate', and its values: a grid"
         " 0:90:91 or 1:1000:31:log, a list 1,2,5, or random draws 0..1 or 1.00±0.01. Can be"
         " repeated.",
-        show_default=False,
     ),
 ]
 MeasureOption = Annotated[
     list[str] | None,
-    typer.Option(
-        metavar="MEASURE",
-        help="A measure of each run, such as ball.position.x@end, t@landing,"
+    option(
+        "MEASURE",
+        "A measure of each run, such as ball.position.x@end, t@landing,"
         " ball.speed@apex, max(ball.speed) or error(range). Can be repeated.",
-        show_default=False,
     ),
 ]
 UntilOption = Annotated[
     str | None,
-    typer.Option(
-        metavar="CONDITION",
-        help="End each run as soon as this holds, such as 'ball.position.y < 0'.",
-        show_default=False,
-    ),
+    option("CONDITION", "End each run as soon as this holds, such as 'ball.position.y < 0'."),
 ]
-DrawsOption = Annotated[
-    int | None,
-    typer.Option(metavar="N", help="The number of random draws.", show_default=False),
-]
+DrawsOption = Annotated[int | None, option("N", "The number of random draws.")]
 MethodOption = Annotated[
     str | None,
-    typer.Option(
-        metavar="NAME",
-        help="The sampling method: random, latin-hypercube, sobol or sobol-indices.",
-        show_default=False,
-    ),
+    option("NAME", "The sampling method: random, latin-hypercube, sobol or sobol-indices."),
 ]
-SeedOption = Annotated[
-    int | None,
-    typer.Option(
-        metavar="N",
-        help="The seed of the random draws.",
-        show_default=False,
-    ),
-]
-JobsOption = Annotated[
-    int | None,
-    typer.Option(
-        metavar="N",
-        help="The number of processes. Default: one per core.",
-        show_default=False,
-    ),
-]
+SeedOption = Annotated[int | None, option("N", "The seed of the random draws.")]
+JobsOption = Annotated[int | None, option("N", "The number of processes. Default: one per core.")]
 ClusterOption = Annotated[
     str | None,
-    typer.Option(
-        metavar="ADDRESS",
-        help="Run on the Dask cluster of this scheduler: tcp://127.0.0.1:8786.",
-        show_default=False,
-    ),
+    option("ADDRESS", "Run on the Dask cluster of this scheduler: tcp://127.0.0.1:8786."),
 ]
 FitOption = Annotated[
     list[str] | None,
-    typer.Option(
-        "--fit",
-        metavar="NAME",
-        help="Instead of an experiment, fit this parameter of the level to --data, with its"
+    option(
+        "NAME",
+        "Instead of an experiment, fit this parameter of the level to --data, with its"
         " uncertainty. Can be repeated.",
-        show_default=False,
+        "--fit",
     ),
 ]
 DataOption = Annotated[
     Path | None,
-    typer.Option(
-        metavar="FILE.csv",
-        help="Measured data: a column t [s], and columns named after quantities, such as"
+    option(
+        "FILE.csv",
+        "Measured data: a column t [s], and columns named after quantities, such as"
         " bob.position.x; a column 'bob.position.x ±' has its standard uncertainties.",
-        show_default=False,
     ),
 ]
 

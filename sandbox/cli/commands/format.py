@@ -4,14 +4,11 @@ from typing import Annotated
 
 import typer
 
+from sandbox.cli.commands.options import LevelsArgument
+
 
 def command(
-    levels: Annotated[
-        list[str],
-        typer.Argument(
-            metavar="LEVEL", help="Names of levels, or paths of files.", show_default=False
-        ),
-    ],
+    levels: LevelsArgument,
     check: Annotated[
         bool,
         typer.Option(

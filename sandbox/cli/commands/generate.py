@@ -5,20 +5,12 @@ from typing import Annotated
 
 import typer
 
+from sandbox.cli.commands.options import argument, option
+
 
 def command(
-    kind: Annotated[
-        str,
-        typer.Argument(
-            metavar="SCENE",
-            help="The kind of scene: gas, pile, chain or cluster.",
-            show_default=False,
-        ),
-    ],
-    output: Annotated[
-        Path,
-        typer.Option(metavar="FILE.json", help="The file to write.", show_default=False),
-    ],
+    kind: Annotated[str, argument("SCENE", "The kind of scene: gas, pile, chain or cluster.")],
+    output: Annotated[Path, option("FILE.json", "The file to write.")],
     bodies: Annotated[
         int, typer.Option(metavar="N", help="The number of moving bodies.", show_default=True)
     ] = 1000,

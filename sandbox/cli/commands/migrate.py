@@ -1,17 +1,12 @@
 """The command `migrate`."""
 
-from typing import Annotated
-
 import typer
+
+from sandbox.cli.commands.options import LevelsArgument
 
 
 def command(
-    levels: Annotated[
-        list[str],
-        typer.Argument(
-            metavar="LEVEL", help="Names of levels, or paths of files.", show_default=False
-        ),
-    ],
+    levels: LevelsArgument,
 ) -> None:
     """Convert levels to the newest version of the format.
 

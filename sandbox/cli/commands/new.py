@@ -4,16 +4,11 @@ from typing import Annotated
 
 import typer
 
+from sandbox.cli.commands.options import argument
+
 
 def command(
-    name: Annotated[
-        str,
-        typer.Argument(
-            metavar="NAME",
-            help="The name of its file, with or without .json.",
-            show_default=False,
-        ),
-    ],
+    name: Annotated[str, argument("NAME", "The name of its file, with or without .json.")],
     template: Annotated[
         str,
         typer.Option(

@@ -1,98 +1,95 @@
 """Arguments and options that several commands have."""
 
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
 
+
+def argument(metavar: str, text: str) -> Any:  # noqa: ANN401 (typer's own type)
+    """Return an argument; if it can be left out, its help says what that means."""
+    return typer.Argument(metavar=metavar, help=text, show_default=False)
+
+
+def option(metavar: str, text: str, *names: str) -> Any:  # noqa: ANN401 (typer's own type)
+    """Return an option with a value; if it can be left out, its help says what that means."""
+    return typer.Option(*names, metavar=metavar, help=text, show_default=False)
+
+
+LevelsArgument = Annotated[list[str], argument("LEVEL", "Names of levels, or paths of files.")]
 LevelArgument = Annotated[
     str,
-    typer.Argument(
-        metavar="LEVEL",
-        help="A name that 'list' shows, such as newton/atwood, or the path of a level's file.",
-        show_default=False,
+    argument(
+        "LEVEL", "A name that 'list' shows, such as newton/atwood, or the path of a level's file."
     ),
 ]
 SetOption = Annotated[
     list[str] | None,
-    typer.Option(
-        "--set",
-        metavar="NAME=VALUE",
-        help="Give a parameter of the level another value, in the parameter's own unit:"
+    option(
+        "NAME=VALUE",
+        "Give a parameter of the level another value, in the parameter's own unit:"
         " --set m2=3. Can be repeated.",
-        show_default=False,
+        "--set",
     ),
 ]
 WithoutOption = Annotated[
     list[str] | None,
-    typer.Option(
-        "--without",
-        metavar="EFFECT",
-        help="Switch off an effect that the level declares, and whatever makes no sense without it."
+    option(
+        "EFFECT",
+        "Switch off an effect that the level declares, and whatever makes no sense without it."
         " Can be repeated.",
-        show_default=False,
+        "--without",
     ),
 ]
 WithOption = Annotated[
     list[str] | None,
-    typer.Option(
+    option(
+        "EFFECT[.SETTING=VALUE]",
+        "Switch an effect on, or set it: --with drag.linear=0.1. Can be repeated.",
         "--with",
-        metavar="EFFECT[.SETTING=VALUE]",
-        help="Switch an effect on, or set it: --with drag.linear=0.1. Can be repeated.",
-        show_default=False,
     ),
 ]
 DurationOption = Annotated[
-    float | None,
-    typer.Option(
-        metavar="S", help="The duration of the run, in seconds. Default: the level's own."
-    ),
+    float | None, option("S", "The duration of the run, in seconds. Default: the level's own.")
 ]
-RateOption = Annotated[
-    float | None,
-    typer.Option(metavar="HZ", help="Steps per second. Default: the level's own."),
-]
+RateOption = Annotated[float | None, option("HZ", "Steps per second. Default: the level's own.")]
 SchemeOption = Annotated[
     str | None,
-    typer.Option(
-        metavar="NAME",
-        help="The scheme of integration, such as leapfrog or fourth-order. Default: the level's"
-        " own.",
+    option(
+        "NAME",
+        "The scheme of integration, such as leapfrog or fourth-order. Default: the level's own.",
     ),
 ]
 IterationsOption = Annotated[
     int | None,
-    typer.Option(
-        metavar="N",
-        help="Iterations of the solver over contacts and joints in each step. Default: the level's"
-        " own.",
+    option(
+        "N",
+        "Iterations of the solver over contacts and joints in each step. Default: the level's own.",
     ),
 ]
 SolverOption = Annotated[
     str | None,
-    typer.Option(
-        metavar="NAME",
-        help="direct solves contacts directly, where the level leaves that open. Default: the"
+    option(
+        "NAME",
+        "direct solves contacts directly, where the level leaves that open. Default: the"
         " level's own.",
     ),
 ]
 AccuracyOption = Annotated[
     float | None,
-    typer.Option(
-        "--accuracy",
-        metavar="ERROR",
-        help="The largest error that the level's checks may have, such as 1e-6, instead of a rate."
+    option(
+        "ERROR",
+        "The largest error that the level's checks may have, such as 1e-6, instead of a rate."
         " The cheapest setting that reaches it is searched for, and kept for the next time.",
-        show_default=False,
+        "--accuracy",
     ),
 ]
 RecordOption = Annotated[
     list[str] | None,
-    typer.Option(
-        metavar="QUANTITY",
-        help="A quantity to write as a column, such as ball.position.x or system.energy; 'all' for"
+    option(
+        "QUANTITY",
+        "A quantity to write as a column, such as ball.position.x or system.energy; 'all' for"
         " everything. Can be repeated. Default: what the level's checks need, and the position and"
         " velocity of every body that moves freely.",
-        show_default=False,
     ),
 ]
 RaceOption = Annotated[

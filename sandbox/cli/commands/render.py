@@ -3,8 +3,6 @@
 from pathlib import Path
 from typing import Annotated
 
-import typer
-
 from sandbox.cli.commands.options import (
     AccuracyOption,
     LevelArgument,
@@ -12,20 +10,15 @@ from sandbox.cli.commands.options import (
     SetOption,
     WithOption,
     WithoutOption,
+    option,
 )
 
 
 def command(
     level: LevelArgument,
-    output: Annotated[
-        Path,
-        typer.Option(metavar="FILE.png", help="The file to write.", show_default=False),
-    ],
+    output: Annotated[Path, option("FILE.png", "The file to write.")],
     set_: SetOption = None,
-    at: Annotated[
-        float | None,
-        typer.Option(metavar="S", help="The time to show, in seconds.", show_default=False),
-    ] = None,
+    at: Annotated[float | None, option("S", "The time to show, in seconds.")] = None,
     without: WithoutOption = None,
     with_: WithOption = None,
     accuracy: AccuracyOption = None,

@@ -5,11 +5,11 @@ from typing import Annotated
 
 import typer
 
+from sandbox.cli.commands.options import argument
+
 
 def command(
-    file: Annotated[
-        Path, typer.Argument(metavar="FILE", help="The saved run.", show_default=False)
-    ],
+    file: Annotated[Path, argument("FILE", "The saved run.")],
 ) -> None:
     """Repeat a run that was saved in the window, without a window.
 

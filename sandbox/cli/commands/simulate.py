@@ -17,15 +17,13 @@ from sandbox.cli.commands.options import (
     SolverOption,
     WithOption,
     WithoutOption,
+    option,
 )
 
 
 def command(
     level: LevelArgument,
-    output: Annotated[
-        Path,
-        typer.Option(metavar="FILE.csv", help="The file to write.", show_default=False),
-    ],
+    output: Annotated[Path, option("FILE.csv", "The file to write.")],
     set_: SetOption = None,
     duration: DurationOption = None,
     rate: RateOption = None,

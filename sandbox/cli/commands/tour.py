@@ -5,14 +5,11 @@ from typing import Annotated
 
 import typer
 
+from sandbox.cli.commands.options import option
+
 
 def command(
-    output: Annotated[
-        Path,
-        typer.Option(
-            metavar="DIR", help="The folder for the results; made if missing.", show_default=False
-        ),
-    ],
+    output: Annotated[Path, option("DIR", "The folder for the results; made if missing.")],
 ) -> None:
     """Run, check and draw every level, without a window.
 

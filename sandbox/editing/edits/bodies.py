@@ -53,10 +53,7 @@ def add_box(text: str, level: Level, corner: XY, opposite: XY) -> Made:
 def add_polygon(text: str, level: Level, points: Sequence[XY]) -> Made:
     """Return a level with a new polygon, through at least three points in order.
 
-    Raises
-    ------
-    SandboxError
-        If it has no area.
+    Raises `SandboxError` if it has no area.
     """
     area, center = centroid(points)
     if area <= SMALLEST**2:
@@ -69,10 +66,7 @@ def add_polygon(text: str, level: Level, points: Sequence[XY]) -> Made:
 def add_surface(text: str, level: Level, points: Sequence[XY]) -> Made:
     """Return a level with a new static line: a floor, a slope or a wall.
 
-    Raises
-    ------
-    SandboxError
-        If it has no length.
+    Raises `SandboxError` if it has no length.
     """
     if len(points) < 2 or max(abs(complex(*p) - complex(*points[0])) for p in points) <= SMALLEST:
         raise SandboxError("a surface needs two points that are apart")
@@ -88,14 +82,7 @@ def add_surface(text: str, level: Level, points: Sequence[XY]) -> Made:
 def add_curve(text: str, level: Level, points: Sequence[XY], tolerance: float) -> Made:
     """Return a level with the shape of a stroke: a polygon if it is closed, else a static line.
 
-    Parameters
-    ----------
-    text, level
-        The text of the level, and the level.
-    points
-        The points of the stroke.
-    tolerance
-        The largest distance between the stroke and the simplified line [m], a pixel or two.
+    The simplified line keeps within the tolerance of the points [m], a pixel or two.
     """
     size = float(np.ptp(np.array(points), axis=0).max())
     open_ends = abs(complex(*points[-1]) - complex(*points[0]))
@@ -108,12 +95,7 @@ def take_out(text: str, level: Level, names: Sequence[str]) -> str:
     """Return a level without some bodies or joints, and without parts that then have no meaning.
 
     With a body its joints are removed, and so are checks, effects and parameters that are no longer
-    about anything.
-
-    Raises
-    ------
-    SandboxError
-        If no body would be left.
+    about anything. Raises `SandboxError` if no body would be left.
     """
     if not set(level.bodies).difference(names):
         raise SandboxError("a level needs a body; draw another one first")

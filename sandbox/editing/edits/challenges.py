@@ -20,19 +20,9 @@ def add_challenge(text: str, level: Level, body: str, task: str, labels: Sequenc
     """Return a level with a challenge: to bring a body to a target by setting the parameters.
 
     The target consists of all static bodies except the widest, the ground: the body must end
-    between its sides, and not above its top. The present parameters are the solution.
-
-    Parameters
-    ----------
-    text, level, body
-        The text of the level, the level, and the name of the body.
-    task, labels
-        The description of the task, and the labels of the horizontal and the vertical goal.
-
-    Raises
-    ------
-    SandboxError
-        If the level has no parameters, or a challenge already.
+    between its sides, and not above its top. The present parameters are the solution. The labels
+    are those of the horizontal and the vertical goal. Raises `SandboxError` if the level has no
+    parameters, or a challenge already.
     """
     if not level.parameters:
         raise SandboxError(

@@ -19,10 +19,7 @@ def add_checks(
 ) -> str:
     """Return a level with additional checks, as in a file, and with other changes that they need.
 
-    Raises
-    ------
-    LevelError
-        If the loader refuses it.
+    Raises `LevelError` if the loader refuses it.
     """
     count = len(level.checks)
     new: Changes = {("checks", count + i): check for i, check in enumerate(checks)}
@@ -32,10 +29,7 @@ def add_checks(
 def set_ghost(text: str, body: str, place: tuple[Json, Json]) -> str:
     """Return a level with a ghost of a body, at [x, y], formulas of the parameters and t.
 
-    Raises
-    ------
-    LevelError
-        If the loader refuses it.
+    Raises `LevelError` if the loader refuses it.
     """
     return accepted(put(text, ("ghosts", body), list(place)))
 
@@ -62,10 +56,7 @@ def _terms(place: Expression, speed: Expression, along: Expression | None) -> It
 def drop_told(text: str, part: Literal["checks", "ghosts"], which: int | str) -> str:
     """Return a level without a check or a ghost, and without parameters that only it used.
 
-    Raises
-    ------
-    PatchError
-        If there is none.
+    Raises `PatchError` if there is none.
     """
     return without_meaning(remove(text, (part, which)))
 

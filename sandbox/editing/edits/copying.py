@@ -30,12 +30,7 @@ def copy(text: str, level: Level, names: Collection[str]) -> str:
     """Return the text of a level that has only some bodies, and what belongs to them.
 
     Those are the joints that hold no other bodies, the groups, the level's constants, and the
-    parameters that all of these use.
-
-    Raises
-    ------
-    SandboxError
-        If there are no bodies.
+    parameters that all of these use. Raises `SandboxError` if there are no bodies.
     """
     if not names:
         raise SandboxError("choose the bodies first")
@@ -67,12 +62,8 @@ def paste(text: str, level: Level, copied: str, by: XY = (0.0, 0.0)) -> Made:
 
     Fields without a meaning in the level, such as friction if it is not declared, are left out.
     Parameters and constants keep their values: one that the level has, too, is shared if it is the
-    same there, else its copy gets a new name.
-
-    Raises
-    ------
-    SandboxError
-        If the copied text is not a level.
+    same there, else its copy gets a new name. Raises `SandboxError` if the copied text is not a
+    level.
     """
     try:
         source, data = read_level(copied), json.loads(copied)

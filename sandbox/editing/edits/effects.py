@@ -25,20 +25,9 @@ BESIDE = ("contact", "rotation")
 def declare(text: str, level: Level, effect: str, settings: Mapping[str, Any] | None = None) -> str:
     """Return a level that declares an effect, with the contact, rotation or coefficients it needs.
 
-    Parameters
-    ----------
-    text, level
-        The text of the level, and the level.
-    effect
-        The name of the effect in the manifest. If it may be declared several times, another is
-        added.
-    settings
-        Its fields, as in a file; the defaults of the app if left out.
-
-    Raises
-    ------
-    SandboxError
-        If there is no such effect, it needs settings, or the level contradicts it.
+    The settings are its fields, as in a file; by default those of the app. If the effect may be
+    declared several times, another is added. Raises `SandboxError` if there is no such effect, it
+    needs settings, or the level contradicts it.
     """
     if effect not in EFFECTS:
         raise SandboxError(
@@ -59,10 +48,7 @@ def declare(text: str, level: Level, effect: str, settings: Mapping[str, Any] | 
 def drop(text: str, level: Level, effect: str) -> str:
     """Return a level without an effect, and without parts that then have no meaning.
 
-    Raises
-    ------
-    SandboxError
-        If the level does not declare it.
+    Raises `SandboxError` if the level does not declare it.
     """
     if effect not in level.effects.declared:
         hint = suggestion(effect, level.effects.declared)

@@ -13,10 +13,7 @@ SOON = 1.0
 def cut(text: str, level: Level, joint: str) -> str:
     """Return a level in which an event cuts a joint.
 
-    Raises
-    ------
-    LevelError
-        If the loader refuses it.
+    Raises `LevelError` if the loader refuses it.
     """
     return _with_event(text, level, "cut", joint)
 
@@ -24,10 +21,7 @@ def cut(text: str, level: Level, joint: str) -> str:
 def reverse(text: str, level: Level, surface: str) -> str:
     """Return a level in which an event reverses a one-way surface.
 
-    Raises
-    ------
-    LevelError
-        If the loader refuses it.
+    Raises `LevelError` if the loader refuses it.
     """
     return _with_event(text, level, "reverse", surface)
 
@@ -35,10 +29,7 @@ def reverse(text: str, level: Level, surface: str) -> str:
 def wait_for_quantity(text: str, level: Level, event: str) -> str:
     """Return a level in which an event happens when a quantity crosses a value, to be filled in.
 
-    Raises
-    ------
-    LevelError
-        If the loader refuses it.
+    Raises `LevelError` if the loader refuses it.
     """
     moving = [name for name, body in level.bodies.items() if body.type == "dynamic"]
     body = next(iter([*moving, *level.bodies]))

@@ -43,21 +43,8 @@ def set_field(text: str, path: Path, typed: str) -> str:
     that is made static or kinematic loses it.
 
     A number is kept as it was typed; a list, an object, true and false are typed as in JSON; any
-    other text is a formula, or a word where the field takes words.
-
-    Parameters
-    ----------
-    text
-        The level's text, which may have mistakes elsewhere.
-    path
-        The path of the field, present or not.
-    typed
-        The text that a person typed.
-
-    Raises
-    ------
-    LevelError
-        If the result has a new mistake; the messages are the loader's.
+    other text is a formula, or a word where the field takes words. The text may have mistakes
+    elsewhere. Raises `LevelError` if the result has a new mistake; the messages are the loader's.
     """
     before = _mistakes(text)
     changed = [type_in(put(text, path, None), path, token) for token in _readings(typed.strip())]
@@ -82,21 +69,8 @@ def make_parameter(text: str, path: Path, name: str) -> str:
 
     The range of the parameter is from a fifth of the number to five times it, or less where the
     level would be invalid. For a negative number, the formula is minus the parameter; an angle in
-    degrees stays in degrees.
-
-    Parameters
-    ----------
-    text
-        The text of a level that loads.
-    path
-        The path of the number.
-    name
-        The name of the parameter.
-
-    Raises
-    ------
-    SandboxError
-        If there is no number, it cannot be a formula, or the name is taken.
+    degrees stays in degrees. Raises `SandboxError` if there is no number, it cannot be a formula,
+    or the name is taken.
     """
     text = _with_effect(text, path)
     level = parse(text)

@@ -16,10 +16,7 @@ PLACE = ("view", "together")
 def group(text: str, level: Level, names: Collection[str]) -> str:
     """Return a level in which bodies are one group; each leaves its former group.
 
-    Raises
-    ------
-    SandboxError
-        If they are fewer than two.
+    Raises `SandboxError` if they are fewer than two.
     """
     if len(names) < 2:
         raise SandboxError("select at least two bodies to group them")
@@ -29,10 +26,7 @@ def group(text: str, level: Level, names: Collection[str]) -> str:
 def ungroup(text: str, level: Level, names: Collection[str]) -> str:
     """Return a level without the groups that some bodies are in.
 
-    Raises
-    ------
-    SandboxError
-        If none of them is in a group.
+    Raises `SandboxError` if none of them is in a group.
     """
     kept = [list(one) for one in level.view.together if not set(one) & set(names)]
     if len(kept) == len(level.view.together):

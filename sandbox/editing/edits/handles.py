@@ -40,21 +40,9 @@ def handles(level: Level, name: str) -> list[XY]:
 
 
 def drag_handle(text: str, level: Level, name: str, index: int, to: XY) -> str:
-    """Return a level in which a handle of a body is moved, as far as its shape allows.
+    """Return a level in which a handle of a body is dragged to a point, as far as the shape allows.
 
-    Parameters
-    ----------
-    text, level, name
-        The text of the level, the level, and the name of the body.
-    index
-        The index of the handle, as in `handles`.
-    to
-        The position to which it is dragged [m].
-
-    Raises
-    ------
-    SandboxError
-        If the body would have no size.
+    The index is that in `handles`. Raises `SandboxError` if the body would have no size.
     """
     body = placed(level)[name]
     changed = put_all(text, _dragged(body, index, complex(*to)))
@@ -65,10 +53,8 @@ def drag_handle(text: str, level: Level, name: str, index: int, to: XY) -> str:
 def scale(text: str, level: Level, name: str, factor: float) -> str:
     """Return a level in which a body is scaled about its centre.
 
-    Raises
-    ------
-    SandboxError
-        If the body would have no size, or it is a curve, whose formulas give its shape.
+    Raises `SandboxError` if the body would have no size, or it is a curve, whose formulas give its
+    shape.
     """
     body = placed(level)[name]
     if factor <= SMALLEST:

@@ -38,17 +38,8 @@ def mirror(
 ) -> str:
     """Return a level in which bodies are mirrored about the middle of their bounding box.
 
-    Parameters
-    ----------
-    text, level, names
-        The text of the level, the level, and the names of the bodies.
-    axis
-        The axis along which coordinates are reversed: x swaps left and right, y above and below.
-
-    Raises
-    ------
-    SandboxError
-        If there are no bodies.
+    Coordinates along the axis are reversed: x swaps left and right, y above and below. Raises
+    `SandboxError` if there are no bodies.
     """
     low, high = around(chosen(level, names).values())
     mirror = _Mirror(axis, (low + high).real if axis == "x" else (low + high).imag)

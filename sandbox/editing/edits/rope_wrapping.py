@@ -59,19 +59,9 @@ def _ends(level: Level, names: Sequence[str]) -> list[str]:
 def wrap(text: str, level: Level, names: Sequence[str]) -> Made:
     """Return a level with a new rope over a drum: knots joined by rods, and a rod to each end.
 
-    A drum that no joint holds is made static.
-
-    Parameters
-    ----------
-    text, level
-        The text of the level, and the level.
-    names
-        The names of the drum, a disc, and of the two bodies at the ends of the rope.
-
-    Raises
-    ------
-    SandboxError
-        If they are not such bodies, or an end lies within the drum.
+    A drum that no joint holds is made static. The names are those of the drum, a disc, and of the
+    bodies at both ends of the rope. Raises `SandboxError` if they are not such bodies, or an end
+    lies within the drum.
     """
     drum = drum_of(level, names)
     if drum is None:

@@ -23,12 +23,7 @@ def rounded(text: str, level: Level, name: str, kind: str) -> Made:
 
     A new arc is the lower half of the circle, and static. An arc that becomes a disc or hoop is
     made dynamic, with the mass of a drawn body. An automatic name, such as `disc1`, is replaced by
-    one for the new shape.
-
-    Raises
-    ------
-    LevelError
-        If the loader refuses it.
+    one for the new shape. Raises `LevelError` if the loader refuses it.
     """
     path, before = ("bodies", name), level.bodies[name]
     if before.shape.type == kind:

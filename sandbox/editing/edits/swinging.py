@@ -43,19 +43,8 @@ def peg_of(level: Level, name: str) -> complex | None:
 def swing(text: str, level: Level, name: str) -> str:
     """Return a level in which the angle of a hanging body is a parameter.
 
-    A body that hangs straight down is drawn aside.
-
-    Parameters
-    ----------
-    text, level
-        The text of the level, and the level.
-    name
-        The name of a body on a rod or a rope.
-
-    Raises
-    ------
-    SandboxError
-        If it does not hang from a point of the plane, or its position is a formula already.
+    A body that hangs straight down is drawn aside. Raises `SandboxError` if it does not hang from a
+    point of the plane, or its position is a formula already.
     """
     peg = peg_of(level, name)
     if peg is None:

@@ -78,19 +78,9 @@ def slope_of(level: Level, name: str) -> str | None:
 def tilt(text: str, level: Level, name: str) -> str:
     """Return a level in which the angle of a slope is a parameter; bodies on it turn with it.
 
-    So do the points of the plane to which only such bodies are tied.
-
-    Parameters
-    ----------
-    text, level
-        The text of the level, and the level.
-    name
-        The name of the slope, or of a body on it.
-
-    Raises
-    ------
-    SandboxError
-        If there is no slope, or a position or an angle is a formula already.
+    So do the points of the plane to which only such bodies are tied. The name is that of the slope,
+    or of a body on it. Raises `SandboxError` if there is no slope, or a position or an angle is a
+    formula already.
     """
     slope = slope_of(level, name)
     if slope is None:

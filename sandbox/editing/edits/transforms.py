@@ -59,16 +59,9 @@ def turn(
     angle: float,
     about: XY | None = None,
 ) -> str:
-    """Return a level in which bodies are turned together.
+    """Return a level in which bodies are turned together, counter-clockwise by an angle [rad].
 
-    Parameters
-    ----------
-    text, level, names
-        The text of the level, the level, and the names of the bodies.
-    angle
-        The angle, counter-clockwise [rad].
-    about
-        The centre of rotation [m]; the middle of the bodies if left out.
+    They turn about a point [m], by default their middle.
     """
     where = chosen(level, names)
     low, high = around(where.values())

@@ -71,14 +71,8 @@ def followed(before: Level, text: str) -> str:
     """Return a changed level with its suggested checks updated.
 
     Checks that equal the former suggestions are replaced by the present ones, and removed if their
-    quantity no longer has a closed form. Checks that a person has changed stay.
-
-    Parameters
-    ----------
-    before
-        The level as it was.
-    text
-        The changed text, which may have mistakes.
+    quantity no longer has a closed form. Checks that a person has changed stay. The text may have
+    mistakes.
     """
     if not before.checks:
         return text
@@ -99,11 +93,7 @@ def take(text: str, level: Level, suggestion: Suggestion) -> str:
     """Return a level with the checks of a suggestion, and the rate and located bodies they need.
 
     If a check is at a time before something is met, this holds for all values of the parameters.
-
-    Raises
-    ------
-    LevelError
-        If the loader refuses it.
+    Raises `LevelError` if the loader refuses it.
     """
     wanted = suggestion.setup, suggestion.about
     everywhere = (

@@ -10,10 +10,7 @@ from sandbox.model.effects.contract import Effect, IncompleteError
 def register(manifest: type[Model]) -> Mapping[str, Effect]:
     """Return the declarations of a manifest's effects, by name and in its order.
 
-    Raises
-    ------
-    IncompleteError
-        If a declaration is missing, or contradicts its model.
+    Raises `IncompleteError` if a declaration is missing, or contradicts its model.
     """
     fields = manifest.model_fields.items()
     return {name: _declared(name, field.annotation) for name, field in fields}

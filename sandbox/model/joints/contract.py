@@ -50,10 +50,7 @@ class Kind:
 def kinds(joints: Iterable[type[Model]]) -> Mapping[str, Kind]:
     """Return the declarations of all kinds of joints, by their types in a level's file.
 
-    Raises
-    ------
-    IncompleteError
-        If a declaration is missing.
+    Raises `IncompleteError` if a declaration is missing.
     """
     return {_type(joint): _kind(joint) for joint in joints}
 

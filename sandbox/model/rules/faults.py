@@ -63,17 +63,10 @@ def broken(among: Iterable[Condition], values: Values) -> Iterator[Fault]:
 def corners(
     level: Level, names: Collection[str] | None = None, most: int = MAX_CORNERS
 ) -> Iterator[Values]:
-    """Yield the default values, then combinations of the parameters' bounds.
+    """Yield the default values, then combinations of the bounds of some parameters, or of all.
 
-    Parameters
-    ----------
-    level
-        The level of the parameters.
-    names
-        The parameters that vary, all if left out; the others keep their defaults. If there are too
-        many combinations, only some are yielded: all minima, all maxima, then each bound alone.
-    most
-        The most combinations.
+    The others keep their defaults. If there are more than `most` combinations, only some are
+    yielded: all minima, all maxima, then each bound alone.
     """
     defaults = level.defaults
     yield defaults

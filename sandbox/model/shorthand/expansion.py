@@ -31,15 +31,7 @@ class WrittenOut(NamedTuple):
         return followed(followed(path, self.placed), self.typed)
 
     def hinted(self, fault: Fault, typed: Any) -> Fault:  # noqa: ANN401 (whatever JSON holds)
-        """Return a fault in the data; if an index was used as a parameter, it explains the syntax.
-
-        Parameters
-        ----------
-        fault
-            A fault with a path in the data.
-        typed
-            The content of the text.
-        """
+        """Return a fault in the data; if an index was used as a parameter, explain the syntax."""
         unknown = _UNKNOWN.match(fault.rule)
         if not (unknown and self.typed):
             return fault
@@ -61,19 +53,9 @@ def _has(part: Any, step: str | int) -> bool:  # noqa: ANN401 (whatever JSON hol
 
 
 def write_out(data: Any, text: str) -> WrittenOut:  # noqa: ANN401 (whatever JSON holds)
-    """Return a level with its shorthand expanded; without shorthand, the level itself.
+    """Return a level, parsed from a text, with its shorthand expanded; without any, as it is.
 
-    Parameters
-    ----------
-    data
-        The content of the text, parsed.
-    text
-        The text.
-
-    Raises
-    ------
-    RecursionError
-        If it is nested too deeply.
+    Raises `RecursionError` if it is nested too deeply.
     """
     if not any(key in text for key in _KEYS):
         return WrittenOut(data, {}, {}, [])

@@ -49,10 +49,7 @@ class Notes:
     def charge(self, characters: int, path: Path) -> None:
         """Deduct a number of characters before they are added.
 
-        Raises
-        ------
-        TooLongError
-            If there are too many.
+        Raises `TooLongError` if there are too many.
         """
         self.left -= characters + PLAIN
         if self.left < 0:

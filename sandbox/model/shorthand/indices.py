@@ -30,10 +30,7 @@ class IndexFault(SandboxError):  # noqa: N818 (a fault of the text, as others ar
 def filled(text: str, indices: Indices) -> str:
     """Return a text with the expressions in braces replaced by their values.
 
-    Raises
-    ------
-    IndexFault
-        If an expression in braces is not a whole number.
+    Raises `IndexFault` if an expression in braces is not a whole number.
     """
     return _BRACES.sub(lambda found: _shown(_number(found[1], indices)), text)
 
@@ -70,16 +67,8 @@ def _number(source: str, indices: Indices) -> int:
 def runs(said: Any, path: Path, indices: Indices, notes: Notes) -> Iterator[Indices]:  # noqa: ANN401 (whatever JSON holds)
     """Yield the indices of every copy, the last index varying fastest.
 
-    Parameters
-    ----------
-    said
-        The value of `repeat`: the range of each index. A range may depend on earlier indices.
-    path
-        The path where it was typed.
-    indices
-        The indices of the enclosing part.
-    notes
-        The notes, which receive mistakes; after one, nothing more is yielded.
+    The value of `repeat` is the range of each index, which may depend on earlier ones. The notes
+    receive mistakes; after one, nothing more is yielded.
     """
     if not isinstance(said, dict) or not said:
         notes.refuse(path, Message("must name an index and its range: {how}", how=HOW))

@@ -54,13 +54,7 @@ TEMPLATE = r"^[A-Za-z]([A-Za-z0-9_]|\{[^{}]+\})*$"
 
 
 def with_repeats(made: Part, each: Part) -> Part:
-    """Allow repeats in a schema wherever they are possible, and order its keys.
-
-    Parameters
-    ----------
-    made, each
-        The schemas of `Typed` and of `Each`; the first is changed.
-    """
+    """Allow repeats in the schema of `Typed` wherever they are possible, and order its keys."""
     made["properties"] = {name: made["properties"][name] for name in order(made["properties"])}
     for holder, key in list(_members(made)):
         member = holder[key]

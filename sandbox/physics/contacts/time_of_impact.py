@@ -51,6 +51,8 @@ class Hit(NamedTuple):
         Their contact points in the plane [m].
     parting
         The least separation rate at these points [m/s].
+    gap
+        The distance of the bodies there [m].
     """
 
     time: float
@@ -58,6 +60,7 @@ class Hit(NamedTuple):
     normal: complex
     points: tuple[complex, ...]
     parting: float
+    gap: float = TOUCH
 
 
 class Path:
@@ -204,6 +207,13 @@ def touching(path: Path, one: Outline, other: Outline, t: float) -> Hit | None:
     if _passes(one, cores, found.normal) or _passes(other, cores[::-1], -found.normal):
         return None
     return _hit(t, (one, other), (here, there), found)
+
+
+def nearest(path: Path, one: Outline, other: Outline, t: float) -> Hit:
+    """Return the places where two shapes are nearest at a time."""
+    here, there = Motion(path, one.body, t), Motion(path, other.body, t)
+    found = gap(here.put(one.corners), there.put(other.corners), one.radius + other.radius)
+    return _hit(t, (one, other), (here, there), found)._replace(gap=found.distance)
 
 
 def _touch(here: Motion, there: Motion) -> float:

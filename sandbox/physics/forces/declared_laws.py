@@ -32,10 +32,7 @@ def gravity(effects: Effects, values: Values, mass: Array, share: Share) -> Grav
 def laws(effects: Effects, given: Given) -> tuple[tuple[Law, ...], tuple[Turn, ...]]:
     """Return the laws that pymunk does not apply by itself: forces, and rotations of velocities.
 
-    Raises
-    ------
-    IncompleteError
-        If the law of an effect contradicts its declaration.
+    Raises `IncompleteError` if the law of an effect contradicts its declaration.
     """
     forces: list[Law] = []
     turns: list[Turn] = []
@@ -82,10 +79,7 @@ def missing(effects: Iterable[Effect]) -> Iterator[str]:
 def part_of(effect: Effect, function: str) -> Callable[..., Iterable[Any]]:
     """Return a function of an effect's own module.
 
-    Raises
-    ------
-    IncompleteError
-        If the module does not have it.
+    Raises `IncompleteError` if the module does not have it.
     """
     module = import_module(f"{_ROOM}.{effect.name}")
     if not hasattr(module, function):

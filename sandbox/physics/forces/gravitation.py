@@ -30,12 +30,8 @@ class Block(NamedTuple):
     def add(self, to: Array, mass: Array, of_pairs: Array, sign: int) -> None:
         """Add m1 m2 times a value of each pair to its first body, and to its second with a sign.
 
-        Parameters
-        ----------
-        to, mass
-            (..., k, 1), the sums and the masses of all bodies.
-        of_pairs
-            (..., some, others), the values.
+        Sums and masses are those of all bodies, (..., k, 1), the values those of pairs, (..., some,
+        others).
         """
         to[..., self.some, :] += mass[..., self.some, :] * (of_pairs @ mass[..., self.others, :])
         later = slice(self.some.stop, self.others.stop)

@@ -31,16 +31,9 @@ def rates(turns: Sequence[Turn], motion: Motion) -> Array:
 def turning_acceleration(rate: Array, velocity: Array, pulled: Array, length: float) -> Array:
     """Return the mean acceleration by the rotation in a kick: (n, 2) [m/s²].
 
-    Parameters
-    ----------
-    rate
-        (n,), the rates of rotation [rad/s].
-    velocity
-        (n, 2), the velocities before the kick [m/s].
-    pulled
-        (n, 2), the accelerations by all other forces [m/s²].
-    length
-        The duration of the kick [s].
+    The rates of rotation are (n,) [rad/s], the velocities those before the kick, (n, 2) [m/s];
+    `pulled` are the accelerations by all other forces, (n, 2) [m/s²], and `length` is the duration
+    of the kick [s].
     """
     middle, half = velocity + pulled * (length / 2), rate * (length / 2)
     s, c = np.sin(half)[:, None], np.cos(half)[:, None]

@@ -69,21 +69,11 @@ def assemble(
     *,
     direct: bool = False,
 ) -> Joints:
-    """Make the joints of a scene.
+    """Make the joints of a scene of n bodies.
 
-    Parameters
-    ----------
-    level, values
-        The level with the joints' models, and its parameters.
-    bodies, batch
-        The n bodies, and the batch that reads and writes them.
-    inverse_mass
-        (n, 3), the inverse mass, mass and moment of inertia, 0 of bodies that do not move or turn
-        [1/kg, 1/(kg m²)].
-    touches
-        Finds the pairs to stick together that have met; None if there are none.
-    direct
-        Whether contacts are solved together with the exact joints, even if there are none.
+    `inverse_mass` is (n, 3), the inverse mass, mass and moment of inertia, 0 of bodies that do not
+    move or turn [1/kg, 1/(kg m²)]. `touches` finds the pairs to stick together that have met. If
+    `direct`, contacts are solved together with the exact joints, even if there are none.
     """
     return _Assembly(level, values, bodies, inverse_mass, touches).joints(batch, direct=direct)
 

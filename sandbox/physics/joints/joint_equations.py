@@ -57,23 +57,12 @@ DRAWN = 200
 
 
 class JointEquations:
-    """Makes the equations of a scene's joints, and stores their wires and radii.
+    """Makes the equations of a scene's joints, and stores their wires and radii in `joints`.
 
-    Parameters
-    ----------
-    values
-        The level's parameters.
-    index
-        The indices of its n bodies, by name.
-    inverse_mass
-        (n, 3), the inverse mass, mass and moment of inertia, 0 of bodies that do not move or turn
-        [1/kg, 1/(kg m²)].
-    lengths
-        The length of each joint from end to end at the start, by name [m].
-    joints
-        Has the points that each joint runs through; wires and radii are stored there.
-    origin
-        The origin of positions in the equations [m].
+    The indices of its n bodies are given by name; `inverse_mass` is (n, 3), the inverse mass, mass
+    and moment of inertia, 0 of bodies that do not move or turn [1/kg, 1/(kg m²)]. `lengths` are
+    those of the joints from end to end at the start, by name [m]. Positions in the equations are
+    relative to the origin [m].
     """
 
     def __init__(

@@ -50,13 +50,7 @@ velocity by a unit of impulse [1/kg]."""
 
 
 class PulleyString:
-    """The solver of a string between two bodies.
-
-    Attributes
-    ----------
-    tension
-        The force by which the string pulled in the last kick [N].
-    """
+    """The solver of a string between two bodies."""
 
     def __init__(
         self, name: str, ends: tuple[pymunk.Body, pymunk.Body], pegs: tuple[XY, ...], length: float
@@ -69,6 +63,7 @@ class PulleyString:
         self._rounding = ROUNDING * (self._free_length + sum(hypot(*peg) for peg in self._pegs))
         self._inverse = _inverse_mass(ends[0]), _inverse_mass(ends[1])
         self.tension = 0.0
+        """The force by which the string pulled in the last kick [N]."""
         self._warm_start = 0.0  # the tension that has acted in this kick already
 
     def refit(self) -> None:

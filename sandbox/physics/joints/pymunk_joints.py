@@ -21,18 +21,9 @@ End = tuple[pymunk.Body, tuple[float, float]]
 
 
 class OwnJoint:
-    """A joint that pymunk solves.
+    """A joint that pymunk solves; `length` is that of a rod or rope [m].
 
-    Parameters
-    ----------
-    spec, values
-        The joint's model, and the level's parameters.
-    ends
-        The bodies and points that it joins.
-    length
-        The length of a rod or rope [m].
-    turns
-        Whether any of the bodies can turn.
+    `turns` tells whether any of the bodies can turn.
     """
 
     def __init__(

@@ -61,15 +61,7 @@ class Solids:
 class Touches:
     """Watches pairs of bodies for their first contact, and keeps pymunk from solving its impact.
 
-    Parameters
-    ----------
-    space
-        The space of the bodies.
-    names
-        The names of the bodies; the collision type of each is its index from 1.
-    pairs
-        The pairs to watch.
-
+    The collision type of each body is the index of its name, from 1.
     """
 
     def __init__(

@@ -51,12 +51,7 @@ def watched(level: Level) -> list[str]:
 def differences(before: Trace, after: Trace, *, places: bool = False) -> tuple[Difference, ...]:
     """Return the differences of two runs in the quantities of the first one's checks.
 
-    Parameters
-    ----------
-    before, after
-        The runs, which recorded those quantities.
-    places
-        Whether to compare all other quantities that both recorded, too.
+    With `places`, all other quantities that both recorded are compared, too.
     """
     both = min(before.t[-1], after.t[-1])
     before, after = before.until(float(both)), after.until(float(both))

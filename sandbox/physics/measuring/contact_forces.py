@@ -44,18 +44,10 @@ class Press(NamedTuple):
 def presses(
     contacts: Contacts, wrenches: Array | None, row: int, place: Array, length: float
 ) -> Iterator[Press]:
-    """Yield the forces of each contact on a body in a kick.
+    """Yield the forces of each of the k contacts on a body in a kick of some length [s].
 
-    Parameters
-    ----------
-    contacts
-        The k contacts of the kick.
-    wrenches
-        (2, k, 3), the normal and friction impulses on the body, if known per contact [N s, N m s].
-    row, place
-        The index of the body, and its centre of mass, (2,) [m].
-    length
-        The length of the kick [s].
+    `wrenches` are the normal and friction impulses on the body [N s, N m s], (2, k, 3), if known
+    per contact. `row` is the index of the body, `place` its centre of mass, (2,) [m].
     """
     ours = (contacts.bodies == row).any(axis=1) & contacts.impulse.any(axis=1)
     for pair in np.flatnonzero(ours).tolist():

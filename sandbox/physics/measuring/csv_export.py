@@ -37,19 +37,9 @@ def write_csv(
     disturbed: bool = False,
     change: Change | None = None,
 ) -> None:
-    """Write a run as a CSV file, whole or not at all.
+    """Write a run as a CSV file, whole or not at all; see `to_csv`.
 
-    Parameters
-    ----------
-    path
-        The file; its folder must exist.
-    trace, source, names, disturbed, change
-        As for `to_csv`.
-
-    Raises
-    ------
-    SandboxError
-        If the file cannot be written.
+    Its folder must exist. Raises `SandboxError` if the file cannot be written.
     """
     write_atomically(path, to_csv(trace, source, names, disturbed=disturbed, change=change))
 
@@ -64,20 +54,9 @@ def to_csv(
 ) -> str:
     """Return a run as CSV: comments that say how to repeat it, a header, and a line per instant.
 
-    Every number has enough digits to restore its exact bits.
-
-    Parameters
-    ----------
-    trace
-        The run.
-    source
-        The name or the file of its level.
-    names
-        The recorded quantities to write, in order; all if left out.
-    disturbed
-        Whether a hand has touched the scene, so that the run cannot be repeated.
-    change
-        The change of the level, if the run did not use that of the source.
+    Every number has enough digits to restore its exact bits. The source is the name or the file of
+    its level, `change` how the level of the run differs from it. Without names, all recorded
+    quantities are written. A run that a hand has `disturbed` cannot be repeated.
     """
     chosen = trace.columns if names is None else names
     columns = [name for name in dict.fromkeys(chosen) if name != "t"]

@@ -65,11 +65,7 @@ class FreeBodies:
         """Return the forces on a body; None if it is immovable, or if none are known yet.
 
         With a scheme that does not begin with half a kick they are known after its first step.
-
-        Raises
-        ------
-        ValueError
-            If the scene has no such body.
+        Raises `ValueError` if the scene has no such body.
         """
         row = self._names.index(body)
         kick = self._kick(row)

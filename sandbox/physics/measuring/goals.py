@@ -59,12 +59,7 @@ def attempt(trace: Trace) -> Attempt | None:
     """Judge a run by its level's challenge; None if it has none.
 
     Stars count only once the run is complete: until then a goal that has to hold at every step is
-    open.
-
-    Parameters
-    ----------
-    trace
-        A run that recorded what `needed` names.
+    open. The run must have recorded what `needed` names.
     """
     challenge = trace.level.challenge
     if challenge is None:

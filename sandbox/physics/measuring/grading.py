@@ -30,34 +30,23 @@ ZERO = 1e-9
 
 @dataclass(frozen=True, slots=True)
 class Result:
-    """The result of a check.
-
-    Attributes
-    ----------
-    check
-        The check.
-    unit
-        The unit of the measured and the expected value.
-    t
-        The time at which the two differed most, or the time of the event [s]; None without either.
-        A contact so late in the run that nothing could be measured after it has a time alone.
-    measured, expected
-        The two values at that time; None if there are none.
-    error
-        The largest difference over the largest expected value; absolute, in the unit, if that is
-        zero. None if there is none.
-    verdict
-        `waiting` if the run has not reached the time or event yet, `not applicable` if the check's
-        own condition says that its formula does not hold here.
-    """
+    """The result of a check."""
 
     check: Check
     unit: str
+    """The unit of the measured and the expected value."""
     t: float | None
+    """The time at which the two differed most, or the time of the event [s]; None without either. A
+    contact so late in the run that nothing could be measured after it has a time alone."""
     measured: float | None
     expected: float | None
+    """The two values at that time; None if there are none."""
     error: float | None
+    """The largest difference over the largest expected value; absolute, in the unit, if that is
+    zero. None if there is none."""
     verdict: Verdict
+    """`waiting` if the run has not reached the time or event yet, `not applicable` if the check's
+    own condition says that its formula does not hold here."""
 
 
 def grade(trace: Trace) -> tuple[Result, ...]:
@@ -123,14 +112,8 @@ def applies(check: Check, values: Values) -> bool:
 def samples(trace: Trace, quantity: str, at: Instant | None) -> tuple[Array, Array] | None:
     """Return the times that count and the values there; None if the run has not reached them.
 
-    Parameters
-    ----------
-    trace
-        A run that recorded the quantity, and those that `needed` names for the instant.
-    quantity
-        The measured quantity.
-    at
-        A time or an event; every step if None.
+    Without a time or an event, every step counts. The run must have recorded the quantity, and
+    those that `needed` names for the instant.
     """
     column = trace.columns[quantity]
     if at is None:
@@ -187,12 +170,7 @@ def time_of(
 ) -> float | None:
     """Return the time of an instant that may lie between two steps [s]; None if not yet reached.
 
-    Parameters
-    ----------
-    at
-        The instant.
-    trace
-        A run that recorded the quantities that `needed_at` names for it.
+    The run must have recorded the quantities that `needed_at` names for it.
     """
     values = trace.values
     match at:

@@ -56,37 +56,25 @@ class Meeting(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Trace:
-    """A recorded run; T instants.
-
-    Attributes
-    ----------
-    level, values, stepping
-        The level, its parameters, and the stepping.
-    t
-        (T,), times [s].
-    columns
-        (T,) each, the quantities by name.
-    units
-        The quantities' units.
-    meetings, partings
-        The times at which each pair of bodies began to touch, or separated, at most `MOST_MEETINGS`
-        each. Bodies that touch at the start must separate before they can meet.
-    leans
-        Whether the forces on bodies at rest at the start were not found: a pile may then lean.
-    closing
-        How its energy books closed; None if none were kept.
-    """
+    """A recorded run; T instants."""
 
     level: Level
     values: Values
     stepping: Stepping
     t: Array
+    """(T,), times [s]."""
     columns: Mapping[str, Array]
+    """(T,) each, the quantities by name."""
     units: Mapping[str, str]
+    """The quantities' units."""
     meetings: Mapping[Pair, Sequence[Meeting]]
     partings: Mapping[Pair, Sequence[int]]
+    """The times at which each pair of bodies began to touch, or separated, at most `MOST_MEETINGS`
+    each. Bodies that touch at the start must separate before they can meet."""
     leans: bool = False
+    """Whether the forces on bodies at rest at the start were not found: a pile may then lean."""
     closing: Closing | None = None
+    """How its energy books closed; None if none were kept."""
 
     @property
     def smooth(self) -> bool:
@@ -120,12 +108,7 @@ class Trace:
     def to_pandas(self) -> "DataFrame":
         """Return the trace as a table: a row for each instant [s], a column for each quantity.
 
-        The units are in `attrs["units"]`.
-
-        Raises
-        ------
-        SandboxError
-            If pandas is not installed.
+        The units are in `attrs["units"]`. Raises `SandboxError` if pandas is not installed.
         """
         with needed_for("a table of a trace", "notebook"):
             from pandas import DataFrame, Index
@@ -137,10 +120,7 @@ class Trace:
     def to_xarray(self) -> "Dataset":
         """Return the trace as a dataset over `t`; each variable has its unit in `attrs`.
 
-        Raises
-        ------
-        SandboxError
-            If xarray is not installed.
+        Raises `SandboxError` if xarray is not installed.
         """
         with needed_for("a dataset of a trace", "notebook"):
             from xarray import Dataset, Variable
@@ -216,10 +196,7 @@ class Recorder:
     def require(self, count: int) -> None:
         """Refuse to record more instants than fit in memory.
 
-        Raises
-        ------
-        SimulationError
-            If there are more.
+        Raises `SimulationError` if there are more.
         """
         if count > self._most:
             hint = Message("record fewer, or for a shorter time")

@@ -40,13 +40,5 @@ assert _FORMS.keys() == OVER_TIME.keys()
 
 
 def over_time(what: str, t: Array, y: Array) -> Array:
-    """Return an aggregate of a quantity from the start to each instant: (T,).
-
-    Parameters
-    ----------
-    what
-        One of `OVER_TIME`.
-    t, y
-        (T,) each, times [s] and the quantity.
-    """
+    """Return an aggregate, one of `OVER_TIME`, of a quantity up to each time: (T,)."""
     return _FORMS[what](t, y)

@@ -28,16 +28,7 @@ def step_seconds(
     """Return the least time of a step of each of several scenes [s], which run in turn.
 
     Each run is divided into blocks, and the fastest repetition of each block counts: disturbances
-    only add time.
-
-    Parameters
-    ----------
-    starts
-        Each makes a new scene and returns a function that takes one step.
-    steps
-        The number of steps of each run, from its start.
-    repeats
-        The number of repetitions.
+    only add time. Each start makes a new scene and returns a function that takes one step.
     """
     block = min(BLOCK, steps)
     count = max(steps // block, 1)
@@ -57,19 +48,8 @@ def step_costs(
 ) -> tuple[float, ...]:
     """Return the time of a step of some worlds [s], which run in turn from their starts.
 
-    Parameters
-    ----------
-    starts
-        Each builds a world.
-    most
-        The most steps to take; no world goes beyond the duration of its level.
-    repeats
-        The number of repetitions.
-
-    Raises
-    ------
-    SimulationError
-        If one of them stops.
+    At most `most` steps are taken, and no world goes beyond the duration of its level. Raises
+    `SimulationError` if one of them stops.
     """
     first = [start() for start in starts]
     steps = max(min(most, *map(count_steps, first)), 1)

@@ -62,12 +62,12 @@ class Builder:
         self.click(self.page.palette.button(name).rect)
 
     def act(self, caption: str) -> None:
-        """Press a button that stands below the tools."""
+        """Press a button below the tools."""
         self.reach(self.page.button(caption))
         self.click(self.page.button(caption).rect)
 
     def reach(self, widget: UIElement) -> None:
-        """Scroll so far that a widget can be clicked on, as the wheel does."""
+        """Scroll with the wheel until a widget can be clicked."""
         container, place = self.page._sheet.container, widget.rect
         if not container.rect.contains(place):
             scroll(container, scrolled(container) + place.centery - container.rect.centery)

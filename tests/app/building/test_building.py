@@ -268,7 +268,7 @@ def test_slope_and_block_turn_together_by_one_slider(builder: Builder) -> None:
 
 
 def test_a_seesaw_is_drawn_and_turns(builder: Builder) -> None:
-    """Boxes that are drawn from the top of the plank stand on it; on its pin it can turn."""
+    """Boxes drawn upwards from the plank's top stand on it, and it can turn on its pin."""
     builder.new()
     builder.tool("box")
     builder.drag((-3, 1), (3, 1.2))
@@ -372,7 +372,7 @@ def test_a_cradle_is_drawn_and_one_slider_draws_its_first_ball_aside(builder: Bu
 
 
 def draw_half(builder: Builder, name: str, start: str, end: str) -> None:
-    """Draw a half of a loop that lets in, and holds what is within."""
+    """Draw one half of a loop that a ball can enter, and that holds it."""
     builder.tool("disc")
     builder.drag((0, 2), (2, 2))
     builder.act("As an arc")

@@ -1,4 +1,4 @@
-"""A level that was drawn becomes a task with the mouse."""
+"""A drawn level is made a challenge with the mouse."""
 
 import pygame
 

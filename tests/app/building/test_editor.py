@@ -1,4 +1,4 @@
-"""What is built is run, undone, saved, and not lost."""
+"""A built level is run, undone and saved, and never lost."""
 
 import json
 from pathlib import Path
@@ -70,7 +70,7 @@ def test_undo_and_redo_take_back_everything_and_do_it_again(mine: Builder) -> No
 
 
 def test_redo_goes_through_a_run_to_what_was_drawn_after_it(mine: Builder) -> None:
-    """Drawn, run, drawn: redo brings back the first, the run, and then the second."""
+    """Redo restores the first drawing, then the run, then the second drawing."""
     mine.key(pygame.K_2, "2")
     mine.drag((1.5, 2), (2, 2))
     between = mine.editor.work.draft.text

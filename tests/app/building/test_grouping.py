@@ -100,7 +100,7 @@ def test_a_copy_of_a_group_is_selected_as_one(mine: Builder) -> None:
 
 
 def test_a_frame_is_drawn_around_a_group_that_is_selected(mine: Builder) -> None:
-    """Half-way between two discs, above them, there is nothing but its dashes."""
+    """Half-way between two discs and above them there is nothing but its dashes."""
 
     def seen() -> NDArray[np.uint8]:
         mine.person.wait(0.1)

@@ -43,7 +43,7 @@ def test_one_click_makes_a_number_a_parameter(builder: Builder) -> None:
 
 
 def test_no_slider_lies_on_its_field(builder: Builder) -> None:
-    """The time of a check may be an event, too, so its field was as wide as that of a text."""
+    """The time of a check may also be an event, so its field was as wide as one for text."""
     builder.key(pygame.K_ESCAPE)
     builder.act("Add a check")
     last = len(builder.document["checks"]) - 1

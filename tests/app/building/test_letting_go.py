@@ -1,4 +1,4 @@
-"""Whoever builds for hours holds no more than what is shown, and what would be lost."""
+"""After hours of building, only what is shown or could be lost is still in memory."""
 
 import json
 

@@ -1,4 +1,4 @@
-"""Things are thrown into a run while it goes, taken out and set; and the run is kept."""
+"""Parts are added to a run while it plays, removed and changed; and the run is kept."""
 
 from typing import Any
 
@@ -18,7 +18,7 @@ from tests.levels.playing import fingerprint
 
 @pytest.fixture
 def running(builder: Builder) -> Builder:
-    """Somebody who looks on while a block slides down a slope."""
+    """A person who watches a block slide down a slope."""
     builder.person.window.open_level("newton/incline")
     builder.key(pygame.K_b, "b")
     builder.key(pygame.K_SPACE, " ")
@@ -27,7 +27,7 @@ def running(builder: Builder) -> Builder:
 
 
 def dropped(builder: Builder) -> Builder:
-    """Throw a disc in, well above the slope."""
+    """Drop a disc from well above the slope."""
     builder.key(pygame.K_2, "2")
     builder.drag((4, 5), (4.2, 5))
     return builder
@@ -187,7 +187,7 @@ def test_who_goes_back_to_building_can_come_back_to_the_run(running: Builder) ->
 def test_the_run_that_is_come_back_to_is_one_of_the_level_that_it_was_left_of(
     running: Builder,
 ) -> None:
-    """Between two frames, what was built last is taken back, and the run before it done again."""
+    """Between two frames, the last edit is undone and the run before it is restored."""
     running.key(pygame.K_SPACE, " ")
     session = running.person.session
     steps, late = session.world.steps, fingerprint(session.world.snapshot)
@@ -249,7 +249,7 @@ def test_the_page_tells_that_no_check_holds_for_a_run_that_was_changed(running: 
 def test_every_page_shows_a_run_that_was_changed_and_lets_it_begin_anew(
     running: Builder, page: Page
 ) -> None:
-    """It has parameters of its own: the slope's angle is a number by then."""
+    """Its parameters differ from the level's: the slope's angle has become a number."""
     session = running.person.session
     dropped(running)
     assert session.values.keys() != session.original.parameters.keys()

@@ -1,4 +1,4 @@
-"""Names: bodies are called otherwise, quantities completed, checks and ghosts put and taken out."""
+"""Names: bodies are renamed, quantities completed, checks and ghosts added and removed."""
 
 import pygame
 import pytest
@@ -8,7 +8,7 @@ from tests.app.building.builder import Builder
 
 
 def typed(builder: Builder, text: str, *path: str | int) -> None:
-    """Type over what a field says, and stay in it."""
+    """Replace the text of a field, and stay in it."""
     field = builder.page.inspector.field(*path)
     builder.reach(field)
     builder.click(field.rect)
@@ -38,7 +38,7 @@ def test_a_name_that_is_taken_is_refused_beside_its_field(builder: Builder) -> N
 
 @pytest.fixture
 def checked(builder: Builder) -> Builder:
-    """Somebody with a disc, and a check of it whose fields are open."""
+    """A person with a disc and a check of it, whose fields are open."""
     builder.new()
     builder.tool("disc")
     builder.drag((0, 3), (1, 3))

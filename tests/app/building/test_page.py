@@ -1,4 +1,4 @@
-"""What the page says, and how fields, tools and choices behave on it."""
+"""The texts of the page, and the behaviour of its fields, tools and choices."""
 
 import pygame
 
@@ -123,7 +123,7 @@ def test_the_run_begins_at_the_top_of_the_page(builder: Builder) -> None:
 
 
 def test_the_run_begins_at_the_top_of_the_page_where_no_body_is_selected(builder: Builder) -> None:
-    """What the page says of a run is short, and needs no bar to scroll with."""
+    """The page says little about a run, so it needs no scroll bar."""
     container = builder.page._sheet.container
     builder.reach(builder.page.inspector.field("duration"))
     assert scrolled(container) > 0

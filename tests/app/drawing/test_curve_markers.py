@@ -1,4 +1,4 @@
-"""What is told by a colour is told by a form, too."""
+"""Whatever a colour tells apart, a shape tells apart, too."""
 
 from itertools import combinations
 
@@ -18,7 +18,7 @@ SIZE = (40, 16)
 
 
 def drawn(which: int) -> bytes:
-    """Return the form of a sign."""
+    """Return the shape of a marker."""
     surface = pygame.Surface((16, 16))
     curve_markers.sign(surface, which, (255, 255, 255), (8, 8))
     return pygame.image.tobytes(surface, "RGB")

@@ -1,4 +1,4 @@
-"""What reaches far out of a picture is cut before it is drawn."""
+"""Lines that reach far out of a picture are clipped before they are drawn."""
 
 from collections.abc import Callable
 from random import Random
@@ -35,7 +35,7 @@ def test_of_a_line_that_passes_by_nothing_is_drawn(surface: pygame.Surface) -> N
 def test_however_far_out_something_reaches_it_is_drawn_at_once(
     surface: pygame.Surface, draw: Callable[..., None], most: float
 ) -> None:
-    """pygame's own functions go through each pixel of it, or never come to an end."""
+    """pygame's own functions visit each of its pixels, or never finish."""
     random = Random(1)
 
     def somewhere() -> XY:

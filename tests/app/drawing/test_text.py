@@ -1,4 +1,4 @@
-"""Whatever a person types or pastes, and whatever a stranger's level says, can be drawn."""
+"""Whatever a person types or pastes, and whatever another author's level says, can be drawn."""
 
 import json
 import sys
@@ -165,7 +165,7 @@ def test_as_much_of_a_text_is_shown_as_fits(pen: Pen) -> None:
 
 
 def test_of_a_text_without_end_the_beginning_is_shown_at_once(pen: Pen) -> None:
-    """One as long took minutes, letter by letter."""
+    """Letter by letter, a text of this length took minutes."""
     begun = process_time()
 
     assert pen.shorten("ab" * 50_000, 100).startswith("abab")

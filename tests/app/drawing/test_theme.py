@@ -1,4 +1,4 @@
-"""The themes: every colour in one place, and words that are told from their ground."""
+"""The themes: every colour is defined in one place, and texts contrast with their background."""
 
 import ast
 import json
@@ -34,13 +34,13 @@ def luminance(color: Color) -> float:
 
 
 def contrast(a: Color, b: Color) -> float:
-    """Return how well two colours are told apart: from 1 for equal ones to 21 (WCAG 2)."""
+    """Return the contrast of two colours: from 1 for equal ones to 21 (WCAG 2)."""
     dark, bright = sorted((luminance(a), luminance(b)))
     return (bright + 0.05) / (dark + 0.05)
 
 
 def least(name: Name) -> float:
-    """Return the contrast that words need: WCAG 2's AA, or AAA where it is asked for."""
+    """Return the contrast that a text needs: WCAG 2's AA, or AAA in the high-contrast theme."""
     return 7.0 if name == "contrast" else 4.5
 
 
@@ -117,7 +117,7 @@ def _lengths(value: ast.AST) -> bool:
 
 
 def _is_a_color(node: ast.AST) -> bool:
-    """Whether a node is three or four numbers as they stand for a colour, or names one."""
+    """Whether a node is three or four numbers that can be a colour, or names one."""
     if isinstance(node, ast.Call):
         called = ast.unparse(node.func)
         named = any(isinstance(a, ast.Constant) and isinstance(a.value, str) for a in node.args[:1])
@@ -131,7 +131,7 @@ def _is_a_color(node: ast.AST) -> bool:
 
 @pytest.mark.parametrize("path", MODULES, ids=lambda path: str(path.relative_to(APP)))
 def test_no_module_holds_on_to_a_colour_of_the_theme(path: Path) -> None:
-    """Else it would stay as it is when another theme is chosen."""
+    """Otherwise it would not change with the theme."""
     tree = ast.parse(path.read_text(encoding="utf-8"))
     later = {
         id(node)

@@ -1,4 +1,4 @@
-"""Stars are kept from one day to the next, and nothing that is wrong with their file is fatal."""
+"""Stars are kept from one day to the next, and a damaged file of them does no harm."""
 
 from pathlib import Path
 

@@ -1,4 +1,4 @@
-"""Files that were opened are found again, and one is opened by a dialog."""
+"""Recently opened files are listed, and a dialog opens a file."""
 
 import locale
 from pathlib import Path
@@ -93,7 +93,7 @@ def test_what_cannot_be_kept_is_told_once_and_the_level_opens(
 
 
 def dialog(person: Person, folder: Path) -> None:
-    """Ask for a file, where one was opened before."""
+    """Ask for a file, with another one opened before."""
     Recent().add(folder / "mine.json")
     person.window.files.recent = Recent()
     person.press(pygame.K_o, "\x0f", pygame.KMOD_LCTRL)

@@ -1,4 +1,4 @@
-"""Energies are noted of every run; where they come from and go is booked while somebody looks."""
+"""Energies of every run are recorded; their sources and losses while somebody watches."""
 
 import numpy as np
 import pygame
@@ -60,7 +60,7 @@ def test_a_run_is_the_same_to_the_last_bit_whether_it_is_booked_or_not(name: str
 
 
 def test_books_that_are_opened_on_the_way_tell_what_came_since() -> None:
-    """Friction takes from the block 3 J in the first half, and the rest of 4.5 J later."""
+    """Friction takes 3 J from the block in the first half, and the rest of 4.5 J later."""
     whole, late = sliding(), sliding()
     whole.book(True)
     step(whole, 15), step(late, 15)

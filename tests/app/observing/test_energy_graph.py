@@ -1,4 +1,4 @@
-"""The energies over time, as lines that are looked at pixel by pixel."""
+"""The energies over time, as lines checked pixel by pixel."""
 
 import numpy as np
 import pygame
@@ -40,7 +40,7 @@ def drawn(session: Session) -> Array:
 
 
 def rows(pixels: Array, color: Color, columns: slice) -> NDArray[np.intp]:
-    """Return the rows in which a colour is seen in some columns."""
+    """Return the rows in which some columns have a colour."""
     return np.nonzero((np.abs(pixels[columns] - color).max(axis=2) < 40).any(axis=0))[0]
 
 

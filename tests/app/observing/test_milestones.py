@@ -1,4 +1,4 @@
-"""Events that have happened are marked where they were."""
+"""Events that have happened are marked at their places."""
 
 import pygame
 import pytest

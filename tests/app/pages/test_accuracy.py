@@ -35,7 +35,7 @@ def waits(person: Person) -> bool:
 
 @pytest.fixture
 def player(person: Person, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Person]:
-    """Somebody who has turned to the accuracy of a ball that falls with drag."""
+    """A person who has opened the page of the accuracy, with a ball that falls with drag."""
     monkeypatch.setattr(study, "study", work.short_study)
     person.open(tmp_path, scenes.falling(effects=DRAG, ghosts={}))
     person.press(pygame.K_a, "a")
@@ -45,7 +45,7 @@ def player(person: Person, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> I
 
 @pytest.fixture
 def informed(player: Person) -> Person:
-    """Somebody who knows what the schemes cost already, and now also what the run's error is."""
+    """A person to whom the costs of the schemes are known, and now also the run's error."""
     studying = player.window.workers.of(Studying)
     studying.points.append(Point("leapfrog", 60, 1e-4, 1e-3))
     until(player, lambda: studying.here is not None and not studying.running)
@@ -160,7 +160,7 @@ ASKING = scenes.falling(effects=DRAG, ghosts={}, stepping={"accuracy": 1e-3})
 
 @pytest.fixture
 def in_the_background(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """The process of the window finds out nothing, and nothing was found out before."""
+    """Nothing is computed in the window's process, and nothing was computed before."""
 
     def calibrate(*_: object, **__: object) -> None:
         pytest.fail("the window waits")
@@ -267,7 +267,7 @@ def test_digits_survive_that_are_larger_than_the_error(
 
 
 def test_digits_survive_in_the_unit_that_is_read() -> None:
-    """0.1 rad to 4e-4 has three digits, 5.73° to 0.023 but two."""
+    """0.1 rad ± 4e-4 has three digits, but 5.73° ± 0.023° only two."""
     assert formatting.certain(0.1, 4e-4, "rad") == "5.7°"
     assert formatting.certain(1234.0, 40.0, "J") == "1.2e3 J"
     assert formatting.certain(0.02, 1.0, "m") == "0 m"

@@ -1,4 +1,4 @@
-"""The page of a challenge, as somebody who plays meets it."""
+"""The page of a challenge, as a player sees it."""
 
 from pathlib import Path
 
@@ -111,7 +111,7 @@ def test_a_hand_earns_no_stars(person: Person) -> None:
 
 
 def test_a_run_from_a_file_earns_no_stars(person: Person, tmp_path: Path) -> None:
-    """It may be somebody else's, and its level may be made for it."""
+    """Somebody else may have made it, for a level that makes it easy."""
     person.window.open_level(LEVEL)
     person.session.restart({"m2": 2, "v1": 3})
     path = tmp_path / f"won{runfile.SUFFIX}"

@@ -1,4 +1,4 @@
-"""What if: effects switched off and on for a run, which is drawn over the level as it is."""
+"""What if: effects are switched off and on for a run, which is drawn over the original one."""
 
 from pathlib import Path
 
@@ -26,7 +26,7 @@ from tests.app.scenes import play
 
 @pytest.fixture
 def player(person: Person, tmp_path: Path) -> Person:
-    """Somebody who has turned to the effects of a ball that is about to fall."""
+    """A person who has opened the page of the effects, with a ball about to fall."""
     person.open(tmp_path, scenes.falling())
     person.press(pygame.K_x, "x")
     return person
@@ -88,7 +88,7 @@ def test_the_difference_is_told_in_the_levels_quantities_and_in_time() -> None:
 
 
 def test_both_runs_take_turns_in_going_first(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Who comes second finds the caches warm: in a scene as short as this, 0.1 ms a step less."""
+    """The second finds warm caches: in such a short scene, 0.1 ms less per step."""
     session = Session(scenes.level())
     whatif.toggle(session, "drag")
     (original,) = session.companions
@@ -109,7 +109,7 @@ def test_both_runs_take_turns_in_going_first(monkeypatch: pytest.MonkeyPatch) ->
 
 @pytest.mark.parametrize("banner", [0, 72, 130])
 def test_the_legend_stands_below_a_banner_of_any_height(pen: Pen, banner: int) -> None:
-    """At the end of a run what differs is told, often in more lines than one."""
+    """The differences at the end of a run often take several lines."""
     surface = pygame.Surface((600, 300))
 
     legend.draw(surface, pen, [(None, "with drag"), (theme.GHOST, whatif.DECLARED)], banner)
@@ -119,7 +119,7 @@ def test_the_legend_stands_below_a_banner_of_any_height(pen: Pen, banner: int) -
 
 
 def test_a_legend_for_which_a_banner_leaves_no_room_waits(pen: Pen) -> None:
-    """It was cut in the middle of a row."""
+    """It used to be cut off in the middle of a row."""
     surface = pygame.Surface((600, 300))
 
     legend.draw(surface, pen, [(None, "with drag"), (theme.GHOST, whatif.DECLARED)], 250)
@@ -128,7 +128,7 @@ def test_a_legend_for_which_a_banner_leaves_no_room_waits(pen: Pen) -> None:
 
 
 def test_the_legend_tells_the_own_run_by_the_colours_of_its_bodies(pen: Pen) -> None:
-    """Its trails have these; it was told by another one."""
+    """Its trails have these colours; the legend showed another one."""
     surface = pygame.Surface((600, 300))
     red, blue = (239, 71, 111), (17, 138, 178)
 

@@ -1,4 +1,4 @@
-"""Experiments in the window: the curve is that of the runs, and a click runs one of them."""
+"""Experiments in the window: the curve shows its runs, and a click plays one of them."""
 
 import json
 from collections.abc import Iterator
@@ -30,7 +30,7 @@ def exploring(person: Person) -> Exploring:
 
 @pytest.fixture
 def thrower(person: Person) -> Iterator[Person]:
-    """Somebody who looks at what comes of throwing a ball faster."""
+    """A person who looks at the effect of throwing a ball faster."""
     person.window.open_level("kinematics/projectile")
     person.press(pygame.K_y, "y")
     yield person

@@ -53,7 +53,7 @@ def stepped(level: str, steps: int = 30) -> Session:
 
 
 def words(pen: Pen, net: float) -> pygame.Surface:
-    """Return what the polygon says of the sum, as it stands there."""
+    """Return what the polygon says about the sum."""
     sheet = pygame.Surface((WIDTH, 20))
     sheet.fill(theme.STAGE)
     sheet.blit(pen.write(f"sum {selected_body.newtons(net)} N", 12, theme.RESULTANT), (4, 2))
@@ -100,7 +100,7 @@ def test_the_page_draws_the_forces_on_the_stage_while_it_is_shown(person: Person
 
 
 def test_components_along_the_slope_are_those_of_the_textbook(person: Person) -> None:
-    """Across the slope only the normal force and m g cos α are left, and cancel."""
+    """Across the slope only the normal force and m g cos α remain, and cancel."""
     person.window.open_level(INCLINE)
     person.press(pygame.K_j, "j")
     person.press(pygame.K_RIGHT)
@@ -268,7 +268,7 @@ def test_words_of_forces_on_the_stage_lie_over_no_arrow(
 def test_the_stage_and_the_page_tell_one_size_while_the_run_plays(
     person: Person, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """The stage is drawn in every frame, and the page a few times a second."""
+    """The stage is drawn in every frame, but the page only a few times per second."""
     person.window.open_level("momentum/cradle")
     person.press(pygame.K_j, "j")
     person.session.step()

@@ -1,4 +1,4 @@
-"""Graphs: what is drawn is what was measured, at its place."""
+"""Graphs show the measured values, at the right place."""
 
 from pathlib import Path
 
@@ -97,7 +97,7 @@ def test_what_hardly_changes_is_drawn_beyond_an_offset_and_rounding_is_a_straigh
 
 
 def row(page: GraphPage, name: str) -> UIButton:
-    """Return the row of a quantity in the list of what can be drawn."""
+    """Return the row of a quantity in the list of those that can be drawn."""
     assert page.up.item_list_container is not None
     rows = [each for each in page.up.item_list_container.elements if isinstance(each, UIButton)]
     return next(each for each in rows if each.text == name)
@@ -211,7 +211,7 @@ def zoomed(person: Person) -> Zoom:
 
 @pytest.fixture
 def grapher(person: Person) -> Person:
-    """Somebody who looks at the graph of a whole throw, from 0 to the level's duration."""
+    """A person who looks at the graph of a whole throw, from 0 to the level's duration."""
     person.window.open_level("kinematics/projectile")
     for _ in range(person.session.end):
         person.session.step()
@@ -351,7 +351,7 @@ def test_buttons_zoom_and_move_along_for_those_who_have_no_mouse(grapher: Person
 
 
 def test_of_a_zoomed_line_every_point_that_is_seen_is_drawn(pen: Pen) -> None:
-    """Of 100,000 points a few hundred are drawn; looked at closely, a peak of one is seen."""
+    """Of 100,000 points a few hundred are drawn; zoomed in, a peak of a single point is seen."""
     x = np.linspace(0.0, 1.0, 100_001)
     y = np.where(np.arange(len(x)) == 50_001, 1.0, 0.0)
     series = [Series((255, 0, 0), x, y)]

@@ -1,4 +1,4 @@
-"""The page and the overlay of the guide are true: their code, as it stands there, draws."""
+"""The code of the guide's page and overlay draws what the guide says."""
 
 import re
 from pathlib import Path
@@ -17,7 +17,7 @@ BLOCK = re.compile(r"^```python\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 
 
 def module(title: str) -> dict[str, Any]:
-    """Run the code of the guide that begins with a title, and return what it defines."""
+    """Run the code of the guide under a title, and return what it defines."""
     (code,) = (block for block in BLOCK.findall(GUIDE.read_text("utf-8")) if title in block)
     defined: dict[str, Any] = {}
     exec(code, defined)

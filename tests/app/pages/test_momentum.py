@@ -37,7 +37,7 @@ def since(session: Session) -> dict[str, np.ndarray]:
 
 
 def pixels(picture: pygame.Surface, color: theme.Color) -> np.ndarray:
-    """Return in how many rows of each column right of the names there is a colour."""
+    """Return how many rows of each column to the right of the names have a colour."""
     where = (pygame.surfarray.array3d(picture)[LABEL + card.AXIS :] == color).all(axis=2)
     return where.sum(axis=1)
 
@@ -71,7 +71,7 @@ def test_a_momentum_that_is_rounding_is_told_as_nothing(
 def test_an_impulse_that_is_rounding_is_told_as_nothing(
     pen: Pen, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """A yo-yo falls straight down: along x there was 3e-17, and 6e-33 of it unexplained."""
+    """A yo-yo falls straight down: along x there was 3e-17, of which 6e-33 was unexplained."""
     session = session_of("rotation/yo-yo")
     for _ in range(60):
         session.step()
@@ -84,7 +84,7 @@ def test_an_impulse_that_is_rounding_is_told_as_nothing(
 
 
 def test_what_changes_the_total_is_the_impulse_from_outside() -> None:
-    """Gravity pulls with (m1 + m2) g for as long as the run lasts."""
+    """Gravity pulls with (m1 + m2) g throughout the run."""
     session = play(session_of("newton/atwood"))
 
     found = since(session)

@@ -1,4 +1,4 @@
-"""A run waits for a prediction, and afterwards prediction, formula and run are held together."""
+"""A run waits for a prediction, and then prediction, formula and run are compared."""
 
 from collections.abc import Sequence
 from math import pi
@@ -33,7 +33,7 @@ def predicting(person: Person) -> Predicting:
 
 
 def until_tried(person: Person) -> None:
-    """Look on until the run is over and no effect is tried any more."""
+    """Watch until the run is over and all effects have been tried."""
     until(person, lambda: not person.session.playing and not predicting(person).running)
 
 
@@ -44,7 +44,7 @@ def answer(person: Person, typed: str) -> None:
 
 @pytest.fixture
 def asked(person: Person, tmp_path: Path) -> Person:
-    """Somebody who is asked for the speed of a ball half way through its fall."""
+    """A person who is asked for the speed of a ball half way down."""
     person.open(tmp_path, scenes.falling())
     person.press(pygame.K_SPACE, " ")
     person.wait(0.2)
@@ -73,7 +73,7 @@ def written(monkeypatch: pytest.MonkeyPatch) -> list[str]:
 
 
 def test_a_number_that_is_typed_beside_the_field_answers_the_question(asked: Person) -> None:
-    """Digits open pages, and + and - change the speed, only while nobody is asked."""
+    """Digits open pages, and + and - change the speed, but not while a question is open."""
     page = asked.page(PredictPage)
     asked.window.panels.manager.set_focus_set(None)
 

@@ -54,7 +54,7 @@ def test_every_lane_tells_its_error_and_its_clock() -> None:
 
 
 def test_schemes_are_judged_past_an_event_of_which_they_record_no_place() -> None:
-    """The needle's axle is at rest: only how it turns is in its checks, and where it is is not."""
+    """The needle's axle is at rest: its checks use only its angle, not its place."""
     session = Session(load(find("lagrange/leapfrog-pendulum")))
     race.toggle(session)
     session.playing = True

@@ -1,4 +1,4 @@
-"""Every page that is registered: its tab, its keys, its commands, and what it shows."""
+"""Every registered page: its tab, its keys, its commands, and what it shows."""
 
 from collections.abc import Callable
 from pathlib import Path
@@ -25,7 +25,7 @@ FOLDER = Path(sandbox.app.pages.__file__).parent
 
 
 def card(pen: Pen, width: int, session: Session) -> pygame.Surface:
-    """Draw a card that tells how many bodies there are."""
+    """Draw a card that says how many bodies there are."""
     return pen.write(f"{len(session.level.bodies)} bodies in {width} px")
 
 
@@ -55,7 +55,7 @@ def each_with_a_level() -> list[object]:
 
 
 def turn_to(person: Person, page: Page) -> None:
-    """Press a page's key; one without a key is found by going on from page to page."""
+    """Press a page's key; a page without one is reached by turning from page to page."""
     if page.key:
         person.press(pygame.key.key_code(page.key), page.key)
         return

@@ -1,4 +1,4 @@
-"""What can be taken away, as somebody who plays meets it."""
+"""Whatever can be saved from a run, as a player saves it."""
 
 import json
 from io import BytesIO

@@ -1,4 +1,4 @@
-"""A stopwatch in the time of the run: by hand, by events, and whatever way led to a step."""
+"""A stopwatch in the run's time: by hand, by events, and however a step is reached."""
 
 from math import sqrt
 
@@ -101,7 +101,7 @@ def test_a_hand_that_lifts_a_ball_does_not_keep_its_first_contact_from_being_tim
 
 
 def test_what_a_changed_run_lacks_has_not_happened() -> None:
-    """A body that was thrown in and taken out again: the window ended when it was drawn."""
+    """A body was added and removed again; drawing it used to end the window."""
     session, _ = opened("newton/incline")
     session.step()
     gone: list[Moment] = [
@@ -203,7 +203,7 @@ def test_another_level_puts_it_away(person: Person) -> None:
 def test_what_has_not_happened_is_looked_for_once_a_step(
     person: Person, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """To look through the states of a long run takes up to half a millisecond."""
+    """Searching the states of a long run takes up to half a millisecond."""
     person.window.open_level("kinematics/projectile")
     person.wait()
     person.press(pygame.K_1, "1")

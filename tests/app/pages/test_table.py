@@ -1,4 +1,4 @@
-"""The table of what is graphed."""
+"""The table of the graphed quantities."""
 
 from pathlib import Path
 
@@ -19,7 +19,7 @@ from tests.app.writing import noted
 
 @pytest.fixture
 def seated(person: Person, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Person:
-    """Somebody who has opened the table after half a second of a throw."""
+    """A person who has opened the table after half a second of a throw."""
     monkeypatch.setattr(save_folder, "folder", lambda: tmp_path / "files")
     person.window.open_level("kinematics/projectile")
     for _ in range(30):
@@ -53,7 +53,7 @@ def test_the_file_has_what_is_graphed_at_every_instant(seated: Person, tmp_path:
 def test_the_unit_of_a_quantity_with_a_long_name_is_written(
     pen: Pen, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Name and unit were shortened as one: the unit was what went."""
+    """Name and unit were shortened as one text, which lost the unit."""
     session = Session(load(catalog.find("newton/atwood")))
     written = noted(pen, monkeypatch)
 

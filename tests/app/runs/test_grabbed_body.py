@@ -1,4 +1,4 @@
-"""A hand on what hangs on rods: it goes where the rod lets it, and the run goes on."""
+"""A hand on a body that hangs on rods: it moves as the rods allow, and the run continues."""
 
 from math import hypot
 
@@ -76,7 +76,7 @@ def test_in_the_middle_of_a_swing_too() -> None:
 def test_a_run_goes_on_from_where_it_stood_after_a_body_could_not_be_put_elsewhere(
     person: Person,
 ) -> None:
-    """A chassis without its wheels stopped the run for good, with a rate that would not help."""
+    """A chassis moved without its wheels stopped the run for good, and advised a useless rate."""
     person.window.open_level("machines/car-over-bumps")
     session = person.session
     for _ in range(20):

@@ -1,4 +1,4 @@
-"""A run that takes more time or memory than it should pauses, says so, and goes on if asked to."""
+"""A run that takes too much time or memory pauses, says so, and continues on request."""
 
 from pathlib import Path
 
@@ -18,12 +18,12 @@ FRAME = 1 / 60  # s
 
 @pytest.fixture
 def slow(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Let every step be one that takes too long."""
+    """Let every step take too long."""
     monkeypatch.setattr(limits, "SLOW", 0.0)
 
 
 def played(*, patient: bool = False) -> Session:
-    """Return a session that has played for as many frames as its level would last."""
+    """Return a session that has played for the frames of the level's duration."""
     session = Session(scenes.level(), patient=patient)
     session.toggle()
     for _ in range(100):
@@ -103,7 +103,7 @@ def test_a_recording_ends_where_memory_should_hold_no_more(monkeypatch: pytest.M
 
 
 def crowd(count: int) -> str:
-    """Return the JSON of so many discs that fall."""
+    """Return the JSON of a number of falling discs."""
     disc = {"type": "disc", "radius": 0.1}
     bodies = {
         f"disc{i}": {"shape": disc, "mass": 1, "position": [0.3 * (i % 20), 0.3 * (i // 20)]}

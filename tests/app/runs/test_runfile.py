@@ -1,4 +1,4 @@
-"""A run that was saved is taken again, and comes to the same state to the last bit."""
+"""A saved run is repeated, and reaches the same state to the last bit."""
 
 from pathlib import Path
 
@@ -18,7 +18,7 @@ LEVELS = catalog.names()[::15]
 
 
 def pulled(session: Session) -> None:
-    """Pull a body for some steps, as while time runs, and let it go."""
+    """Pull a body for some steps, as while time runs, and release it."""
     body = next(n for n, b in session.level.bodies.items() if b.type == "dynamic")
     row = list(session.level.bodies).index(body)
     x, y = session.world.snapshot.position[row].tolist()

@@ -1,4 +1,4 @@
-"""A level being played, without a window."""
+"""A level is played, without a window."""
 
 import json
 
@@ -190,7 +190,7 @@ def test_a_body_is_pulled_while_time_runs() -> None:
 
 
 def test_a_hand_for_which_the_rate_is_too_low_stops_the_run_and_says_so() -> None:
-    """A bob that turns by 1 rad a step: parts of it the rod can follow, a whole one it cannot."""
+    """A bob turns by 1 rad per step: the rod can follow parts of a step, but not a whole one."""
     session = Session(
         level(
             {"bob": disc((1, 0), velocity=[0, 17])},
@@ -271,7 +271,7 @@ def test_the_energies_of_a_fall_are_exchanged() -> None:
 
 
 def test_energies_are_compared_with_those_that_a_hand_has_left() -> None:
-    """The work of the hand is no change that the run has made of itself."""
+    """The work of the hand does not count as a change that the run has made itself."""
     session = Session(scenes.level())
     run = session.run
 
@@ -348,9 +348,9 @@ def test_a_run_that_is_lost_does_not_go_on() -> None:
 
 
 def test_a_run_with_parameters_of_its_own_begins_anew_in_any_form_of_its_level() -> None:
-    """A run that is changed on the way has others than its level, and lacks those that are used up.
+    """A run that was edited has other parameters than its level, without those no longer used.
 
-    Played in another form with these, it left the window with an exception when it began anew.
+    When it was restarted in another form of the level, they ended the window.
     """
     session = Session(load(catalog.find("newton/incline")))
     session.step()
@@ -368,7 +368,7 @@ def test_a_run_with_parameters_of_its_own_begins_anew_in_any_form_of_its_level()
 
 
 def test_a_run_with_a_value_that_its_level_does_not_allow_begins_anew_without_it() -> None:
-    """A run that is changed on the way may have other ranges: it left the window, too."""
+    """A run that was edited may have other ranges; restarting it ended the window."""
     session = Session(
         load(catalog.find("newton/incline")), values={"angle": 40.0, "mass": 3.0, "g": 9.0}
     )
@@ -385,7 +385,7 @@ def test_a_run_with_a_value_that_its_level_does_not_allow_begins_anew_without_it
 
 
 def test_another_pace_takes_a_run_that_was_changed_from_the_start_of_its_level() -> None:
-    """It began where the run had been changed, as if that were a level."""
+    """It used to restart where the run had been edited, as if that were a level."""
     session = Session(load(catalog.find("newton/incline")))
     begun = session.world.snapshot.position.tobytes()
     for _ in range(30):

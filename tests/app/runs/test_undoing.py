@@ -1,4 +1,4 @@
-"""Taking back what was changed of a run, by real events."""
+"""Edits of a run are undone, by real events."""
 
 from pathlib import Path
 

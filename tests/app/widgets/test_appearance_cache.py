@@ -1,4 +1,4 @@
-"""Looks are kept while they are wanted, in no more memory than is said."""
+"""The looks of widgets are kept while they are used, within the stated memory."""
 
 import pygame
 import pytest

@@ -1,4 +1,4 @@
-"""Widgets that are gone leave nothing behind."""
+"""Removed widgets leave nothing behind."""
 
 import gc
 from collections.abc import Sequence
@@ -12,7 +12,7 @@ from tests.app.person import Person
 
 
 def lost(person: Person, known: Sequence[UIElement] = ()) -> list[UIElement]:
-    """Return the widgets that are not in the window and are still there, but for some."""
+    """Return the widgets that still exist but are not in the window, except given ones."""
     gc.collect()
     shown = person.window.panels.manager.get_sprite_group().sprites()
     passed = {id(each) for each in (*shown, *known)}
@@ -20,7 +20,7 @@ def lost(person: Person, known: Sequence[UIElement] = ()) -> list[UIElement]:
 
 
 def test_a_window_in_another_size_of_text_keeps_no_widget_of_the_old_one(person: Person) -> None:
-    """pygame_gui keeps its first manager for whoever names none: 50 MB in a full window."""
+    """pygame_gui keeps its first manager as the default: 50 MB in a full window."""
     of_others = lost(person)
     set_default_manager(person.window.panels.manager)  # as that of the first window is
     person.window.open_level("newton/atwood")
@@ -33,7 +33,7 @@ def test_a_window_in_another_size_of_text_keeps_no_widget_of_the_old_one(person:
 
 
 def test_a_page_that_was_left_is_gone_with_its_widgets(person: Person) -> None:
-    """The editor held the page where it was asked to complete names."""
+    """The editor held the page whose names it was asked to complete."""
     of_others = lost(person)
     person.window.open_level("newton/atwood")
     person.press(pygame.K_b, "b")

@@ -1,4 +1,4 @@
-"""The axes of graphs: numbers that can be read, in the units in which quantities are told."""
+"""The axes of graphs: legible numbers, in the units of their quantities."""
 
 from math import radians
 
@@ -54,7 +54,7 @@ def test_a_scale_of_another_unit_is_read_as_it_is() -> None:
 
 @pytest.mark.parametrize("slope", [-1e-5, 1e-5])
 def test_what_numbers_are_told_beyond_stands_where_no_line_is(pen: Pen, slope: float) -> None:
-    """It stood on a line that begins in the upper left corner."""
+    """It was drawn over a line that begins in the upper left corner."""
     x = np.linspace(0.0, 1.0, 50)
     series = Series(theme.ACCENT, x, 4.5 + slope * x**2, marked=True)
 

@@ -1,4 +1,4 @@
-"""Numbers and moments as a person reads them."""
+"""Numbers and times as a person reads them."""
 
 from math import inf, nan, pi
 

@@ -1,4 +1,4 @@
-"""The window in other languages: chosen, kept, complete, and changed while a run goes on."""
+"""The window in other languages: chosen, kept, complete, and changed during a run."""
 
 import ast
 import json
@@ -51,7 +51,7 @@ SHOWING = {
 
 @pytest.fixture
 def few() -> int:
-    """No level is listed: its title stands as its author wrote it."""
+    """List no level, since titles stay as their authors wrote them."""
     return 0
 
 
@@ -93,7 +93,7 @@ def shipped(**changes: object) -> str:
 
 
 def worded(hint: Any, path: tuple[str, ...] = ()) -> Iterator[tuple[str, ...]]:  # noqa: ANN401
-    """Yield the fields of a type that have words, by the fields that lead there."""
+    """Yield the fields of a type that have texts, by the fields that lead there."""
     if any(isinstance(mark, Words) for mark in getattr(hint, "__metadata__", ())):
         yield path
     elif isinstance(hint, type) and issubclass(hint, Model):
@@ -118,7 +118,7 @@ def choose(person: Person, title: str) -> None:
 
 
 def heard(speech: Speech, person: Person) -> None:
-    """Check that all that was written so far was said in the language, and is in the catalogue."""
+    """Check that everything written so far was translated, and is in the catalogue."""
     speech.look(person)
 
     assert list(speech.small(OWN_NAMES)) == []
@@ -207,7 +207,7 @@ def test_a_message_without_words_is_none() -> None:
 
 
 def test_the_level_that_is_listened_to_has_words_wherever_a_level_may_have_some() -> None:
-    """Words in a field that is new are heard on the pages, too."""
+    """So the texts of a new field are checked on the pages, too."""
     fields = set(worded(Level))
     steps = {step for path in fields for step in path}
     found = {tuple(step for step in path if step in steps) for path, _ in prose(parse(shipped()))}
@@ -224,7 +224,7 @@ def test_what_is_not_said_through_the_catalogue_is_found(speech: Speech) -> None
 
 @pytest.mark.sweep
 def test_nothing_is_drawn_or_told_as_it_stands_in_the_code() -> None:
-    """What no test comes to is found in the sources, where it is handed on without `say`."""
+    """Texts that no test reaches are found in the sources, where they are passed without `say`."""
     found = []
     for path in sorted(Path(app.__file__).parent.rglob("*.py")):
         calls = (n for n in ast.walk(ast.parse(path.read_text("utf-8"))) if isinstance(n, ast.Call))
@@ -235,7 +235,7 @@ def test_nothing_is_drawn_or_told_as_it_stands_in_the_code() -> None:
 
 
 def bare(call: ast.Call) -> Iterator[str]:
-    """Yield the arguments of a call that are words: texts, and formatted ones."""
+    """Yield the arguments of a call that are texts, formatted ones included."""
     for given in (*call.args, *(keyword.value for keyword in call.keywords)):
         for each in (given.body, given.orelse) if isinstance(given, ast.IfExp) else (given,):
             parts = each.values if isinstance(each, ast.JoinedStr) else [each]
@@ -336,7 +336,7 @@ def test_what_else_the_window_writes_is_said_in_the_language(
 def test_a_level_that_cannot_be_opened_is_told_in_the_language(
     speech: Speech, person: Person, tmp_path: Path
 ) -> None:
-    """So is what is wrong with it, each mistake at its place."""
+    """So are its mistakes, each at its place."""
     ball = {"type": "dynamic", "shape": {"type": "disc", "radius": -1}, "position": ["2m", 0]}
     effects = {"gravitee": {}, "drag": {"linear": "1/0", "quadratic": True}}
     person.open(tmp_path, json.dumps({"format": 1, "effects": effects, "bodies": {"B": ball}}))
@@ -355,7 +355,7 @@ def test_a_level_that_cannot_be_opened_is_told_in_the_language(
 def test_no_name_of_an_account_lies_on_its_bar(
     monkeypatch: pytest.MonkeyPatch, name: language.Name, scale: float
 ) -> None:
-    """In German, losses by drag have a name of 150 px: more than the bars leave in English."""
+    """In German, losses by drag have a name of 150 px, wider than any in English."""
     accounts = dict.fromkeys(EFFECTS, 1.0)
     books = Balance(1.0, accounts, accounts, accounts, 0.0, {}, np.zeros(3), 0.0)
     parts: list[pygame.Rect] = []

@@ -1,4 +1,4 @@
-"""What levels that come with the project say, in the language of the window; and only they."""
+"""Texts of the levels that come with the project are translated, and no others."""
 
 import json
 from collections.abc import Iterator
@@ -27,7 +27,7 @@ def german() -> Iterator[None]:
 
 @pytest.fixture
 def drawn(monkeypatch: pytest.MonkeyPatch) -> set[str]:
-    """Every text that is drawn by a window that is opened later."""
+    """Every text drawn by a window that is opened later."""
     found: set[str] = set()
     write = Pen._write
 
@@ -161,7 +161,7 @@ def test_in_english_no_german_word_finds_a_level(person: Person) -> None:
 def test_stars_stay_with_a_challenge_in_whichever_language(
     person: Person, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """They are kept by the title that its file has."""
+    """They are kept by the title in its file."""
     asked = catalog.root() / "challenges" / "stop-dead.json"
     title = json.loads(asked.read_text("utf-8"))["title"]
     person.window.files.read_again(asked)
@@ -176,7 +176,7 @@ def test_stars_stay_with_a_challenge_in_whichever_language(
 def test_a_level_of_ones_own_says_what_its_author_wrote(
     drawn: set[str], person: Person, tmp_path: Path
 ) -> None:
-    """Even what some other level says in German."""
+    """Even if a level of the catalog has the same text in German."""
     speak(person, "de")
     person.open(tmp_path, falling(title="Free fall"))
 

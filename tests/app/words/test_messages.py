@@ -1,4 +1,4 @@
-"""What is told from below the window, errors first of all, is said in its language."""
+"""Messages from below the window, errors above all, are said in its language."""
 
 import ast
 import pickle
@@ -25,7 +25,7 @@ OURS = re.compile("(Sandbox|Level|Expression|Simulation)Error").search
 
 
 def calls() -> Iterator[tuple[str, ast.Call]]:
-    """Yield where messages are made that the window may show: `mypy` lets errors take no other."""
+    """Yield where messages are made that the window may show: errors accept no others."""
     for path in said_in(Path(sandbox.__file__).parent):
         if path.parts[-2:] not in {("model", "message.py"), ("model", "errors.py")}:
             for node in ast.walk(ast.parse(path.read_text("utf-8"))):
@@ -44,7 +44,7 @@ def makes_a_message(call: ast.Call) -> bool:
 
 
 def bare(value: ast.AST) -> Iterator[str]:
-    """Yield the words of a value that no message says."""
+    """Yield the texts of a value that are in no message."""
     if isinstance(value, ast.Call) and ast.unparse(value.func) in MAKERS:
         return
     if isinstance(value, ast.Constant) and isinstance(value.value, str) and has_words(value.value):
@@ -63,7 +63,7 @@ def test_every_message_has_its_template_in_the_sources_where_catalogues_are_made
 
 
 def test_no_value_of_a_message_is_english() -> None:
-    """What is put into a translated sentence has to be a message itself, or of the level."""
+    """A value in a translated sentence must be a message itself, or come from the level."""
     found = [
         f"{where}: {said}"
         for where, call in calls()
@@ -96,7 +96,7 @@ def handlers() -> Iterator[tuple[str, ast.ExceptHandler]]:
 
 
 def test_no_error_is_shown_by_the_window_as_it_stands() -> None:
-    """It is said in the language: `say(error.message)`, or as a value of another message."""
+    """It is translated: `say(error.message)`, or as a value of another message."""
     found = list(handlers())
     shown = [
         f"{name}: {ast.unparse(node)}"

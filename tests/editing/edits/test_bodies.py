@@ -1,4 +1,4 @@
-"""Bodies that are drawn: what they are made of, and that the level loads."""
+"""Drawn bodies: their fields, and whether the level loads."""
 
 from math import cos, pi, sin, tau
 

@@ -1,4 +1,4 @@
-"""Checks and ghosts: added where they hold, and completed from what is typed."""
+"""Checks and ghosts: added where they apply, and completed from what is typed."""
 
 import pytest
 

@@ -1,4 +1,4 @@
-"""Effects: declared with what they need, and dropped with what needs them."""
+"""Effects: declared with what they need, and removed with what needs them."""
 
 from typing import Any
 
@@ -69,7 +69,7 @@ def test_what_effects_cost_is_measured_for_those_that_can_be_switched() -> None:
 
 
 def test_what_is_drawn_floats_in_the_liquid_that_a_click_declares() -> None:
-    """A box of 2 m lies 1 m deep in a liquid of twice its density."""
+    """A box of 2 m floats 1 m deep in a liquid of twice its density."""
     text = add_box(EMPTY, parse(EMPTY), (-1, -1), (1, 1)).text
     for effect in ("gravity", "buoyancy"):
         level = parse(text)

@@ -1,4 +1,4 @@
-"""Events that are made from what is selected."""
+"""Events made from the selected parts."""
 
 from sandbox.editing.draft import Draft
 from sandbox.editing.edits.bodies import add_disc

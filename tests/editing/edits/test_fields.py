@@ -1,4 +1,4 @@
-"""Fields: what is typed stands there, or is refused in the loader's words."""
+"""Fields: typed text is kept as it is, or refused with the loader's message."""
 
 import re
 

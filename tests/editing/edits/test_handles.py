@@ -1,4 +1,4 @@
-"""Handles: what is dragged follows, and what lies opposite stays."""
+"""Handles: the dragged point follows, and the opposite one stays."""
 
 import pytest
 

@@ -100,7 +100,7 @@ def test_bodies_that_are_joined_at_a_distance_still_meet() -> None:
 
 
 def test_what_is_put_on_a_pin_can_turn() -> None:
-    """A plank on a pin through its middle is a seesaw, and does not stand there stiff."""
+    """A plank on a pin through its middle is a seesaw, and does not stand stiffly."""
     text = Draft.empty().text
     text = add_box(text, parse(text), (-3, 1), (3, 1.2)).text
     made = add_joint(text, parse(text), "pivot", [Pick((0, 1.1), "box1"), Pick((0, 1.1))])

@@ -1,4 +1,4 @@
-"""A rope of knots over a drum."""
+"""A rope made of knots, over a drum."""
 
 from math import exp, pi
 
@@ -18,7 +18,7 @@ EMPTY = Draft.empty().text
 
 
 def drum(heavy: float, friction: float | None = None, across: float = 1.04) -> str:
-    """Return a disc, and weights of 5 kg and so much below its left and right edge."""
+    """Return a disc, and weights of 5 kg and of a given mass below its left and right edges."""
     text = add_disc(EMPTY, parse(EMPTY), (0, 4), (1, 4)).text
     for x in (-across, across):
         text = add_box(text, parse(text), (x - 0.3, 1), (x + 0.3, 1.6)).text
@@ -33,7 +33,7 @@ def drum(heavy: float, friction: float | None = None, across: float = 1.04) -> s
 def test_a_rope_over_a_drum_pulls_as_the_capstan_equation_says(
     heavy: float, friction: float | None
 ) -> None:
-    """The knots weigh a thousandth each, and so much is missing."""
+    """Each knot has a thousandth of the mass; that is the difference."""
     level = parse(wrap(text := drum(heavy, friction), parse(text), THREE).text)
     world, ratio = build(level), exp((friction or 0) * pi)
     index = list(level.bodies).index("box2")

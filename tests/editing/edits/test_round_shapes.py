@@ -1,4 +1,4 @@
-"""Round bodies as one another."""
+"""Round bodies are turned into each other."""
 
 import json
 
@@ -41,7 +41,7 @@ def test_what_has_a_name_keeps_it() -> None:
 
 
 def test_what_an_arc_is_comes_first_in_its_text() -> None:
-    """As people write it, and as `format` leaves it, and not behind its colour and position."""
+    """As people write it, and as `format` leaves it: not after its colour and position."""
     text = rounded(disc(), parse(disc()), "disc1", "arc").text
     assert next(iter(json.loads(text)["bodies"]["arc1"])) == "type"
 

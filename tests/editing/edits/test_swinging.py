@@ -1,4 +1,4 @@
-"""The angle of what hangs is one parameter; what it hangs on keeps its length."""
+"""The angle of a pendulum becomes one parameter, and its rod keeps its length."""
 
 import pytest
 

@@ -1,4 +1,4 @@
-"""The angle of a slope as one parameter: slope and block turn together."""
+"""The angle of a slope becomes one parameter: slope and block turn together."""
 
 from math import radians
 
@@ -29,7 +29,7 @@ EMPTY = Draft.empty().text
 
 
 def apart(text: str, angle: float) -> float:
-    """Return how far the block is from the slope at an angle of the slope [m]."""
+    """Return the distance of the block from the slope at an angle of the slope [m]."""
     level = parse(put(text, ("parameters", "angle", "value"), angle))
     slope, block = (placed(level)[name] for name in ("surface1", "box1"))
     return min(gap(a, b, slope.radius).distance for a in block.cores for b in slope.cores)
@@ -81,7 +81,7 @@ def test_the_checks_that_are_suggested_hold_at_every_angle(
 
 
 def test_a_slope_that_is_touched_exactly_is_recognised() -> None:
-    """Where the gap is 0 to the last bit, its normal may point to either side of the line."""
+    """Where the gap is exactly 0, the normal may point to either side of the line."""
     text = add_surface(EMPTY, parse(EMPTY), [(-4, 4), (4, 0)]).text
     text = add_box(text, parse(text), (-2, 4), (-1, 5)).text
     text = turn(text, parse(text), ["box1"], flat_turn(parse(text), "box1", 2))

@@ -1,4 +1,4 @@
-"""Bodies moved, turned and aligned: where they come to lie, and what goes with them."""
+"""Bodies are moved, turned and aligned: their new places, and what moves with them."""
 
 from collections.abc import Callable
 from math import pi

@@ -1,4 +1,4 @@
-"""Set-ups that have a closed form, made by edits, as a hand makes them."""
+"""Set-ups with a closed form, made by edits as a person makes them."""
 
 from cmath import rect
 from math import copysign, pi, radians
@@ -53,7 +53,7 @@ def loop() -> str:
 
 
 def capstan(m1: float, m2: float, mu: float | None = None, x: float = 1.04) -> str:
-    """Return two boxes that hang on a rope over a drum, let go for a short time."""
+    """Return two boxes that hang on a rope over a drum, simulated for a short time."""
     text = disc(EMPTY, 0, 4, 1)
     for side in (-x, x):
         text = add_box(text, parse(text), (side - 0.3, 1), (side + 0.3, 1.6)).text
@@ -66,7 +66,7 @@ def capstan(m1: float, m2: float, mu: float | None = None, x: float = 1.04) -> s
 
 
 def cradle(count: int, drawn: int, *, angle: float = 30, rods: float = 3, kind: str = "rod") -> str:
-    """Return elastic balls that hang in a row, some of which, the last if < 0, are drawn aside."""
+    """Return elastic balls that hang in a row; some of them, the last if < 0, are pulled aside."""
     text, balls = EMPTY, range(1, count + 1)
     for i in balls:
         text = disc(text, i, 2, 0.5)
@@ -87,7 +87,7 @@ def walled(text: str, x: float) -> str:
 
 
 def row(velocities: list[float]) -> str:
-    """Return elastic balls on a line, of which those that are alike touch, without gravity."""
+    """Return elastic balls on a line, without gravity; those that are alike touch."""
     text, x = EMPTY, -4.0
     for i, v in enumerate(velocities):
         x += 0.5 + (0.7 if i and v != velocities[i - 1] else 0)
@@ -151,7 +151,7 @@ def seesaw(
     friction: float | None = None,
     discs: dict[float, float] | None = None,
 ) -> str:
-    """Return a plank on a pin, with squares and discs of a size on it where they are placed."""
+    """Return a plank on a pin, with squares and discs of one size at given places."""
     text = add_box(EMPTY, parse(EMPTY), (-3, 1), (3, 1.2)).text
     for x, size in boxes.items():
         text = add_box(text, parse(text), (x - size / 2, 1.2), (x + size / 2, 1.2 + size)).text

@@ -1,4 +1,4 @@
-"""Known set-ups are recognised, and what is suggested of them holds in a run."""
+"""Known set-ups are recognised, and what is suggested for them holds in a run."""
 
 import pytest
 
@@ -26,7 +26,7 @@ from tests.editing.suggest.set_ups import (
 
 
 def test_a_number_in_a_check_stands_as_a_number() -> None:
-    """The acceleration of gravity, say, and not the text of it."""
+    """For example the acceleration of gravity, and not its text."""
     text = atwood(1, 2)
     (one,) = suggestions(parse(text))
     said = take(text, parse(text), one)
@@ -52,7 +52,7 @@ def test_a_set_up_is_recognised_and_its_checks_pass_on_a_run(setup: str, text: s
 
 @pytest.mark.sweep
 def test_a_check_fails_where_the_scene_is_another_one() -> None:
-    """What is suggested of masses 2 and 3.7 does not hold of 2 and 3.8."""
+    """A suggestion for masses of 2 and 3.7 does not hold for 2 and 3.8."""
     text = atwood(2, 3.7)
     checked = take(text, parse(text), suggestions(parse(text))[0])
     other = put_all(checked, {("bodies", "disc2", "mass"): 3.8})

@@ -1,4 +1,4 @@
-"""Groups are placed as one: turned about their origin, then moved."""
+"""Groups are placed as a whole: turned about their origin, then moved."""
 
 import json
 from cmath import rect
@@ -132,7 +132,7 @@ def test_a_mistake_within_a_group_is_told_where_it_is_typed() -> None:
 
 
 def test_every_field_of_a_joint_that_has_a_place_is_turned() -> None:
-    """A new kind of joint with a pair of numbers of another name would stand askew."""
+    """Otherwise a new kind of joint with another pair of numbers would be placed wrongly."""
     for joint in get_args(get_args(Joint)[0]):
         for name, field in joint.model_fields.items():
             told = str(field.annotation)

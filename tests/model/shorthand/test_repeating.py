@@ -1,4 +1,4 @@
-"""What repeats is the same level, to the bit, as the one that is typed out."""
+"""A repetition is the same level, to the bit, as its parts written out."""
 
 import json
 import time
@@ -26,7 +26,7 @@ def level(**changes: object) -> Data:
 
 
 def chain(count: int) -> Data:
-    """Return a chain of balls on rods, a check and a ghost for each."""
+    """Return a chain of balls on rods, with a check and a ghost for each."""
     ball = DISC | {"repeat": {"i": count}, "position": ["0.3*{i}", "m*{i - 1}"]}
     rod = {"repeat": {"i": count - 1}, "type": "rod", "ends": ["ball{i}", "ball{i + 1}"]}
     check = {
@@ -222,7 +222,7 @@ def test_a_name_without_its_index_is_told() -> None:
     ],
 )
 def test_a_small_file_exhausts_no_machine(repeat: Any) -> None:  # noqa: ANN401
-    """400 million bodies in 300 bytes are refused; measured 0.2 to 0.7 s of computing."""
+    """400 million bodies in 300 bytes are refused, after 0.2 to 0.7 s of computing."""
     data = level(bodies={"b{i}_{j}": DISC | {"repeat": repeat}})
     begun = time.process_time()
     found = write_out(data, json.dumps(data))
@@ -233,7 +233,7 @@ def test_a_small_file_exhausts_no_machine(repeat: Any) -> None:  # noqa: ANN401
 
 @pytest.mark.sweep
 def test_copies_of_many_numbers_exhaust_no_machine() -> None:
-    """Numbers are counted as texts are: 20,000 polygons of 1,000 corners would be 20 million."""
+    """Numbers count like texts: 20,000 polygons of 1,000 corners would be 20 million."""
     corners = [[i, i % 7] for i in range(1000)]
     shape = {"type": "polygon", "vertices": corners}
     data = level(bodies={"b{i}": DISC | {"repeat": {"i": 20_000}, "shape": shape}})
@@ -257,7 +257,7 @@ def test_the_layout_stays_as_it_is_typed() -> None:
     max_leaves=20,
 ))  # fmt: skip
 def test_nonsense_is_answered(nonsense: object) -> None:
-    """Whatever stands where shorthand may: a level or mistakes, and no traceback."""
+    """Whatever is written instead of shorthand: a level or mistakes result, and no traceback."""
     for part in ("bodies", "joints", "groups", "checks", "constants", "ghosts"):
         data = {**level(), "bodies": {"ball": DISC}, part: nonsense}
         with suppress(LevelError):

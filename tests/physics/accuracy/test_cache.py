@@ -1,4 +1,4 @@
-"""Settings that are kept for an accuracy, and what is not believed of them."""
+"""Settings that are kept for an accuracy, and which entries are not trusted."""
 
 import json
 import os
@@ -21,7 +21,7 @@ from tests.physics.scenes import orbit
 
 @pytest.fixture
 def counted(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> list[float]:
-    """Keep settings in a folder of the test's own, and count how often one is found out."""
+    """Keep settings in a folder of the test, and count how often one is searched for."""
     calls: list[float] = []
     real: Callable[..., Setting] = calibrate
 
@@ -88,7 +88,7 @@ def test_a_spoilt_file_is_not_used(counted: list[float], mangle: Callable[[str],
 
 
 def _edited(text: str) -> str:
-    """Let an entry say 1 Hz and explicit Euler, at the error that was found for something else."""
+    """Edit an entry to say 1 Hz and explicit Euler, at the error found for something else."""
     entry = json.loads(text)
     entry[2]["chosen"]["stepping"] |= {"rate": 1.0, "scheme": "explicit-euler"}
     return json.dumps(entry)

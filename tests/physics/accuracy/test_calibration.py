@@ -1,4 +1,4 @@
-"""An accuracy that is asked for is delivered, and what cannot be had is said."""
+"""A requested accuracy is delivered, or the answer says why it cannot be."""
 
 import time
 from collections.abc import Callable, Iterator
@@ -40,7 +40,7 @@ def check(quantity: str, formula: str, at: object = None) -> Spec:
 
 
 def oscillator(k: float = 10, c: float = 0, **rest: object) -> Level:
-    """A ball of 1 kg, let go 0.5 m from where its spring is slack."""
+    """A ball of 1 kg, released 0.5 m from where its spring is slack."""
     omega, gamma = sqrt(k - c * c / 4), c / 2
     swing = f"exp(-{gamma!r}*t)*(cos({omega!r}*t) + {gamma / omega!r}*sin({omega!r}*t))"
     spring = {"type": "spring", "ends": ["peg", "ball"], "stiffness": k, "length": 1, "damping": c}
@@ -59,12 +59,12 @@ def catalog_level(name: str) -> Level:
 
 
 def ticking(now: Callable[[], float]) -> float:
-    """Return what a clock says that ticks a hundred times a second."""
+    """Return a clock that ticks a hundred times per second."""
     return int(100 * now()) / 100
 
 
 def leaping(count: Iterator[int]) -> float:
-    """Return what a clock says on a machine that stalls for a minute between two looks."""
+    """Return a clock of a machine that stalls for a minute between two readings."""
     return 60.0 * next(count)
 
 
@@ -77,7 +77,7 @@ def leaping(count: Iterator[int]) -> float:
 def test_whatever_a_clock_says_the_search_comes_to_an_end(
     monkeypatch: pytest.MonkeyPatch, clock: Callable[[], float]
 ) -> None:
-    """No rate is beyond the highest, and each scheme gets there in a few doublings."""
+    """No rate exceeds the highest, and each scheme gets there in a few doublings."""
     monkeypatch.setattr(refinement_search, "thread_time", clock)
     monkeypatch.setattr(step_timing, "perf_counter", clock)
     begun = time.monotonic()
@@ -102,7 +102,7 @@ def delivered(scene: Level, stepping: Stepping) -> float:
 
 @pytest.mark.sweep
 def test_fourth_order_is_taken_where_it_is_cheaper() -> None:
-    """On an orbit by few of the steps, at five or six times the cost each."""
+    """On an orbit it needs few of the steps, at five or six times the cost each."""
     assert calibrate(orbit(), target=1e-8).chosen.stepping.scheme == "fourth-order"
     assert calibrate(orbit(), target=1e-2).chosen.stepping.scheme == "leapfrog"
 
@@ -137,7 +137,7 @@ def orbits(draw: st.DrawFn) -> Level:
 
 @st.composite
 def pendulums(draw: st.DrawFn) -> Level:
-    """A rod let go: at its lowest point, the speed is that of the height; energy is kept."""
+    """A rod, released: at its lowest point the speed follows from the height; energy is kept."""
     angle, length = draw(st.floats(0.2, 2)), draw(st.floats(0.3, 3))
     speed = sqrt(2 * G * length * (1 - cos(angle)))
     low = {"event": "crossing", "quantity": "bob.position.x", "value": 0}
@@ -188,7 +188,7 @@ def test_random_scenes_get_what_they_ask_for(
 
 
 def swinging(*checks: Spec) -> Level:
-    """A bob on a rod, let go level, for a few swings."""
+    """A bob on a rod, released from the horizontal, for a few swings."""
     rod = {"type": "rod", "ends": [[0, 0], "bob"]}
     bob = {"bob": disc((1, 0), radius=0.05)}
     return level(bob, GRAVITY, joints={"rod": rod}, checks=list(checks), duration=5)
@@ -196,7 +196,7 @@ def swinging(*checks: Spec) -> Level:
 
 @pytest.mark.sweep
 def test_what_cannot_fail_fulfils_no_request() -> None:
-    """A rod's length holds to rounding at any rate; where its bob is does not."""
+    """A rod's length holds to rounding at any rate; the place of its bob does not."""
     scene = swinging(check("rod.length", "1"))
     setting = calibrate(scene, target=1e-6)
     names = ["bob.position.x", "bob.position.y"]
@@ -213,7 +213,7 @@ def test_what_cannot_fail_fulfils_no_request() -> None:
 
 @pytest.mark.sweep
 def test_what_is_recorded_is_judged_as_well() -> None:
-    """The kinetic energy of a swing at its turning point is as wrong as the bob is early."""
+    """The kinetic energy at a turning point is as wrong as the bob is early."""
     scene = swinging()
     named = calibrate(scene, target=1e-5, also=["bob.kinetic_energy"])
 
@@ -223,7 +223,7 @@ def test_what_is_recorded_is_judged_as_well() -> None:
 
 
 def test_a_touch_that_comes_at_once_is_not_chaos() -> None:
-    """A ball that slides and then rolls feels a nudge towards the floor at once, but only once."""
+    """A ball that slides and then rolls reacts to a nudge to the floor at once, but only once."""
     found = catalog_level("rotation/slide-to-roll")
 
     assert chaotic(found, found.defaults, Stepping(rate=240), never) == ""
@@ -244,7 +244,7 @@ def test_a_clock_that_stumbles_changes_no_setting(
 @pytest.mark.sweep
 @pytest.mark.parametrize("seed", range(6))
 def test_the_same_request_gets_the_same_answer(seed: int) -> None:
-    """To the last bit, wherever in its parameters a level is; only the cost is measured."""
+    """To the last bit, for any parameters of a level; only the cost is measured."""
     random = Random(seed)
     scene = catalog_level(random.choice(catalog.textbook()))
     values = {name: random.uniform(p.min, p.max) for name, p in scene.parameters.items()}
@@ -254,7 +254,7 @@ def test_the_same_request_gets_the_same_answer(seed: int) -> None:
 
 
 def answer(scene: Level, values: Values) -> tuple[object, ...]:
-    """Return what is answered to a request but for the cost, or until when it is foretold."""
+    """Return the answer to a request without its cost, or until when it can be predicted."""
     try:
         found = calibrate(scene, values, 1e-3)
     except AccuracyError as error:
@@ -264,7 +264,7 @@ def answer(scene: Level, values: Values) -> tuple[object, ...]:
 
 @pytest.mark.sweep
 def test_that_velocities_are_off_where_a_force_sets_in_is_told() -> None:
-    """A block breaks loose within a step that is not looked at; the velocity there is off."""
+    """A block breaks loose within a step that is not compared; the velocity there is off."""
     scene = catalog_level("newton/breaking-loose")
     values = {"mu_s": 0.7343, "mu_k": 0.1731, "mass": 3.287, "pull": 2.017, "g": 9.454}
     setting = calibrate(scene, values, 1e-3)
@@ -281,7 +281,7 @@ def test_that_velocities_are_off_where_a_force_sets_in_is_told() -> None:
 
 @pytest.mark.sweep
 def test_the_cusp_of_a_wire_is_followed() -> None:
-    """The time down half a cycloid is π √(R/g), from the cusp on, where its curvature is none."""
+    """The time down half a cycloid is π √(R/g), from the cusp, where its curvature is none."""
     scene = catalog_level("energy/brachistochrone")
     at_rest = simulate(scene, stepping=Stepping(rate=480, scheme="fourth-order"))
 
@@ -292,7 +292,7 @@ def test_the_cusp_of_a_wire_is_followed() -> None:
 
 
 def test_rounding_that_grows_with_the_rate_is_expected_to_grow_on() -> None:
-    """An acceleration is rounded by the square of the rate: a hundred times 60 Hz, 10,000 times."""
+    """The rounding of an acceleration grows as the square of the rate: here 10,000 times."""
     run = simulate(oscillator(), record=["ball.position.x"], stepping=Stepping(rate=60))
     refinement = Refinement((run,), (1e-4,), ((1e-12, -2.0), (1e-4, 2.0)))
 
@@ -322,7 +322,7 @@ def test_a_rate_between_two_runs_is_where_the_error_would_be_as_asked_for() -> N
 
 
 def boxes(count: int, **contact: object) -> Level:
-    """Boxes of 1 m on each other, for 4 s; as many sweeps as are usual leave them leaning."""
+    """Boxes of 1 m on each other, for 4 s; the usual number of iterations leaves them leaning."""
     box = {"shape": {"type": "box", "width": 1, "height": 1}, "mass": 1, "friction": 0.6}
     stack = {f"box{i}": {**box, "position": [0, i + 0.5]} for i in range(count)}
     effects = {**GRAVITY, "contact": contact, "friction": {}, "rotation": {}}
@@ -331,7 +331,7 @@ def boxes(count: int, **contact: object) -> Level:
 
 @pytest.mark.sweep
 def test_a_pile_is_solved_directly_where_sweeps_do_not_reach_its_accuracy() -> None:
-    """Twenty boxes: to rounding at the lowest rate, and by sweeps alone not at all."""
+    """Twenty boxes: to rounding at the lowest rate; iterations alone never reach it."""
     found = calibrate(boxes(20), target=1e-9).chosen
     top = "box19.position.x"
     run = simulate(boxes(20), stepping=found.stepping, record=[top])
@@ -383,7 +383,7 @@ def test_what_is_too_dear_for_real_time_comes_with_an_offer_that_is_not(
 
 @pytest.mark.sweep
 def test_a_chaotic_motion_is_judged_by_its_energy() -> None:
-    """Two rods that whip about for 40 s: no step is small enough to say where they end."""
+    """A double pendulum for 40 s: no step is small enough to predict its end."""
     rods = {
         "upper": {"type": "rod", "ends": [[0, 0], "a"]},
         "lower": {"type": "rod", "ends": ["a", "b"]},

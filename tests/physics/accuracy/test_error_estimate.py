@@ -31,7 +31,7 @@ def test_an_instant_that_never_comes_has_no_error() -> None:
 
 
 def test_what_comes_back_to_zero_is_off_by_its_own_value() -> None:
-    """No error is relative to a place that is zero but for the error itself."""
+    """No error is relative to a value that is zero except for the error itself."""
     scene = level(
         {"planet": disc((1, 0), radius=0.05, velocity=[0, 1])},
         {"attraction": [{"mu": 1}]},
@@ -47,7 +47,7 @@ def test_what_comes_back_to_zero_is_off_by_its_own_value() -> None:
 
 @pytest.mark.sweep
 def test_an_instant_near_the_end_is_read_off_equal_steps() -> None:
-    """A run that is looked at every second step does not end with half a look: 8e-5 it was off."""
+    """A run observed at every second step does not end with half of one: it was off by 8e-5."""
     scene = catalog_level("energy/figure-eight")
     wanted = [item for item in checked(scene, scene.defaults) if item.at is not None]
     stepping = Stepping(rate=600, scheme="fourth-order")

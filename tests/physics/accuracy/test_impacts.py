@@ -1,4 +1,4 @@
-"""Accuracies of runs whose impacts are found up to a step late."""
+"""The accuracy of runs whose impacts are found up to a step late."""
 
 import numpy as np
 import pytest
@@ -25,7 +25,7 @@ def test_runs_that_agree_on_missing_a_wall_are_not_believed() -> None:
 
 
 def head_on(**contact: object) -> Level:
-    """A ball that meets another of its mass 0.05 of a step before the 30th, of 30 Hz."""
+    """A ball that meets another of its mass 0.05 of a step before the 30th, at 30 Hz."""
     ball = {"restitution": 1.0}
     first = {**disc((-2.995 - 0.2, 0), radius=0.1, velocity=[3, 0]), **ball}
     second = {**disc((0, 0), radius=0.1), **ball}
@@ -70,7 +70,7 @@ def test_impacts_that_are_located_are_believed() -> None:
 
 @pytest.mark.sweep
 def test_what_pymunk_makes_of_an_impact_is_judged_by_another_scheme() -> None:
-    """An impact that leaves nothing costs stock pymunk so little that it is refined alone."""
+    """A perfectly inelastic impact costs stock pymunk so little that it alone is refined."""
     scene = catalog_level("momentum/inelastic")
     values = {"m1": 1.43, "m2": 8.49, "v1": 4.055, "v2": -2.107}
     chosen = calibrate(scene, values, 1e-3).chosen

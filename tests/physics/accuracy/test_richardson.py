@@ -1,4 +1,4 @@
-"""What runs with smaller and smaller steps tell of their errors."""
+"""What runs with ever smaller steps reveal about their errors."""
 
 from dataclasses import replace
 
@@ -33,7 +33,7 @@ def test_errors_fall_by_the_order_of_the_scheme() -> None:
 
 @pytest.mark.sweep
 def test_runs_that_agree_by_chance_are_told_no_better_than_the_order_allows() -> None:
-    """As where both find an impact at the same instant: what the run before said holds on."""
+    """For example if both find an impact at the same instant: the previous difference counts on."""
     *coarse, fine = runs(orbit(), 60, 120, 240)
     alike = replace(fine, columns={**fine.columns, PLACE.quantity: twice(coarse[-1], fine)})
 
@@ -54,9 +54,9 @@ def twice(coarse: Trace, fine: Trace) -> Array:
 @pytest.mark.sweep
 @pytest.mark.parametrize("x", [0.7, 0.93])
 def test_a_rope_that_goes_taut_is_told_as_it_is(x: float) -> None:
-    """It takes what it takes at the start of a step, and holds at the end of it: nothing is late.
+    """It takes energy at the start of a step, and holds at its end, so nothing is late.
 
-    The ratio of what is true to what is told is 0.9 to 1.1 at these and at six other places.
+    The true error is 0.9 to 1.1 times the stated one at these and at six other places.
     """
     rope = {"type": "rope", "ends": [[0, 0], "ball"], "length": 1.2}
     scene = level({"ball": disc((x, 0.2))}, GRAVITY, joints={"rope": rope}, duration=1.5)

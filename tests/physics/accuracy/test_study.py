@@ -1,4 +1,4 @@
-"""What the accuracy of a level is, what it is made of, and what more of it costs."""
+"""The accuracy of a level, its parts, and the cost of more of it."""
 
 import numpy as np
 import pytest
@@ -33,7 +33,7 @@ def ellipse() -> Level:
 
 @pytest.fixture(scope="module")
 def of_the_ellipse(ellipse: Level) -> list[Finding]:
-    """What is found of an ellipse, which takes two seconds."""
+    """The results for an ellipse, which take two seconds."""
     return list(study.split(ellipse, ellipse.defaults))
 
 
@@ -41,7 +41,7 @@ def of_the_ellipse(ellipse: Level) -> list[Finding]:
 def test_of_whatever_can_be_drawn_it_is_told_how_far_off_it_is(
     ellipse: Level, of_the_ellipse: list[Finding]
 ) -> None:
-    """Also of what no check asks for: held against a run with an eighth of the step."""
+    """Also for quantities without a check: compared with a run at an eighth of the step."""
     names = ["planet.kinetic_energy", "planet.acceleration.x", "planet.position.y"]
     fine = ellipse.stepping.at(8 * ellipse.stepping.rate)
     run, best = (
@@ -59,7 +59,7 @@ def test_of_whatever_can_be_drawn_it_is_told_how_far_off_it_is(
 
 
 def test_it_is_told_until_when_a_motion_is_foretold() -> None:
-    """At 30 Hz two rods that whip part from their true way; their lengths never do."""
+    """At 30 Hz a double pendulum departs from its true motion; the lengths of its rods never do."""
     level = load(find("lagrange/double-pendulum"))
     slow = level.model_copy(update={"stepping": Stepping(rate=30)})
 
@@ -74,7 +74,7 @@ def test_it_is_told_until_when_a_motion_is_foretold() -> None:
 
 @pytest.mark.sweep
 def test_the_error_of_a_run_is_that_of_its_motion_too() -> None:
-    """The checks of the trapdoor are of what rests: 1.6e-11, while the door is 8e-5 off."""
+    """The trapdoor's checks are of bodies at rest: 1.6e-11, while the door is 8e-5 off."""
     level = load(find("machines/trapdoor"))
     fine = record(level, level.defaults, level.stepping.at(4 * 240), list(motion(level)))
     run = record(level, level.defaults, level.stepping, list(motion(level)))

@@ -1,4 +1,4 @@
-"""What is known against a level before it runs, and for which values of its parameters it is."""
+"""What speaks against a level before it runs, and for which values of its parameters."""
 
 from typing import Any
 

@@ -1,4 +1,4 @@
-"""Runs that go together end in the bits of each alone."""
+"""Runs in a batch end with the bits of each run alone."""
 
 import numpy as np
 import pytest
@@ -30,7 +30,7 @@ def worlds(level: Level, values: list[Values]) -> list[World]:
 @pytest.mark.sweep
 @pytest.mark.parametrize("count", [3, 2, 17])
 def test_pendulums_end_in_the_bits_of_each_alone(count: int) -> None:
-    """Chaos would make 1e-5 of the last bit within two seconds."""
+    """Chaos would turn the last bit into 1e-5 within two seconds."""
     level = load(find(PENDULUM))
     values = [choose(level, {"angle": 101 + 2.7 * i, "m": 0.6 + i / 20}) for i in range(count)]
     steps = [600 + 30 * i for i in range(count)]
@@ -75,7 +75,7 @@ def test_a_condition_ends_each_where_it_holds_first() -> None:
 
 @pytest.mark.sweep
 def test_what_a_run_alone_is_stopped_for_is_left_to_it() -> None:
-    """At 20 Hz the joints of a fast pendulum cannot be kept."""
+    """At 20 Hz the joints of a fast pendulum cannot hold."""
     level = load(find(PENDULUM))
     slow = level.model_copy(update={"stepping": level.stepping.at(12)})
     values = [choose(slow, {"angle": angle}) for angle in (100.0, 149.0)]

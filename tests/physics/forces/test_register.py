@@ -15,7 +15,7 @@ from sandbox.model.errors import LevelError
 from sandbox.model.expressions import Array
 from sandbox.model.level import Level
 from sandbox.model.quantities import quantities
-from sandbox.model.switches import switchable
+from sandbox.model.switched_forces import switchable
 from sandbox.physics import forces
 from sandbox.physics.forces import declared_laws
 from sandbox.physics.forces.law import Law

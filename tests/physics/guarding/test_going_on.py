@@ -1,4 +1,4 @@
-"""A run that the watchdog no longer trusts can go on, if a person wants it to."""
+"""A run that the watchdog has stopped can continue if a person wants it to."""
 
 import json
 
@@ -43,7 +43,7 @@ def test_a_gas_whose_discs_run_through_each_other_goes_on_as_pymunk_would() -> N
 
 
 def test_a_run_that_is_lost_does_not_go_on() -> None:
-    """The force has no value any more from t = 0.5 s on."""
+    """The force has no value after t = 0.5 s."""
     force = {"body": "a", "force": ["sqrt(0.5 - t)", 0]}
     world = build(level({"a": disc()}, {"force": [force]}, duration=0.4))
 

@@ -1,4 +1,4 @@
-"""The rates that scenes need, against those at which they break."""
+"""The rates that scenes need, compared with those at which they fail."""
 
 from math import cos, sin, sqrt
 

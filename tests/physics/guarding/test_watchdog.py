@@ -43,7 +43,7 @@ def stopped(world: World, steps: int = 600) -> SimulationError:
 
 
 def holds(scene: Level, rate: float | None, steps: int = 600) -> None:
-    """Run the scene at the rate that was advised."""
+    """Run the scene at the advised rate."""
     assert rate is not None
     advance(build(scene, stepping=Stepping(rate=rate)), steps)
 

@@ -1,4 +1,4 @@
-"""Two runs held against each other, and what a step costs."""
+"""Two runs are compared, and the costs of their steps."""
 
 from collections.abc import Callable
 from functools import partial
@@ -32,7 +32,7 @@ def test_a_run_does_not_differ_from_itself() -> None:
 
 
 def test_drag_takes_from_range_and_apex_what_it_takes() -> None:
-    """At 45° and 25 m/s with c/m = 0.1/s; the range falls by a fifth."""
+    """At 45° and 25 m/s with c/m = 0.1/s; the range shrinks by a fifth."""
     level = named("kinematics/projectile")
     found = compared(level, including(level, "drag", {"linear": 0.1}))
 
@@ -53,7 +53,7 @@ def test_an_event_that_no_longer_comes_is_an_infinite_difference() -> None:
 
 
 def test_what_is_tiny_beside_the_rest_is_rounding() -> None:
-    """Without drag the ball still falls along x = 0, to the last digits."""
+    """Without drag the ball still falls along x = 0, up to the last digits."""
     level = named("kinematics/free-fall")
     found = compared(level, including(level, "drag", {"linear": 0.1}), places=True)
     sideways = next(d for d in found.values() if d.quantity.endswith("position.x"))
@@ -62,7 +62,7 @@ def test_what_is_tiny_beside_the_rest_is_rounding() -> None:
 
 
 def test_no_world_is_timed_beyond_the_duration_of_its_level() -> None:
-    """There the string's end runs into the pulley, and the slower run comes to it first."""
+    """There the string's end runs into the pulley, and the slower run gets there first."""
     level = named("newton/atwood")
     rates = (240.0, 30.0)
 
@@ -72,7 +72,7 @@ def test_no_world_is_timed_beyond_the_duration_of_its_level() -> None:
 
 
 def test_of_every_block_of_steps_the_quickest_counts() -> None:
-    """Runs are made anew and in turn; each is stepped as often as asked for."""
+    """Runs are repeated in turn, and each takes the requested number of steps."""
     calls: list[str] = []
 
     def starting(name: str) -> Callable[[], Step]:

@@ -1,4 +1,4 @@
-"""A run as CSV: what a stranger needs to get it again."""
+"""A run as CSV, with all that another person needs to repeat it."""
 
 import platform
 from pathlib import Path
@@ -154,7 +154,7 @@ def test_a_contact_later_than_a_time_has_not_happened_yet() -> None:
 
 
 def test_what_touches_at_the_start_has_yet_to_meet() -> None:
-    """A ball is thrown up from the ground: it meets it when it comes down."""
+    """A ball is thrown up from the ground, and meets it when it comes down."""
     level = parse("""{
       "format": 1, "title": "Up and down",
       "effects": {"gravity": {"acceleration": [0, -10]}, "contact": {}},

@@ -1,4 +1,4 @@
-"""Who waits for a long computation can look up from it and break it off; it changes nothing."""
+"""A long computation can be watched and cancelled, and watching does not change it."""
 
 import json
 from collections.abc import Callable
@@ -17,13 +17,13 @@ from sandbox.physics.stepping.world import World
 
 
 def pile(count: int, **contact: str) -> Level:
-    """Return a level in which discs fall on each other, with their contacts solved in some way."""
+    """Return a level in which discs fall on each other, with the given way to solve contacts."""
     level = crowd("pile", count)
     return parse(json.dumps({**level, "effects": {**level["effects"], "contact": contact}}))
 
 
 def rocked(**impacts: str) -> Level:
-    """Return balls in a row on a floor, struck by one: each impact comes after the other."""
+    """Return balls in a row on a floor, hit by one: one impact comes after the other."""
     balls = {
         f"ball{i}": {
             "shape": {"type": "disc", "radius": 0.5}, "mass": 1 + i, "position": [1.01 * i, 0.5],
@@ -49,7 +49,7 @@ def refuse() -> None:
 
 
 def looks(world: World, steps: int) -> int:
-    """Return how many cancellation points some steps come to."""
+    """Return the number of cancellation points in some steps."""
     seen: list[None] = []
     with cancellable(lambda: seen.append(None)):
         world.advance(steps)

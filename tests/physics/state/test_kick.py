@@ -1,4 +1,4 @@
-"""Kicks: what acts in one is told when it acts, how long it lasts, and what comes after it."""
+"""Kicks: everything that acts in one knows its time, its length, and what follows it."""
 
 import pytest
 

@@ -1,4 +1,4 @@
-"""A world that goes on from where another one stands, with other parameters."""
+"""A world that continues from the state of another one, with other parameters."""
 
 import numpy as np
 import pytest
@@ -49,7 +49,7 @@ def test_where_nothing_changes_the_branch_is_the_same_run(name: str, most: float
 
 
 def fallen(world: World, g: float, *, naive: bool) -> float:
-    """Return how far off the closed form a branch with another gravity is after a second [m]."""
+    """Return the error of a branch with another gravity after a second, by the closed form [m]."""
     before = world.snapshot
     values = {**world.values, "g": g}
     other = branch(world, values)

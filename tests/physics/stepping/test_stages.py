@@ -1,4 +1,4 @@
-"""Stages of a step: a level has those that it calls for, and loads no others."""
+"""Stages of a step: a level has those that it needs, and loads no others."""
 
 import inspect
 import json
@@ -50,7 +50,7 @@ CALLS: dict[str, Callable[[], Level]] = {
 
 
 def called(scene: Level) -> list[str]:
-    """The stages that a level calls for."""
+    """The stages that a level needs."""
     made = make_scene(scene, scene.defaults, scene.stepping)
     setup = set_up(scene, scene.defaults, scene.stepping, made)
     return [name for name, (wanted, _) in STAGES.items() if wanted(setup)]

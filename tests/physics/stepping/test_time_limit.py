@@ -1,4 +1,4 @@
-"""What takes more time or memory than anybody has is stopped with a sentence."""
+"""A computation beyond the limits of time or memory is stopped with a message."""
 
 import json
 from collections.abc import Iterator
@@ -20,7 +20,7 @@ FALL = level({"ball": disc((0, 0))}, GRAVITY)
 
 
 def clock(*steps: float) -> Iterator[float]:
-    """Yield what a clock shows before and after each of some steps that take so long [s]."""
+    """Yield the readings of a clock before and after each of some steps of a given length [s]."""
     for before, after in zip((0, *accumulate(steps)), accumulate(steps), strict=False):
         yield from (before, after)
 
@@ -59,7 +59,7 @@ def test_of_many_bodies_fewer_states_are_kept(monkeypatch: pytest.MonkeyPatch) -
 
 
 def crowded() -> World:
-    """Return a world whose steps solve the contacts of discs that lie on each other directly."""
+    """Return a world whose steps directly solve the contacts of discs on each other."""
     pile = crowd("pile", 5)
     effects = {**pile["effects"], "contact": {"solver": "direct"}}
     world = build(parse(json.dumps({**pile, "effects": effects})))
@@ -81,7 +81,7 @@ def test_a_single_step_is_broken_off_where_it_computes_for_too_long() -> None:
 
 
 def test_a_single_step_that_was_held_up_is_not_broken_off(monkeypatch: pytest.MonkeyPatch) -> None:
-    """The clock on the wall goes on while a machine sleeps; the processor's does not."""
+    """Wall time passes while a machine sleeps; processor time does not."""
     world, hasty = crowded(), Patience(1e-5)
     monkeypatch.setattr(time_limit, "thread_time", lambda: 0.0)
 

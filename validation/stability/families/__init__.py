@@ -1,6 +1,8 @@
 """The families of hard cases, with a module for each."""
 
 from collections.abc import Callable, Iterator, Mapping
+from dataclasses import replace
+from types import ModuleType
 
 from validation.stability.case import Frontier, HardCase
 from validation.stability.families import (
@@ -35,19 +37,22 @@ FAMILIES = (exact, bounces, *SEARCHED)
 def all_cases() -> Iterator[HardCase]:
     """Yield the cases of all families."""
     for family in FAMILIES:
-        yield from family.cases()
+        yield from (replace(case, family=_name(family)) for case in family.cases())
 
 
 def all_frontiers() -> Iterator[Frontier]:
     """Yield the frontiers of all families."""
     for family in SEARCHED:
-        yield from family.frontiers()
+        yield from (replace(each, family=_name(family)) for each in family.frontiers())
+
+
+def _name(family: ModuleType) -> str:
+    return family.__name__.rpartition(".")[2]
 
 
 def all_levels() -> Mapping[str, Callable[[], Document]]:
     """Return the functions that make levels of `levels/hard`, by file name.
 
-    The others are written in their files alone: nothing makes them harder, and none of their
-    numbers is computed.
+    The others are in their files alone: nothing makes them harder.
     """
-    return {name: make for family in FAMILIES for name, make in family.LEVELS.items()}
+    return {name: make for family in SEARCHED for name, make in family.LEVELS.items()}

@@ -6,8 +6,6 @@ from validation.stability.case import Frontier, HardCase
 from validation.stability.run_measures import Run, measured
 from validation.stability.scene import MOMENTUM, Document, block, check, disc, level
 
-FAMILY = "bullets"
-
 RADIUS = 0.05  # m
 WALL = 0.1  # m
 
@@ -42,12 +40,12 @@ LEVELS = {"bullet-at-0.9": lambda: shot(0.9), "bullet-at-10": lambda: shot(10)}
 def cases() -> Iterator[HardCase]:
     """Yield the bullets."""
     yield HardCase(
-        name="a bullet of 0.9 widths a step", family=FAMILY, group="C", level="hard/bullet-at-0.9",
+        name="a bullet of 0.9 widths a step", group="C", level="hard/bullet-at-0.9",
         criterion="it comes back from the wall, whatever it was into it", figure=returns, bound=0,
         every_step=True,
     )  # fmt: skip
     yield HardCase(
-        name="a bullet of 10 widths a step", family=FAMILY, group="D", level="hard/bullet-at-10",
+        name="a bullet of 10 widths a step", group="D", level="hard/bullet-at-10",
         criterion="it comes back from the wall", figure=returns, bound=0, every_step=True,
     )  # fmt: skip
 
@@ -55,7 +53,7 @@ def cases() -> Iterator[HardCase]:
 def frontiers() -> Iterator[Frontier]:
     """Yield the frontier of a bullet's speed."""
     yield Frontier(
-        name="the speed of a bullet", family=FAMILY, axis="widths a step", scene=shot,
+        name="the speed of a bullet", axis="widths a step", scene=shot,
         figure=returns, bound=0, criterion="it comes back from the wall", start=0.1, end=1e4,
         duration=5 / 240,
     )  # fmt: skip

@@ -25,7 +25,6 @@ from validation.stability.scene import (
     text_of,
 )
 
-FAMILY = "compositions"
 RATE = 240.0  # Hz
 
 CARRIES = 1e-9
@@ -232,19 +231,19 @@ UPRIGHT = "no box of 1 m moves by 1e-9 m: where forces balance, nothing moves"
 def cases() -> Iterator[HardCase]:
     """Yield the compositions that must be right."""
     yield HardCase(
-        name="1,000,000 : 1 on a strut", family=FAMILY, group="C", level="hard/strut",
+        name="1,000,000 : 1 on a strut", group="C", level="hard/strut",
         criterion=FORCE, figure=floor_carries, bound=CARRIES, duration=10, quick=2,
     )  # fmt: skip
     yield HardCase(
-        name="a car of 10,000 times its wheels", family=FAMILY, group="C", level="hard/heavy-car",
+        name="a car of 10,000 times its wheels", group="C", level="hard/heavy-car",
         criterion=LOADS, figure=wheels_carry, bound=ROLLS, duration=10, quick=2,
     )  # fmt: skip
     yield HardCase(
-        name="two capstans with ropes of 24 links", family=FAMILY, group="D",
+        name="two capstans with ropes of 24 links", group="D",
         level="hard/two-capstans", criterion=ROPES, figure=creeps, bound=CREEPS,
     )  # fmt: skip
     yield HardCase(
-        name="a stack of 40 boxes, solved directly", family=FAMILY, group="C",
+        name="a stack of 40 boxes, solved directly", group="C",
         level="hard/stack-of-40-directly", criterion=UPRIGHT, figure=drift, bound=STANDS, quick=2,
     )  # fmt: skip
 
@@ -252,20 +251,20 @@ def cases() -> Iterator[HardCase]:
 def frontiers() -> Iterator[Frontier]:
     """Yield the frontiers of compositions."""
     yield Frontier(
-        name="a weight on a strut", family=FAMILY, axis="mass ratio", scene=strut,
+        name="a weight on a strut", axis="mass ratio", scene=strut,
         figure=floor_carries, bound=CARRIES, criterion=FORCE, start=1, end=1e6, duration=3,
     )  # fmt: skip
     yield Frontier(
-        name="a car on light wheels", family=FAMILY, axis="mass", unit="kg", scene=car,
+        name="a car on light wheels", axis="mass", unit="kg", scene=car,
         figure=wheels_carry, bound=ROLLS, criterion=LOADS, start=100, end=1e10, duration=2,
     )  # fmt: skip
     yield Frontier(
-        name="a rope round a drum", family=FAMILY, axis="links", whole=True,
+        name="a rope round a drum", axis="links", whole=True,
         scene=lambda n: capstans(round(n)), figure=creeps, bound=CREEPS, criterion=ROPES,
         start=12, end=32, duration=SLIPS,
     )  # fmt: skip
     yield Frontier(
-        name="a stack solved directly", family=FAMILY, axis="boxes", whole=True,
+        name="a stack solved directly", axis="boxes", whole=True,
         scene=lambda n: stack(round(n)), figure=drift, bound=STANDS, criterion=UPRIGHT,
         start=2, end=60, duration=10,
     )  # fmt: skip

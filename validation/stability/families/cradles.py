@@ -6,9 +6,7 @@ import numpy as np
 
 from validation.stability.case import Frontier, HardCase
 from validation.stability.run_measures import Run, energy
-from validation.stability.scene import GRAVITY, MOMENTUM, Document, check, disc, level, rod
-
-FAMILY = "cradles"
+from validation.stability.scene import MOMENTUM, Document, check, disc, level
 
 RADIUS = 0.1  # m
 LEAVE = "as many leave as came, with the same speed: momentum and energy leave no other way"
@@ -43,34 +41,9 @@ def leaves(run: Run) -> float:
     return float(np.abs(velocity[-1, :, 0] - velocity[0, ::-1, 0]).max())
 
 
-def hanging(count: int = 20) -> Document:
-    """Return a cradle whose balls hang from rods."""
-    balls: Document = {}
-    rods: Document = {}
-    for i in range(count):
-        lifted = 0.5 if i == 0 else 0.0
-        x = 2 * RADIUS * i
-        place = x - np.sin(lifted), -np.cos(lifted)
-        balls[f"ball{i + 1}"] = disc(place, RADIUS, restitution=1)
-        rods[f"rod{i + 1}"] = rod([round(x, 12), 0], f"ball{i + 1}")
-    return level(
-        f"A hanging cradle of {count} balls",
-        "Balls hang in a row and touch. The first is lifted and let go.",
-        MOMENTUM,
-        effects={**GRAVITY, "contact": {}, "restitution": {"impacts": "sequence"}},
-        bodies=balls,
-        joints=rods,
-        stepping={"rate": 240},
-        duration=2,
-        checks=[check("rod1.length", 1, 1e-9, "length of the first rod")],
-        view={"center": [count * RADIUS, -0.5], "width": 2.6 * count * RADIUS + 1},
-    )
-
-
 LEVELS = {
     "cradle-of-50": lambda: cradle(50),
     "cradle-of-five": lambda: cradle(5, 2),
-    "hanging-cradle": hanging,
 }
 
 
@@ -79,16 +52,16 @@ def cases() -> Iterator[HardCase]:
     for coming in (1, 2, 3):
         for gap in (0.0, 1e-9):
             yield HardCase(
-                name=f"a cradle of five, {coming} in, gap {gap:g} m", family=FAMILY, group="A",
+                name=f"a cradle of five, {coming} in, gap {gap:g} m", group="A",
                 level="hard/cradle-of-five", criterion=LEAVE, figure=leaves, bound=1e-6,
                 duration=0.9, scene=cradle(5, coming, gap),
             )  # fmt: skip
     yield HardCase(
-        name="a cradle of 50 balls that touch", family=FAMILY, group="D",
+        name="a cradle of 50 balls that touch", group="D",
         level="hard/cradle-of-50", criterion=LEAVE, figure=leaves, bound=1e-6, duration=0.9,
     )  # fmt: skip
     yield HardCase(
-        name="a hanging cradle of 20: energy", family=FAMILY, group="C",
+        name="a hanging cradle of 20: energy", group="C",
         level="hard/hanging-cradle",
         criterion="leapfrog's energy swings with (ω dt)²/8: below 1e-3 of the kinetic",
         figure=energy, bound=1e-3, duration=20, quick=2,
@@ -98,7 +71,7 @@ def cases() -> Iterator[HardCase]:
 def frontiers() -> Iterator[Frontier]:
     """Yield the frontier of a cradle's length."""
     yield Frontier(
-        name="a cradle that touches", family=FAMILY, axis="balls", whole=True,
+        name="a cradle that touches", axis="balls", whole=True,
         scene=lambda n: cradle(round(n)), figure=leaves, bound=1e-6, criterion=LEAVE, start=2,
         end=50, duration=0.9,
     )  # fmt: skip

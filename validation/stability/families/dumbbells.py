@@ -11,8 +11,6 @@ from validation.stability.case import Frontier, HardCase
 from validation.stability.run_measures import Run, mass, rows
 from validation.stability.scene import MOMENTUM, Document, block, check, disc, level, rod, text_of
 
-FAMILY = "dumbbells"
-
 RATE = 160.0  # Hz
 FALL = 1.0  # m/s
 
@@ -91,7 +89,7 @@ LEVELS = {"dumbbells": lambda: dumbbells(1e6)}
 def cases() -> Iterator[HardCase]:
     """Yield the dumbbells."""
     yield HardCase(
-        name="dumbbells of 1,000,000 : 1", family=FAMILY, group="A", level="hard/dumbbells",
+        name="dumbbells of 1,000,000 : 1", group="A", level="hard/dumbbells",
         criterion=AS_ONE, figure=misses, bound=BOUNCES, duration=BOUNCED, every_step=True,
     )  # fmt: skip
 
@@ -99,6 +97,6 @@ def cases() -> Iterator[HardCase]:
 def frontiers() -> Iterator[Frontier]:
     """Yield how unequal the ends of a dumbbell may be."""
     yield Frontier(
-        name="a dumbbell that bounces", family=FAMILY, axis="mass ratio", scene=dumbbells,
+        name="a dumbbell that bounces", axis="mass ratio", scene=dumbbells,
         figure=misses, bound=BOUNCES, criterion=AS_ONE, start=1, end=1e6, duration=BOUNCED,
     )  # fmt: skip

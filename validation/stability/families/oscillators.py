@@ -25,8 +25,6 @@ from validation.stability.scene import (
     rod,
 )
 
-FAMILY = "oscillators"
-
 SECOND = 1.9
 """The least power of the step with which an error of second order must fall."""
 
@@ -195,25 +193,25 @@ def cases() -> Iterator[HardCase]:
 
 def _orbits_and_pendulums() -> Iterator[HardCase]:
     yield HardCase(
-        name="Kepler's orbit, e = 0.5, 20 turns: energy", family=FAMILY, group="B",
+        name="Kepler's orbit, e = 0.5, 20 turns: energy", group="B",
         level="hard/orbit-of-20-turns", duration=20 * YEAR, quick=3 * YEAR, every_step=True,
         criterion="leapfrog's energy swings with (ω dt)² and does not drift", figure=energy,
         bound=1e-4, order=SECOND,
     )  # fmt: skip
     for degrees, bound in ((90, 1e-3), (170, 5e-2)):
         yield HardCase(
-            name=f"a pendulum of {degrees}° for 60 s", family=FAMILY, group="B",
+            name=f"a pendulum of {degrees}° for 60 s", group="B",
             level=f"hard/pendulum-of-{degrees}", duration=60, quick=10,
             criterion="the angle from that of the elliptic integral, of the amplitude; its error "
             "grows with time and with dt²", figure=swings, bound=bound, order=SECOND,
         )  # fmt: skip
     yield HardCase(
-        name="a double pendulum, 3 s", family=FAMILY, group="B", level="lagrange/double-pendulum",
+        name="a double pendulum, 3 s", group="B", level="lagrange/double-pendulum",
         criterion="places [m] from those of the Euler-Lagrange equations, by Runge and Kutta",
         figure=double, bound=1e-2, order=SECOND,
     )  # fmt: skip
     yield HardCase(
-        name="a double pendulum, a million steps", family=FAMILY, group="C",
+        name="a double pendulum, a million steps", group="C",
         level="lagrange/double-pendulum", figure=energy, bound=1e-3, duration=1e6 / 3000,
         quick=10, criterion="chaotic, yet its energy stays, to 1e-3 of the largest kinetic",
     )  # fmt: skip
@@ -222,18 +220,18 @@ def _orbits_and_pendulums() -> Iterator[HardCase]:
 def _springs() -> Iterator[HardCase]:
     for c, about in ((3.0, "a damped"), (20.0, "a critically damped"), (60.0, "an overdamped")):
         yield HardCase(
-            name=f"{about} spring", family=FAMILY, group="B", level="energy/damped-spring",
+            name=f"{about} spring", group="B", level="energy/damped-spring",
             parameters={"c": c}, criterion="the closed form, of the amplitude", figure=damped,
             bound=1e-3, order=SECOND,
         )  # fmt: skip
     yield HardCase(
-        name="a spring at ω dt = 1.99", family=FAMILY, group="B", level="hard/spring-at-its-limit",
+        name="a spring at ω dt = 1.99", group="B", level="hard/spring-at-its-limit",
         criterion="leapfrog's ellipse: at most 1/√(1 - (ω dt/2)²) times the amplitude",
         figure=swells, bound=1.01 / np.sqrt(1 - (1.99 / 2) ** 2), duration=60, quick=10,
         every_step=True,
     )  # fmt: skip
     yield HardCase(
-        name="a spring at ω dt = 2.01 is told", family=FAMILY, group="B",
+        name="a spring at ω dt = 2.01 is told", group="B",
         level="hard/spring-at-its-limit",
         criterion="the run must be refused, or stop before the spring swings ten times as far",
         special=is_told,
@@ -244,12 +242,12 @@ def _springs() -> Iterator[HardCase]:
 
 def _steady() -> Iterator[HardCase]:
     yield HardCase(
-        name="a spinning rod: loss of spin", family=FAMILY, group="B", level="hard/spinning-rod",
+        name="a spinning rod: loss of spin", group="B", level="hard/spinning-rod",
         criterion="nothing slows it: off by (ω dt)²/8 at the most, the mean of two chords",
         figure=loses_spin, bound=1.01 * 0.01**2 / 8, duration=60, quick=10,
     )  # fmt: skip
     yield HardCase(
-        name="a block on 30° at 0.6: creep", family=FAMILY, group="B", level="hard/no-creep",
+        name="a block on 30° at 0.6: creep", group="B", level="hard/no-creep",
         criterion="friction holds it: not a micrometre in 10 s", figure=drift, bound=1e-6,
         duration=10,
     )  # fmt: skip
@@ -258,23 +256,23 @@ def _steady() -> Iterator[HardCase]:
 def frontiers() -> Iterator[Frontier]:
     """Yield the frontiers of a step's length and a spring's stiffness."""
     yield Frontier(
-        name="the step of an orbit", family=FAMILY, axis="step", unit="s",
+        name="the step of an orbit", axis="step", unit="s",
         scene=lambda dt: orbit(1 / dt), figure=strays, bound=0.01,
         criterion="a hundredth of the perihelion from Kepler's ellipse after two turns",
         start=1e-3, end=0.1, duration=2 * YEAR,
     )  # fmt: skip
     yield Frontier(
-        name="the step of a pendulum", family=FAMILY, axis="step", unit="s",
+        name="the step of a pendulum", axis="step", unit="s",
         scene=lambda dt: pendulum(90, 1 / dt), figure=energy, bound=1e-3,
         criterion="energy to 1e-3 over 10 s", start=1e-3, end=0.2, duration=10,
     )  # fmt: skip
     yield Frontier(
-        name="a pendulum far away", family=FAMILY, axis="distance", unit="m",
+        name="a pendulum far away", axis="distance", unit="m",
         scene=lambda x: pendulum(90, 480, x), figure=energy, bound=1e-3,
         criterion="energy to 1e-3 over 5 s, wherever the origin is", start=1, end=1e15, duration=5,
     )  # fmt: skip
     yield Frontier(
-        name="the stiffness of a spring", family=FAMILY, axis="stiffness", unit="N/m",
+        name="the stiffness of a spring", axis="stiffness", unit="N/m",
         scene=lambda k: stiff(float(np.sqrt(k)) / RATE), figure=swells, bound=2.0,
         criterion="it never swings twice as far as at its start", start=1e3, end=1e12, duration=1,
     )  # fmt: skip

@@ -7,8 +7,6 @@ from validation.stability.case import Frontier, HardCase
 from validation.stability.run_measures import drift
 from validation.stability.scene import NEWTON, Document, box, check, ground, level, pile, rounded
 
-FAMILY = "structures"
-
 TILT = 25 * pi / 180  # rad, of a card from the vertical
 CARD = 0.4, 0.002  # m
 PITCH = 0.392  # m, from one pair of cards to the next
@@ -93,11 +91,11 @@ LEANS = "no card of 40 cm moves by 4 mm"
 def cases() -> Iterator[HardCase]:
     """Yield the structures that must stand."""
     yield HardCase(
-        name="an arch of 17 stones", family=FAMILY, group="C", level="hard/arch", duration=10,
+        name="an arch of 17 stones", group="C", level="hard/arch", duration=10,
         criterion=STANDS, figure=drift, bound=0.01, quick=2,
     )  # fmt: skip
     yield HardCase(
-        name="a house of cards of five stories", family=FAMILY, group="C",
+        name="a house of cards of five stories", group="C",
         level="hard/house-of-cards", duration=5, criterion=LEANS, figure=drift, bound=0.004,
         quick=1,
     )  # fmt: skip
@@ -106,12 +104,12 @@ def cases() -> Iterator[HardCase]:
 def frontiers() -> Iterator[Frontier]:
     """Yield the frontiers of structures."""
     yield Frontier(
-        name="stones of an arch", family=FAMILY, axis="stones", whole=True,
+        name="stones of an arch", axis="stones", whole=True,
         scene=lambda n: arch(2 * round(n) + 1), figure=drift, bound=0.01, criterion=STANDS,
         start=2, end=40, duration=5,
     )  # fmt: skip
     yield Frontier(
-        name="stories of a house of cards", family=FAMILY, axis="stories", whole=True,
+        name="stories of a house of cards", axis="stories", whole=True,
         scene=lambda n: cards(round(n)), figure=drift, bound=0.004, criterion=LEANS,
         start=1, end=10, duration=2,
     )  # fmt: skip

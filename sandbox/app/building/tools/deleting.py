@@ -2,8 +2,9 @@
 
 import pygame
 
+from sandbox.app.building.edited_level import Work
 from sandbox.app.building.pointer import Part, Spot
-from sandbox.app.building.tools.tool import Bench
+from sandbox.app.building.tools.tool import Tool
 from sandbox.app.drawing import lines, theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.words.language import later, say
@@ -13,20 +14,15 @@ from sandbox.model.level import Level
 CROSS = 6.0  # px
 
 
-class DeleteTool:
+class DeleteTool(Tool):
     """Deletes the part that is clicked on."""
 
-    busy = False
     hint = later("Click what to delete; a body takes its joints along")
 
-    def __init__(self, bench: Bench) -> None:
-        self._bench = bench
+    def __init__(self, bench: Work) -> None:
+        super().__init__(bench)
         self._under: Part | None = None
         self._spot: Spot | None = None
-
-    @property
-    def proposed(self) -> None:
-        """Nothing, as what is deleted brings no faults."""
 
     def press(self, spot: Spot) -> None:
         """Delete the part there."""
@@ -43,15 +39,6 @@ class DeleteTool:
     def move(self, spot: Spot) -> None:
         """Find the part that would be deleted."""
         self._spot, self._under = spot, self._bench.part_at(spot.pixel)
-
-    def release(self, spot: Spot) -> None:
-        """Do nothing, as the press has deleted the part."""
-
-    def finish(self) -> None:
-        """Do nothing, as there is nothing to finish."""
-
-    def cancel(self) -> None:
-        """Do nothing, as there is nothing to cancel."""
 
     def draw(self, surface: pygame.Surface, pen: Pen) -> None:
         """Mark the part that would be deleted."""

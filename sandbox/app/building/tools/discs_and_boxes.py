@@ -8,8 +8,9 @@ from math import cos, dist, sin, tau
 import pygame
 
 from sandbox.app.building import preview
+from sandbox.app.building.edited_level import Work
 from sandbox.app.building.pointer import Spot
-from sandbox.app.building.tools.tool import STILL, Bench
+from sandbox.app.building.tools.tool import STILL, Tool
 from sandbox.app.drawing.text import Pen
 from sandbox.app.words.language import later, say
 from sandbox.editing.edits import bodies
@@ -23,7 +24,7 @@ FINER = 10
 """The factor by which the grid is finer for shapes that are too small for it."""
 
 
-class Stretching(ABC):
+class Stretching(Tool, ABC):
     """Draws by pressing, dragging and releasing, or by two clicks."""
 
     begins = ""
@@ -31,8 +32,8 @@ class Stretching(ABC):
     said = ""
     """The description of the edit."""
 
-    def __init__(self, bench: Bench) -> None:
-        self._bench = bench
+    def __init__(self, bench: Work) -> None:
+        super().__init__(bench)
         self._start: Spot | None = None
         self._end: Spot | None = None
 
@@ -71,9 +72,6 @@ class Stretching(ABC):
         one, other = self._start.point, self._reached(self._start, spot)
         self.cancel()
         self._bench.make(say(self.said), self.edit(one, other))
-
-    def finish(self) -> None:  # noqa: B027 (nothing to do for those that inherit it either)
-        """Do nothing, as the second point finishes the shape."""
 
     def cancel(self) -> None:
         """Forget the first point."""

@@ -8,8 +8,9 @@ from typing import NamedTuple, get_args
 import pygame
 
 from sandbox.app.building import preview
+from sandbox.app.building.edited_level import Work
 from sandbox.app.building.pointer import Spot
-from sandbox.app.building.tools.tool import Bench
+from sandbox.app.building.tools.tool import Tool
 from sandbox.app.drawing.text import Pen
 from sandbox.app.words.language import later, say
 from sandbox.editing.edits import joints
@@ -57,18 +58,13 @@ CLICKS: Mapping[str, Clicks] = {
 """The clicks for joints that do not simply connect two ends."""
 
 
-class JoinTool:
-    """Makes a joint from clicks on the stage.
+class JoinTool(Tool):
+    """Makes a joint from clicks on the stage."""
 
-    Attributes
-    ----------
-    kind
-        The kind of joint, as in a level's file.
-    """
-
-    def __init__(self, bench: Bench, kind: str = "pulley") -> None:
-        self._bench = bench
+    def __init__(self, bench: Work, kind: str = "pulley") -> None:
+        super().__init__(bench)
         self.kind = kind
+        """The kind of joint, as in a level's file."""
         self._places: list[Pick] = []
         self._spot: Spot | None = None
 
@@ -145,9 +141,6 @@ class JoinTool:
     def move(self, spot: Spot) -> None:
         """Move the end of the preview."""
         self._spot = spot
-
-    def release(self, spot: Spot) -> None:
-        """Do nothing, as the press has set a point."""
 
     def finish(self) -> None:
         """Make the joint, if it has enough points."""

@@ -9,10 +9,11 @@ from math import degrees, dist, pi, radians
 import pygame
 
 from sandbox.app.building import handles, preview
+from sandbox.app.building.edited_level import Work
 from sandbox.app.building.handles import Handle
 from sandbox.app.building.partial_level import Drawn
 from sandbox.app.building.pointer import Part, Snapped, Spot
-from sandbox.app.building.tools.tool import STILL, Bench
+from sandbox.app.building.tools.tool import STILL, Tool
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.words.formatting import number
@@ -51,14 +52,14 @@ SAID = {
 """The descriptions of the edits."""
 
 
-class SelectTool:
+class SelectTool(Tool):
     """Selects by clicks or with a rubber band, and changes the selection by its handles.
 
     A click selects a body with its group, a second click the body alone.
     """
 
-    def __init__(self, bench: Bench) -> None:
-        self._bench = bench
+    def __init__(self, bench: Work) -> None:
+        super().__init__(bench)
         self._doing = Doing.NOTHING
         self._start: Spot | None = None
         self._now: Spot | None = None
@@ -156,7 +157,9 @@ class SelectTool:
     def _snapped(self, by: XY, spot: Spot) -> Snapped:
         """Return the displacement of the selection [m]; with Alt it does not snap."""
         moved = self._moved
-        return self._bench.snapped_by(moved, by) if moved and not spot.loose else Snapped(by, "")
+        return (
+            self._bench.snapping.moved(moved, by) if moved and not spot.loose else Snapped(by, "")
+        )
 
     def release(self, spot: Spot) -> None:
         """Apply the drag, or select the parts inside the rubber band."""
@@ -176,9 +179,6 @@ class SelectTool:
                 self._bench.select((self._again,))
         elif proposed:
             self._bench.change(say(SAID[doing]), proposed.edit)
-
-    def finish(self) -> None:
-        """Do nothing, as releasing the mouse ends the drag."""
 
     def cancel(self) -> None:
         """Cancel the drag."""

@@ -7,8 +7,9 @@ from math import atan2, degrees, dist
 import pygame
 
 from sandbox.app.building import preview
+from sandbox.app.building.edited_level import Work
 from sandbox.app.building.pointer import Spot
-from sandbox.app.building.tools.tool import Bench
+from sandbox.app.building.tools.tool import Tool
 from sandbox.app.drawing.text import Pen
 from sandbox.app.words.formatting import number
 from sandbox.app.words.language import later, say
@@ -23,7 +24,7 @@ APART = 3.0  # px, the least distance between two points of a stroke
 OFF = 2.0  # px, the tolerance of the simplification of a stroke
 
 
-class Tracing:
+class Tracing(Tool):
     """Sets a point with each click; Enter, a double click, or a polygon's first corner finishes."""
 
     least = 2
@@ -34,8 +35,8 @@ class Tracing:
         "Click the next point; Enter or a double click ends it, Backspace takes one back"
     )
 
-    def __init__(self, bench: Bench) -> None:
-        self._bench = bench
+    def __init__(self, bench: Work) -> None:
+        super().__init__(bench)
         self._points: list[XY] = []
         self._spot: Spot | None = None
 
@@ -75,9 +76,6 @@ class Tracing:
     def move(self, spot: Spot) -> None:
         """Move the end of the preview."""
         self._spot = spot
-
-    def release(self, spot: Spot) -> None:
-        """Do nothing, as the press has set a point."""
 
     def finish(self) -> None:
         """Make the shape, if it has enough points."""
@@ -129,11 +127,11 @@ class PolygonTool(Tracing):
         return partial(bodies.add_polygon, points=points)
 
 
-class CurveTool:
+class CurveTool(Tool):
     """Draws freehand strokes: a polygon if the stroke returns to its start, else a surface."""
 
-    def __init__(self, bench: Bench) -> None:
-        self._bench = bench
+    def __init__(self, bench: Work) -> None:
+        super().__init__(bench)
         self._points: list[XY] = []
         self._pixels: list[XY] = []
 
@@ -173,9 +171,6 @@ class CurveTool:
         self.cancel()
         if proposed:
             self._bench.make(say("draw freely"), proposed.edit)
-
-    def finish(self) -> None:
-        """Do nothing, as releasing the mouse ends the stroke."""
 
     def cancel(self) -> None:
         """Discard the stroke."""

@@ -25,42 +25,33 @@ CANCELLED = Message("the search for a setting has been cancelled")
 
 
 class Studying(Errand):
-    """Studies a session in the background.
-
-    Attributes
-    ----------
-    points
-        The errors and costs of other settings.
-    here
-        Those of the present setting; None while unknown.
-    target
-        The requested accuracy; None if none is.
-    progress
-        The progress of the work; None if there is none.
-    failure
-        The reason why the work failed; empty if it did not.
-    """
+    """Studies a session in the background."""
 
     def __init__(self) -> None:
         super().__init__()
         self._scene: tuple[object, ...] = ()
         self._level: object = None
         self.target: float | None = None
+        """The requested accuracy; None if none is."""
         self._sought: object = None  # the world for which a setting was searched
         self._offer: Offer | None = None
         self._forget()
 
     def _forget(self) -> None:
         self.points: list[Point] = []
+        """The errors and costs of other settings."""
         self.failure: Message = NOTHING
+        """The reason why the work failed; empty if it did not."""
         self._forget_run()
 
     def _forget_run(self) -> None:
         self._waited, self._measured = 0.0, False
         self.here: Here | None = None
+        """The error and cost of the present setting; None while unknown."""
         self._splits: dict[int, Split] = {}
         self._trust: dict[str, Trust] = {}
         self.progress: Progress | None = None
+        """The progress of the work; None if there is none."""
         self.news = object()
 
     def follow(self, session: Session, seconds: float, *, watched: bool) -> str | None:

@@ -11,7 +11,7 @@ from sandbox.app.cards.card import Card, heading
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
-from sandbox.app.widgets.sheet import Sheet
+from sandbox.app.widgets.sheet import Sheet, in_rows
 from sandbox.app.widgets.text_field import Field
 
 HEIGHT = 24  # px, of a button or a field
@@ -24,30 +24,18 @@ PADDING = 14  # px, beside a caption, left and right together
 
 def beside(pen: Pen, captions: Sequence[str], width: int) -> list[pygame.Rect]:
     """Return the places of buttons side by side, as many on a line as fit into a width [px]."""
-    found: list[pygame.Rect] = []
-    x = y = 0
-    for caption in captions:
-        wide = pen.write(caption, SIZE).width + pen.px(PADDING)
-        if x and x + wide > width:
-            x, y = 0, y + pen.px(HEIGHT) + pen.px(GAP)
-        found.append(pygame.Rect(x, y, wide, pen.px(HEIGHT)))
-        x += wide + pen.px(GAP)
-    return found
+    widths = (pen.write(caption, SIZE).width + pen.px(PADDING) for caption in captions)
+    return list(in_rows(widths, width, pen.px(HEIGHT), pen.px(GAP)))
 
 
 class Column:
-    """The widgets of a sheet, from top to bottom.
-
-    Attributes
-    ----------
-    y
-        The height of the next widget [px].
-    """
+    """The widgets of a sheet, from top to bottom."""
 
     def __init__(self, sheet: Sheet) -> None:
         self._sheet = sheet
         self._widgets: list[UIElement] = []
         self.y = sheet.margin // 2
+        """The height of the next widget [px]."""
 
     def clear(self) -> None:
         """Remove all widgets, and start at the top again."""

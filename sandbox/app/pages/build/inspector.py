@@ -72,16 +72,8 @@ class Inspector:
     ) -> None:  # fmt: skip
         """Make all widgets.
 
-        Parameters
-        ----------
-        rows
-            The entries and sections.
-        numbers
-            The paths of numbers that can be made parameters.
-        refused
-            The reasons why typed texts were refused, by path.
-        offered
-            The names offered to complete typed texts, by path.
+        By path, `numbers` can be made parameters, `refused` says why typed texts were refused, and
+        `offered` are the names that complete them.
         """
         self._offered = offered
         self._lines, self._headings = {}, {}

@@ -13,7 +13,7 @@ from sandbox.app.building.tools.register import TOOLS
 from sandbox.app.pages.build.column import GAP, HEIGHT, SIZE, SMALL, beside
 from sandbox.app.runs.session import Session
 from sandbox.app.widgets.sheet import Sheet
-from sandbox.app.widgets.widget_helpers import allow, press, stretched
+from sandbox.app.widgets.widget_helpers import allow, press, show, stretched
 from sandbox.app.words.language import later, say, say_in
 
 ACROSS = 4
@@ -134,11 +134,7 @@ class Palette:
         """Show or hide the buttons of the joints."""
         for name in self._joints:
             button = self._buttons[name]
-            if shown and not button.visible:
-                button.show()  # type: ignore[no-untyped-call]
-            press(
-                button, shown and name == self._editor.tools.joining.kind
-            )  # only visible buttons have a look
-            if not shown and button.visible:
-                button.hide()  # type: ignore[no-untyped-call]
+            show(button, shown)
+            if shown:  # only visible buttons have a look
+                press(button, name == self._editor.tools.joining.kind)
         self._sheet.pin(self._height if shown else self._without)

@@ -30,22 +30,16 @@ Blocks = tuple[Sequence[Block], Sequence[Block]]
 
 
 class BuildPage:
-    """The panel that shows and sets the parts of the edited level.
-
-    Attributes
-    ----------
-    palette
-        The tools.
-    inspector
-        The fields.
-    """
+    """The panel that shows and sets the parts of the edited level."""
 
     def __init__(self, sheet: Sheet, desk: Desk) -> None:
         self._sheet, self._session = sheet, desk.session
         self._editor = desk.worker(Editor)
         self._column = Column(sheet)
         self.palette = Palette(sheet, self._editor, desk.session)
+        """The tools."""
         self.inspector = Inspector(sheet, self._column)
+        """The fields."""
         self._buttons: list[UIButton] = []
         self._acts: list[tuple[UIButton, Act]] = []
         self._name: Field | None = None
@@ -192,7 +186,9 @@ class BuildPage:
         below = sections.subject(editor)
         if editor.saving.naming:
             here = Act(say("Save here"), say("write the file (Enter)"), self._save_here)
-            leave = Act(say("Do not save"), say("go on without (Esc)"), editor.saving.stop_naming)
+            leave = Act(
+                say("Do not save"), say("continue without saving (Esc)"), editor.saving.stop_naming
+            )
             below.insert(0, Block("", acts=(here, leave)))
         return sections.above(editor, self._session), [*below, *sections.arranging(editor)]
 

@@ -54,7 +54,7 @@ def above(editor: Editor, session: Session) -> list[Block]:
     if editor.trying.is_shown(session):
         keep = Act(
             say("Keep as a level"),
-            say("build on with the present state as a level of its own"),
+            say("continue with the present state as a level of its own"),
             partial(editor.keep_run, session),
         )
         found.append(

@@ -42,15 +42,7 @@ def task(pen: Pen, width: int, session: Session) -> pygame.Surface:
 
 
 def standing(pen: Pen, width: int, session: Session, best: int) -> pygame.Surface:
-    """Draw the stars and the goals of a session's challenge.
-
-    Parameters
-    ----------
-    pen, width, session
-        The pen, the width [px], and the session of the challenge.
-    best
-        The largest number of stars earned before.
-    """
+    """Draw the stars and the goals of a session's challenge; `best` are the most stars before."""
     card = Card(pen, width)
     asked, found = session.level.challenge, session.attempt()
     if asked is None:

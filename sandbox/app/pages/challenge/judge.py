@@ -1,26 +1,18 @@
 """The judge of challenges, which compares every run with the goals, and keeps the stars."""
 
 from sandbox.app.files.progress import Progress
+from sandbox.app.pages.page import Idle
 from sandbox.app.runs.session import Session
 from sandbox.app.words.language import later, say
 
 
-class Judge:
-    """Watches runs, and reports the stars that they earn.
-
-    Attributes
-    ----------
-    news
-        An object that differs whenever the display must change.
-    hints
-        The number of hints shown, by the title of the level.
-    """
-
-    running = False
+class Judge(Idle):
+    """Watches runs, and reports the stars that they earn."""
 
     def __init__(self) -> None:
-        self.news = object()
+        super().__init__()
         self.hints: dict[str, int] = {}
+        """The number of hints shown, by the title of the level."""
         self._progress = Progress()
         self._told: object = None  # the last attempt that was judged
 
@@ -47,9 +39,6 @@ class Judge:
         lost = self._progress.earn(title, found.stars)
         self.news = object()
         return f"{message}; {lost}" if lost else message
-
-    def cancel(self) -> None:
-        """Do nothing, as there is no work."""
 
     def hint(self, session: Session) -> None:
         """Show another hint."""

@@ -6,8 +6,8 @@ from pygame_gui import UI_BUTTON_PRESSED
 from sandbox.app.pages.challenge.card import hints, standing, task
 from sandbox.app.pages.challenge.judge import Judge
 from sandbox.app.pages.page import Desk
-from sandbox.app.widgets.parameters import Parameters
 from sandbox.app.widgets.sheet import Sheet, below
+from sandbox.app.widgets.widget_helpers import show
 from sandbox.app.words import level_words
 from sandbox.app.words.language import later, say
 
@@ -30,17 +30,8 @@ class ChallengePage:
         y = below(sheet.image(task(sheet.pen, sheet.width, desk.session), sheet.margin // 2)) + 12
         asked, level = desk.session.level.challenge, desk.session.original
         free = {name: level.parameters[name] for name in (asked.free if asked else ())}
-        area = pygame.Rect(sheet.margin, y, sheet.width, 0)
-        sheet.parameters = Parameters(
-            sheet.manager,
-            sheet.pen,
-            sheet.container,
-            area,
-            free,
-            desk.session.chosen,
-            level_words.of(desk.session.original),
-        )
-        self._standing = sheet.image(self._draw_standing(), y + sheet.parameters.height + 4)
+        y += sheet.ask(y, free, desk.session.chosen, level_words.of(level)).height
+        self._standing = sheet.image(self._draw_standing(), y + 4)
         self._hints = sheet.image(self._draw_hints(), below(self._standing) + 8)
         self.button = sheet.button(
             pygame.Rect((0, 0), (sheet.room(say(FIRST), say(ANOTHER)), sheet.px(HEIGHT))),
@@ -79,9 +70,7 @@ class ChallengePage:
         self.others.set_relative_position((self._sheet.margin, y))
         if left:
             self.button.set_text(say(ANOTHER if self._shown_hints else FIRST))
-            self.button.show()  # type: ignore[no-untyped-call]
-        else:
-            self.button.hide()  # type: ignore[no-untyped-call]
+        show(self.button, bool(left))
         sheet.end(y + sheet.px(HEIGHT) + 8)
 
     @property

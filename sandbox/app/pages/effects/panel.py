@@ -13,12 +13,11 @@ from sandbox.app.pages.effects import whatif
 from sandbox.app.pages.effects.card import compared, effects_intro, unchanged
 from sandbox.app.pages.page import Desk
 from sandbox.app.runs.companions import NONE
-from sandbox.app.widgets.sheet import Sheet, below
+from sandbox.app.widgets.sheet import Sheet, below, in_rows
 from sandbox.app.widgets.widget_helpers import allow, press
 from sandbox.app.words import formatting, level_words
 from sandbox.app.words.language import later, say
 from sandbox.model.effect_variants import DEFAULTS
-from sandbox.model.errors import SandboxError
 
 if TYPE_CHECKING:
     from sandbox.physics.measuring.comparison import Difference
@@ -57,26 +56,21 @@ class EffectsPage:
 
     def _row_of(self, effects: Sequence[str], y: int, *, adjustable: bool = False) -> int:
         """Make rows of switches, as many in a row as fit, and return their lower end [px]."""
-        x = 0
-        for name in effects:
-            caption = say(name)
-            width = self._sheet.room(caption)
-            scales = SCALES if adjustable and DEFAULTS[name] else {}
-            whole = width + len(scales) * self._sheet.px(SCALE)
-            if x and x + whole > self._sheet.width:
-                x, y = 0, y + self._sheet.px(SWITCH) + self._sheet.px(GAP)
-            rect = pygame.Rect(x, y, width, self._sheet.px(SWITCH))
-            self._switches[name] = self._sheet.button(rect, caption, self._tip(name))
-            for i, (sign, (times, tip)) in enumerate(scales.items()):
-                place = pygame.Rect(
-                    x + width + i * self._sheet.px(SCALE),
-                    y,
-                    self._sheet.px(SCALE),
-                    self._sheet.px(SWITCH),
-                )
-                self._scales[self._sheet.button(place, sign, say(tip))] = name, times
-            x += whole + self._sheet.px(GAP)
-        return y + self._sheet.px(SWITCH) + self._sheet.px(GAP)
+        sheet, px = self._sheet, self._sheet.px
+        scales = [SCALES if adjustable and DEFAULTS[name] else {} for name in effects]
+        widths = [sheet.room(say(name)) for name in effects]
+        whole = (w + len(s) * px(SCALE) for w, s in zip(widths, scales, strict=True))
+        for name, width, own, place in zip(
+            effects, widths, scales, in_rows(whole, sheet.width, px(SWITCH), px(GAP)), strict=True
+        ):
+            place.move_ip(0, y)
+            switch = pygame.Rect(place.topleft, (width, place.height))
+            self._switches[name] = sheet.button(switch, say(name), self._tip(name))
+            scale = pygame.Rect(switch.topright, (px(SCALE), place.height))
+            for sign, (times, tip) in own.items():
+                self._scales[sheet.button(scale, sign, say(tip))] = name, times
+                scale = scale.move(scale.width, 0)
+        return (place.bottom if effects else y) + px(GAP)
 
     def _tip(self, effect: str) -> str:
         if effect in self._session.original.effects.declared:
@@ -101,15 +95,12 @@ class EffectsPage:
         scale = self._scales.get(event.ui_element)
         if name is None and scale is None and event.ui_element is not self.reset:
             return None
-        try:
-            if name is not None:
-                whatif.toggle(self._session, name)
-            elif scale is not None:
-                whatif.strengthen(self._session, *scale)
-            else:
-                whatif.change(self._session, NONE)
-        except SandboxError as error:
-            return say(error.message)
+        if name is not None:
+            whatif.toggle(self._session, name)
+        elif scale is not None:
+            whatif.strengthen(self._session, *scale)
+        else:
+            whatif.change(self._session, NONE)
         return say(LEFT) if self._session.changes.left else ""
 
     def update(self) -> None:

@@ -20,10 +20,7 @@ DECLARED = later("as the level declares it")
 def toggle(session: Session, effect: str) -> None:
     """Switch an effect off or on, and restart the comparison.
 
-    Raises
-    ------
-    SandboxError
-        If the changed level is invalid, or cannot run; nothing is changed then.
+    Raises `SandboxError` if the changed level is invalid, or cannot run; nothing is changed then.
     """
     changes = session.changes
     if effect in session.original.effects.declared:
@@ -60,10 +57,7 @@ def change(session: Session, changes: Changes) -> None:
 def changed(original: Level, changes: Changes) -> tuple[Level, Level, Changes]:
     """Return a level and the changed one, with the same scheme, and the changes with their effects.
 
-    Raises
-    ------
-    EffectError
-        If the changed level is invalid.
+    Raises `EffectError` if the changed level is invalid.
     """
     wanted = original.stepping.scheme
     level, effects = vary(stepped(original, "leapfrog"), changes.off, _settings(changes))
@@ -104,10 +98,7 @@ def play_over(session: Session, original: Level, level: Level, changes: Changes)
 def repace(session: Session, stepping: Stepping) -> None:
     """Play with another stepping, together with the compared run; a race ends.
 
-    Raises
-    ------
-    SandboxError
-        If it cannot run; nothing is changed then.
+    Raises `SandboxError` if it cannot run; nothing is changed then.
     """
     pace = {"stepping": stepping}
     variants = (companion.variant for companion in session.companions if session.changes)

@@ -29,10 +29,7 @@ def curve(
 ) -> tuple[pygame.Surface, pygame.Rect]:
     """Draw a curve with its description, and return also the place of the curve on the card.
 
-    Parameters
-    ----------
-    mouse
-        The point to describe and mark; None to mark the run that is played.
+    `mouse` is the point to describe and mark; None to mark the run that is played.
     """
     card = Card(pen, width)
     card.heading(say("Experiment"))

@@ -20,15 +20,7 @@ class Chosen(NamedTuple):
 
 
 class Exploring(Errand):
-    """Runs a level for values of a parameter, in the background.
-
-    Attributes
-    ----------
-    points
-        The points so far, in the order of the parameter.
-    failure
-        The reason why there are no more runs; empty if there is none.
-    """
+    """Runs a level for values of a parameter, in the background."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -39,7 +31,9 @@ class Exploring(Errand):
 
     def _forget(self) -> None:
         self.points: list[Point] = []
+        """The points so far, in the order of the parameter."""
         self.failure: Message = NOTHING
+        """The reason why there are no more runs; empty if there is none."""
         self._waited, self._begun = 0.0, False
         self.news = object()
 

@@ -1,8 +1,9 @@
 """The page Experiment: a curve, and lists of parameters and measures."""
 
+from typing import TYPE_CHECKING
+
 import pygame
 from pygame_gui import UI_SELECTION_LIST_NEW_SELECTION
-from pygame_gui.elements import UISelectionList
 
 from sandbox.app.cards.card import heading
 from sandbox.app.pages.experiment.card import curve, nearest, span_of
@@ -12,7 +13,9 @@ from sandbox.app.pages.page import Desk
 from sandbox.app.widgets.sheet import Sheet, below
 from sandbox.app.words import formatting
 from sandbox.app.words.language import say
-from sandbox.model.errors import SandboxError
+
+if TYPE_CHECKING:
+    from pygame_gui.elements import UISelectionList
 
 ROW = 20  # px, of a list
 MOST_ROWS = 4, 8  # visible rows of the two lists
@@ -37,16 +40,9 @@ class ExperimentPage:
             ):
                 self._titles.append(sheet.image(heading(sheet.pen, sheet.width, title), 0))
                 height = min(len(names), most) * sheet.px(ROW) + 12
-                self.lists.append(self._list(names, now, height))
+                self.lists.append(sheet.choices(names, height, now))
         self._seen: object = None
         self.update()
-
-    def _list(self, names: list[str], now: str, height: int) -> UISelectionList:
-        rect = pygame.Rect(self._sheet.margin, 0, self._sheet.width, height)
-        return UISelectionList(
-            rect, list(names), self._sheet.manager, container=self._sheet.container,
-            allow_double_clicks=False, default_selection=now,
-        )  # fmt: skip
 
     @property
     def field(self) -> pygame.Rect:
@@ -84,10 +80,7 @@ class ExperimentPage:
         point, chosen = self._at(pixel), self._exploring.chosen(self._session)
         if point is None or chosen is None:
             return None
-        try:
-            self._session.restart({chosen.parameter: point.at})
-        except SandboxError as error:
-            return say(error.message)
+        self._session.restart({chosen.parameter: point.at})
         unit = self._session.level.parameters[chosen.parameter].unit
         value = formatting.quantity(point.at, unit, 4)
         return say("now with {name} = {value}", name=chosen.parameter, value=value)

@@ -35,16 +35,9 @@ class Refused(NamedTuple):
 
 
 def sample(level: Level, values: Values, parameter: str, measure: str) -> Iterator[Point | Refused]:
-    """Yield the points of a curve, from coarse to fine.
+    """Yield the points of a curve over the range of a parameter, from coarse to fine.
 
-    Parameters
-    ----------
-    level
-        The level, with the stepping of its runs.
-    values
-        The values of the parameters; the varied one takes values of its range instead.
-    parameter, measure
-        The varied parameter and the measure, in the form of an experiment's file.
+    The parameter and the measure have the form of an experiment's file.
     """
     try:
         plan = _plan(level, values, parameter, measure)

@@ -2,29 +2,21 @@
 
 from math import hypot
 
-from sandbox.app.runs.session import Session
+from sandbox.app.pages.page import Idle
 from sandbox.model.shapes import XY
 from sandbox.physics.measuring.free_body import FreeBody
 
 ALONG_X: XY = (1.0, 0.0)
 
 
-class Axes:
-    """Keeps the choice of axes while the window is open.
-
-    Attributes
-    ----------
-    news
-        An object that differs after every choice.
-    inclined
-        Whether the first axis is along the surface that presses hardest on the body, or else along
-        its velocity.
-    """
-
-    running = False
+class Axes(Idle):
+    """Keeps the choice of axes while the window is open."""
 
     def __init__(self) -> None:
-        self.news, self.inclined = object(), False
+        super().__init__()
+        self.inclined = False
+        """Whether the first axis is along the surface that presses hardest on the body, or else
+        along its velocity."""
 
     def turn(self) -> None:
         """Switch to the other axes."""
@@ -39,12 +31,6 @@ class Axes:
             return (-x, -y) if x < 0 else (x, y)
         speed = hypot(*velocity)
         return (velocity[0] / speed, velocity[1] / speed) if speed else ALONG_X
-
-    def follow(self, session: Session, seconds: float, *, watched: bool) -> str | None:
-        """Do nothing, as there is no work."""
-
-    def cancel(self) -> None:
-        """Do nothing, as there is no work."""
 
 
 def components(vector: XY, first: XY) -> XY:

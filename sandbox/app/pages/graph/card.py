@@ -44,20 +44,7 @@ def graphs(
 ) -> Graphs:  # fmt: skip
     """Draw quantities of the run so far against another; the known future is fainter.
 
-    Parameters
-    ----------
-    pen, width
-        The pen, and the width [px].
-    session
-        The session of the run.
-    up, across
-        The names of the quantities.
-    cursor
-        The value of the horizontal quantity at which the others are written; None for the present.
-    trust
-        The accuracy of quantities, as far as known.
-    zoom
-        The visible part of the graphs.
+    Their values are written at the cursor, a value of the quantity `across`; None is the present.
     """
     card = Card(pen, width)
     if not up:

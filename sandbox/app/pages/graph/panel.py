@@ -1,6 +1,6 @@
 """The page Graph: lists to choose from, and the values under the mouse."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from functools import partial
 
 import pygame
@@ -10,7 +10,7 @@ from pygame_gui import (
     UI_SELECTION_LIST_NEW_SELECTION,
     UI_TEXT_ENTRY_CHANGED,
 )
-from pygame_gui.elements import UIButton, UISelectionList
+from pygame_gui.elements import UIButton
 
 from sandbox.app.cards.card import heading
 from sandbox.app.drawing import theme
@@ -24,7 +24,6 @@ from sandbox.app.pages.share import saving
 from sandbox.app.widgets.sheet import Sheet, below
 from sandbox.app.widgets.text_field import Field
 from sandbox.app.words.language import say
-from sandbox.model.errors import SandboxError
 from sandbox.model.quantities import TIME
 
 LISTS = 168, 92  # px, the heights of the two lists
@@ -34,15 +33,7 @@ FIELD = 26  # px
 
 
 class GraphPage:
-    """Graphs, and lists of the quantities that can be drawn and used as an axis.
-
-    Attributes
-    ----------
-    sought
-        The field that filters the names in the first list.
-    up, across
-        The two lists.
-    """
+    """Graphs, and lists of the quantities that can be drawn and used as an axis."""
 
     def __init__(self, sheet: Sheet, desk: Desk) -> None:
         self._sheet, self._session = sheet, desk.session
@@ -62,27 +53,13 @@ class GraphPage:
             container=sheet.container,
             placeholder_text=say("letters of a name, such as speed"),
         )  # fmt: skip
+        """The field that filters the names in the first list."""
         self._heights = sheet.scaled(LISTS)
-        self.up = self._list(
-            self._heights[0], names, several=True, chosen=self._choice.up(desk.session)
-        )
-        across = [TIME.name, *names]
-        self.across = self._list(
-            self._heights[1], across, several=False, chosen=[self._choice.across(desk.session)]
-        )
+        up, across = self._choice.up(desk.session), self._choice.across(desk.session)
+        self.up = sheet.choices(names, self._heights[0], up)
+        self.across = sheet.choices([TIME.name, *names], self._heights[1], across)
+        """The two lists."""
         self.update()
-
-    def _list(
-        self, height: int, names: list[str], *, several: bool, chosen: Sequence[str]
-    ) -> UISelectionList:
-        """Add a list of quantities, from which one or several can be chosen."""
-        rect = pygame.Rect(self._sheet.margin, 0, self._sheet.width, height)
-        first: list[str | tuple[str, str]] | str = [*chosen] if several else chosen[0]
-        return UISelectionList(
-            rect, list(names), self._sheet.manager, container=self._sheet.container,
-            allow_multi_select=several, allow_double_clicks=False,
-            default_selection=first,
-        )  # fmt: skip
 
     def process(self, event: pygame.event.Event) -> str | None:
         """Handle buttons, choices in the lists, and the mouse over the graphs."""
@@ -90,7 +67,8 @@ class GraphPage:
             return self._acts[event.ui_element]()
         if event.type in (pygame.MOUSEBUTTONDOWN, pygame.MOUSEBUTTONUP):
             answer = self._zoomed(self._button(event))
-            return self._went() or answer
+            self._go_to_click()
+            return answer
         if event.type == pygame.MOUSEMOTION:
             self._follow(event.pos)
             return self._zoomed(self._zooming.move(self._inside(event.pos)))
@@ -114,7 +92,7 @@ class GraphPage:
         step, px = self._zooming.step, self._sheet.px
         zooming: tuple[tuple[str, str, Callable[[], object]], ...] = (
             ("+", say("zoom in (the wheel over a graph)"), partial(step, NOTCH)),
-            ("−", say("look from further away"), partial(step, 1 / NOTCH)),
+            ("−", say("show a longer interval"), partial(step, 1 / NOTCH)),
             ("<", say("show earlier times"), partial(step, 1.0, -SHIFT)),
             (">", say("show later times"), partial(step, 1.0, SHIFT)),
             (
@@ -154,10 +132,7 @@ class GraphPage:
     def _save_table(self) -> str:
         session, choice = self._session, self._choice
         up, across = choice.up(session), choice.across(session)
-        try:
-            path = saving.graphed(session, up, across, choice.zoom(session).across)
-        except SandboxError as error:
-            return say(error.message)
+        path = saving.graphed(session, up, across, choice.zoom(session).across)
         return say("saved {path}", path=path)
 
     def _save_picture(self) -> str:
@@ -166,10 +141,7 @@ class GraphPage:
         found = figure(session, up, across, self._zooming.graphs)
         if found is None:
             return say("There is no graph to save; choose a quantity")
-        try:
-            return choice.draw(found, saving.path_for(session, ".png"))
-        except SandboxError as error:
-            return say(error.message)
+        return choice.draw(found, saving.path_for(session, ".png"))
 
     def _inside(self, pixel: tuple[int, int]) -> tuple[int, int]:
         """Return the position of a pixel of the window in the picture of the graphs."""
@@ -188,17 +160,13 @@ class GraphPage:
         inside = self._inside(event.pos)
         return self._seen(event.pos) and self._zooming.press(inside, event.button, shifted=shifted)
 
-    def _went(self) -> str:
-        """Go to the time that was clicked on, and return the reason if that is impossible."""
+    def _go_to_click(self) -> None:
+        """Go to the time that was clicked on, if there is one."""
         t, self._zooming.clicked = self._zooming.clicked, None
         if t is None or self._choice.across(self._session) != TIME.name:
-            return ""
+            return
         session = self._session
-        try:
-            session.go_to(min(round(t / session.world.dt), session.run.farthest.steps()))
-        except SandboxError as error:
-            return say(error.message)
-        return ""
+        session.go_to(min(round(t / session.world.dt), session.run.farthest.steps()))
 
     def wheel(self, notches: float, pixel: tuple[int, int]) -> bool:
         """Zoom about the mouse, if it is over a graph, and return whether it is."""
@@ -228,7 +196,7 @@ class GraphPage:
         chosen = [name for name in self._choice.up(self._session) if name in found]
         place = self.up.relative_rect
         self.up.kill()
-        self.up = self._list(self._heights[0], found, several=True, chosen=chosen)
+        self.up = self._sheet.choices(found, self._heights[0], chosen)
         self.up.set_relative_position(place.topleft)
 
     def _choose(self) -> None:

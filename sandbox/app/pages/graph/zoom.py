@@ -72,25 +72,17 @@ def moved(scale: Scale, by: float) -> Interval:
 
 
 class Zooming:
-    """The mouse over the graphs, which marks a box or moves the visible part; the wheel zooms.
-
-    Attributes
-    ----------
-    zoom
-        The visible intervals.
-    graphs
-        The graphs as last drawn.
-    box
-        The box being marked, in the picture [px]; None if there is none.
-    clicked
-        The horizontal value that was clicked on; None if the last release was no click.
-    """
+    """The mouse over the graphs, which marks a box or moves the visible part; the wheel zooms."""
 
     def __init__(self, zoom: Zoom) -> None:
         self.zoom = zoom
+        """The visible intervals."""
         self.graphs: Sequence[Graph] = ()
+        """The graphs as last drawn."""
         self.box: pygame.Rect | None = None
+        """The box being marked, in the picture [px]; None if there is none."""
         self.clicked: float | None = None
+        """The horizontal value that was clicked on; None if the last release was no click."""
         self._at: tuple[int, int] | None = None  # px, the position of the press
         self._on: Graph | None = None  # the graph there, as it was at the press
         self._panning = False

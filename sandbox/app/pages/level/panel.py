@@ -11,7 +11,6 @@ from sandbox.app.pages.accuracy.studying import Studying
 from sandbox.app.pages.level.card import header
 from sandbox.app.pages.page import Desk
 from sandbox.app.runs.session import Session
-from sandbox.app.widgets.parameters import Parameters
 from sandbox.app.widgets.sheet import Sheet, below
 from sandbox.app.widgets.widget_helpers import press
 from sandbox.app.words import level_words
@@ -36,19 +35,8 @@ class LevelPage:
         y = below(sheet.image(header(pen, width, level), sheet.margin // 2)) + 8
         if level.parameters:
             y = below(sheet.image(heading(pen, width, say("Parameters")), y))
-        area = pygame.Rect(sheet.margin, y, width, 0)
-        values = desk.session.chosen
-        sheet.parameters = Parameters(
-            sheet.manager,
-            pen,
-            sheet.container,
-            area,
-            level.parameters,
-            values,
-            level_words.of(level),
-        )
+        y += sheet.ask(y, level.parameters, desk.session.chosen, level_words.of(level)).height
         self.onwards: UIButton | None = None
-        y += sheet.parameters.height
         if level.parameters:
             place = pygame.Rect(0, y + 4, width, sheet.px(SWITCH))
             self.onwards = sheet.button(place, say("Changes act from now on"), say(TIP))

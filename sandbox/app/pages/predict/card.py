@@ -60,7 +60,7 @@ def refused(pen: Pen, width: int, refusal: str) -> pygame.Surface:
     if refusal:
         card.text(say(refusal), 13, theme.FAILED)
     else:
-        card.text(say("Enter: then it runs."), 12, theme.DIM)
+        card.text(say("Press Enter to run it."), 12, theme.DIM)
     return card.drawn()
 
 

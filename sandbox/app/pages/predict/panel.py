@@ -11,6 +11,7 @@ from sandbox.app.pages.predict.predicting import Predicting
 from sandbox.app.pages.predict.questions import questions, unit_of, when
 from sandbox.app.widgets.sheet import Sheet, below
 from sandbox.app.widgets.text_field import Field
+from sandbox.app.widgets.widget_helpers import show
 from sandbox.app.words import level_words
 from sandbox.app.words.language import later, say
 from sandbox.model.level import Check
@@ -117,7 +118,7 @@ class PredictPage:
         if is_open:
             sheet.replace(self._unit, self._drawn_unit())
             self._unit.set_relative_position((self.field.relative_rect.right + 8, y + 4))
-        _show(self._unit, shown=is_open)
+        show(self._unit, is_open)
         y = self._put(self.field, y, shown=is_open)
         if is_open:
             sheet.replace(self._refusal, self._drawn_refusal())
@@ -142,12 +143,7 @@ class PredictPage:
     def _listed(self, names: list[str]) -> UISelectionList:
         """Return a list of questions, with the first chosen."""
         height = min(len(names), MOST) * self._sheet.px(ROW) + 6
-        return UISelectionList(
-            pygame.Rect(self._sheet.margin, 0, self._sheet.width, height), list(names),
-            self._sheet.manager,
-            container=self._sheet.container, allow_double_clicks=False,
-            default_selection=names[0] if names else None,
-        )  # fmt: skip
+        return self._sheet.choices(names, height, names[0] if names else None)
 
     def _name_button(self) -> None:
         """Update the caption and the tooltip of the button."""
@@ -159,7 +155,7 @@ class PredictPage:
 
     def _put(self, widget: Widget, y: int, *, shown: bool) -> int:
         """Place a widget at a height if it is shown, and return the height of the next [px]."""
-        _show(widget, shown=shown)
+        show(widget, shown)
         if not shown:
             return y
         if widget.relative_rect.y != y:
@@ -188,11 +184,3 @@ class PredictPage:
             self._sheet.pen, self._sheet.width, self._session, predicting.outcome,
             predicting.trials, predicting.trying,
         )  # fmt: skip
-
-
-def _show(widget: Widget, *, shown: bool) -> None:
-    """Show or hide a widget."""
-    if shown and not widget.visible:
-        widget.show()
-    elif not shown and widget.visible:
-        widget.hide()

@@ -22,23 +22,7 @@ CHANGED = later("The level has changed, and so has the question.")
 
 
 class Predicting(Errand):
-    """Locks a run until the user has predicted its result, and then judges the prediction.
-
-    Attributes
-    ----------
-    question
-        The question; None if there is none.
-    predicted
-        The answer in SI units; None while it is awaited.
-    refusal
-        The reason why the typed text is no answer; empty if there is none.
-    outcome
-        The outcome; None while unknown.
-    trials
-        The results of trying effects that the level neglects.
-    trying
-        The effect being tried; None if there is none.
-    """
+    """Locks a run until the user has predicted its result, and then judges the prediction."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -51,10 +35,14 @@ class Predicting(Errand):
             self._session.locked = False
         self.question: Check | None = None
         self.predicted: float | None = None
+        """The answer in SI units; None while it is awaited."""
         self.refusal: Message = NOTHING
+        """The reason why the typed text is no answer; empty if there is none."""
         self.outcome: Outcome | None = None
         self.trials: list[Trial] = []
+        """The results of trying effects that the level neglects."""
         self.trying: Trying | None = None
+        """The effect being tried; None if there is none."""
         self._tried = False
         self._values: Values = {}
         self._world: object = None  # the run that is judged

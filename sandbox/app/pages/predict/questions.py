@@ -77,20 +77,8 @@ def unit_of(check: Check, level: Level) -> str:
 def read(typed: str, unit: str, values: Values) -> float:
     """Return the value of a typed answer, in an SI unit.
 
-    Parameters
-    ----------
-    typed
-        An arithmetic expression of the parameters, optionally followed by the unit or one of its
-        `FACTORS`.
-    unit
-        The SI unit, also of a number without a unit.
-    values
-        The values of the level's parameters.
-
-    Raises
-    ------
-    ExpressionError
-        If the text is anything else.
+    The answer is an arithmetic expression of the level's parameters, optionally followed by the
+    unit or one of its `FACTORS`. Raises `ExpressionError` if the text is anything else.
     """
     if not typed.strip():
         raise ExpressionError("type a number first")

@@ -8,7 +8,6 @@ from sandbox.app.pages.race import race
 from sandbox.app.pages.race.card import race_intro, standing
 from sandbox.app.widgets.sheet import Sheet, below
 from sandbox.app.words.language import later, say
-from sandbox.model.errors import SandboxError
 
 RACE, END = later("Race"), later("End the race")
 HEIGHT = 30  # px, of the button
@@ -29,13 +28,10 @@ class RacePage:
         self.update()
 
     def process(self, event: pygame.event.Event) -> str | None:
-        """Start or end the race; return the reason if that is impossible, else an empty text."""
+        """Start or end the race."""
         if event.type != UI_BUTTON_PRESSED or event.ui_element is not self.button:
             return None
-        try:
-            race.toggle(self._session)
-        except SandboxError as error:
-            return say(error.message)
+        race.toggle(self._session)
         return ""
 
     def update(self) -> None:

@@ -46,10 +46,7 @@ def racing(session: Session) -> bool:
 def toggle(session: Session) -> None:
     """Start a race of the schemes that the level can use, or end it.
 
-    Raises
-    ------
-    SandboxError
-        If one of them cannot run; nothing is changed then.
+    Raises `SandboxError` if one of them cannot run; nothing is changed then.
     """
     original = whatif.at_its_pace(session)
     session.play_as(original, [] if racing(session) else rivals(original, session.chosen))

@@ -14,7 +14,7 @@ from sandbox.app.drawing import theme
 from sandbox.app.files import preferences
 from sandbox.app.files.preferences import Comfort
 from sandbox.app.pages.page import Desk
-from sandbox.app.widgets.sheet import Sheet, below
+from sandbox.app.widgets.sheet import Sheet, below, in_rows
 from sandbox.app.widgets.widget_helpers import press
 from sandbox.app.words import language
 from sandbox.app.words.language import say, say_in
@@ -153,17 +153,13 @@ class SettingsPage:
         sheet, px = self._sheet, self._sheet.pen.px
         y = below(sheet.image(heading(sheet.pen, sheet.width, setting.title), y))
         y = below(sheet.image(label(sheet.pen, sheet.width, setting.help), y)) + px(GAP)
-        x = 0
-        for choice in setting.choices:
-            width = sheet.room(choice.caption)
-            if x and x + width > sheet.width:
-                x, y = 0, y + px(HEIGHT + GAP)
-            place = pygame.Rect(x, y, width, px(HEIGHT))
-            button = sheet.button(place, choice.caption, choice.tip)
+        widths = (sheet.room(choice.caption) for choice in setting.choices)
+        places = in_rows(widths, sheet.width, px(HEIGHT), px(GAP))
+        for choice, place in zip(setting.choices, places, strict=True):
+            button = sheet.button(place.move(0, y), choice.caption, choice.tip)
             press(button, choice.chosen)
             self._buttons[button] = choice
-            x += width + px(GAP)
-        return y + px(HEIGHT + 2 * GAP)
+        return y + place.bottom + px(2 * GAP)
 
     def button(self, caption: str) -> UIButton:
         """Return the button with a caption."""

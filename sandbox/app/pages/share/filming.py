@@ -9,27 +9,18 @@ from sandbox.app.words.language import say
 
 
 class Filming(Errand):
-    """Makes one film at a time.
-
-    Attributes
-    ----------
-    done
-        The progress of the film, from 0 to 1.
-    """
+    """Makes one film at a time."""
 
     def __init__(self) -> None:
         super().__init__()
         self.done = 0.0
+        """The progress of the film, from 0 to 1."""
 
     def begin(self, session: Session, kind: Kind) -> str:
         """Start a film of the run so far, and return the message.
 
-        If another film is being made, the message says that this one must wait.
-
-        Raises
-        ------
-        SandboxError
-            If its folder cannot be made or written to.
+        If another film is being made, the message says that this one must wait. Raises
+        `SandboxError` if its folder cannot be made or written to.
         """
         if self.running:
             return say("one film at a time: the next when this one is saved")

@@ -18,7 +18,6 @@ from sandbox.app.pages.share.filming import Filming
 from sandbox.app.runs.session import Session
 from sandbox.app.widgets.sheet import Sheet, below
 from sandbox.app.words.language import later, say
-from sandbox.model.errors import SandboxError
 
 BUTTON = 104, 28  # px
 ROW = 52  # px, the least height of a row
@@ -68,13 +67,10 @@ class SharePage:
         return next(button for button in self._actions if button.text == caption)
 
     def process(self, event: pygame.event.Event) -> str | None:
-        """Save the file of a button, and return the message about its path or the failure."""
+        """Save the file of a button, and return the message about its path."""
         if event.type != UI_BUTTON_PRESSED or event.ui_element not in self._actions:
             return None
-        try:
-            return self._actions[event.ui_element]()
-        except SandboxError as error:
-            return say(error.message)
+        return self._actions[event.ui_element]()
 
     def update(self) -> None:
         """Show the progress of a film."""

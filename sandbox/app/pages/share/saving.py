@@ -23,10 +23,7 @@ from sandbox.physics.quantities.meter import Meter
 def path_for(session: Session, suffix: str) -> Path:
     """Return an unused path, named after the level's title and the time.
 
-    Raises
-    ------
-    SandboxError
-        If the folder cannot be made or written to.
+    Raises `SandboxError` if the folder cannot be made or written to.
     """
     folder, title = save_folder.folder(), save_folder.stem(session.original.title)
     make_folder(folder)

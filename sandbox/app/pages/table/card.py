@@ -30,19 +30,7 @@ TIME = 64  # px, the width of the column of the time
 def values(
     pen: Pen, width: int, session: Session, names: Sequence[str], trust: Mapping[str, Trust]
 ) -> pygame.Surface:
-    """Draw quantities by time.
-
-    Parameters
-    ----------
-    pen, width
-        The pen, and the width [px].
-    session
-        The session of the run.
-    names
-        The quantities; of those without room only the number is written.
-    trust
-        The accuracy of the quantities, as far as known.
-    """
+    """Draw quantities by time; of those without room only the number is written."""
     card, shown = Card(pen, width), names[:COLUMNS]
     card.heading(say("Values by time"))
     columns, units = measured(session.world, session.history, ["t", *shown])

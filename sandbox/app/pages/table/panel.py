@@ -12,7 +12,6 @@ from sandbox.app.pages.table.stopwatch import Stopwatch
 from sandbox.app.pages.table.stopwatch_controls import Timing
 from sandbox.app.widgets.sheet import Sheet, below
 from sandbox.app.words.language import later, say
-from sandbox.model.errors import SandboxError
 
 HEIGHT = 28  # px, of the button
 GAP = 12  # px, above the stopwatch
@@ -20,15 +19,7 @@ TIP = later("save these quantities at every recorded instant, with all digits")
 
 
 class TablePage:
-    """The quantities of the graph page by time, and below them the stopwatch.
-
-    Attributes
-    ----------
-    save
-        The button that saves the table.
-    timing
-        The stopwatch.
-    """
+    """The quantities of the graph page by time, and below them the stopwatch."""
 
     def __init__(self, sheet: Sheet, desk: Desk) -> None:
         self._sheet, self._session = sheet, desk.session
@@ -36,18 +27,17 @@ class TablePage:
         caption = say("Save as CSV")
         place = pygame.Rect(0, sheet.margin // 2, sheet.room(caption), sheet.px(HEIGHT))
         self.save = sheet.button(place, caption, say(TIP))
+        """The button that saves the table."""
         self._table = sheet.image(self._drawn(), sheet.margin // 2 + sheet.px(HEIGHT) + 6)
         self.timing = Timing(sheet, desk.session, desk.worker(Stopwatch))
+        """The stopwatch."""
         self.update()
 
     def process(self, event: pygame.event.Event) -> str | None:
         """Save the table, and return the message; or handle the widgets of the stopwatch."""
         if event.type != UI_BUTTON_PRESSED or event.ui_element is not self.save:
             return self.timing.process(event)
-        try:
-            path = saving.graphed(self._session, self._choice.up(self._session))
-        except SandboxError as error:
-            return say(error.message)
+        path = saving.graphed(self._session, self._choice.up(self._session))
         return say("saved {path}", path=path)
 
     def update(self) -> None:

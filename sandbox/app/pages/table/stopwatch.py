@@ -8,6 +8,7 @@ import pygame
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
+from sandbox.app.pages.page import Idle
 from sandbox.app.pages.table.stopwatch_triggers import BY_HAND, Found, Occasion, find
 from sandbox.app.runs.live_run import LiveRun
 from sandbox.app.runs.session import Session
@@ -42,7 +43,7 @@ class Reading(NamedTuple):
         return theme.NOTICE if self.going else theme.TEXT if self.begun else theme.DIM
 
 
-class Stopwatch:
+class Stopwatch(Idle):
     """Measures the time between two moments of the run, up to the shown state.
 
     Attributes
@@ -55,9 +56,8 @@ class Stopwatch:
         An object that differs whenever the display must change.
     """
 
-    running = False
-
     def __init__(self) -> None:
+        super().__init__()
         self._session: Session | None = None
         self.put_away()
 
@@ -138,9 +138,6 @@ class Stopwatch:
         if session is not self._session:
             self._session = session
             self.put_away()
-
-    def cancel(self) -> None:
-        """Do nothing, as there is no work."""
 
     def draw(self, surface: pygame.Surface, pen: Pen, session: Session) -> None:
         """Draw it in the upper right corner, if it is visible."""

@@ -17,15 +17,7 @@ GAP = 6  # px
 
 
 class Timing:
-    """The widgets of a stopwatch on a sheet.
-
-    Attributes
-    ----------
-    press, reset
-        The buttons of the stopwatch.
-    starts, stops
-        The lists of triggers that start and stop it.
-    """
+    """The widgets of a stopwatch on a sheet."""
 
     def __init__(self, sheet: Sheet, session: Session, stopwatch: Stopwatch) -> None:
         self._sheet, self._session, self._watch = sheet, session, stopwatch
@@ -38,22 +30,18 @@ class Timing:
         second.left = first.right + GAP
         self.press = sheet.button(first, captions[0], say("start it now, or stop it (3)"))
         self.reset = sheet.button(second, captions[1], say("set it back to 0"))
+        """The buttons of the stopwatch."""
         self._labels = [
             sheet.image(label(sheet.pen, sheet.width, text), 0)
             for text in (say("Started"), say("Stopped"))
         ]
         self._known = {occasion.label: occasion for occasion in occasions(session)}
         self.starts, self.stops = self._list(stopwatch.starts), self._list(stopwatch.stops)
+        """The lists of triggers that start and stop it."""
 
     def _list(self, chosen: Occasion) -> UISelectionList:
-        sheet = self._sheet
-        rect = pygame.Rect(sheet.margin, 0, sheet.width, sheet.px(LIST))
         self._known.setdefault(chosen.label, chosen)
-        names: list[str | tuple[str, str]] = [*self._known]
-        return UISelectionList(
-            rect, names, sheet.manager, container=sheet.container,
-            allow_double_clicks=False, default_selection=chosen.label,
-        )  # fmt: skip
+        return self._sheet.choices([*self._known], self._sheet.px(LIST), chosen.label)
 
     def put(self, y: int) -> int:
         """Place the widgets at a height, and return the lower end [px]."""

@@ -19,8 +19,7 @@ def _draw(surface: pygame.Surface, view: View) -> None:
     x, y = view.camera.to_screen(tuple(mass @ snapshot.position[rows] / mass.sum()))
     if not lines.near(((x, y),)):
         return
-    for a, b in (((x - ARM, y), (x + ARM, y)), ((x, y - ARM), (x, y + ARM))):
-        lines.stroke(surface, theme.NOTICE, a, b, 2)
+    lines.cross(surface, theme.NOTICE, (x, y), ARM, 2)
     pygame.draw.aacircle(surface, theme.NOTICE, (x, y), RADIUS, 2)
 
 

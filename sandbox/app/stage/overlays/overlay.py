@@ -16,10 +16,7 @@ Draw = Callable[[pygame.Surface, View], None]
 class Overlay:
     """The declaration of an overlay, which is drawn over the scene and switched by a key.
 
-    Raises
-    ------
-    ValueError
-        If a part is missing.
+    Raises `ValueError` if a part is missing.
     """
 
     name: str

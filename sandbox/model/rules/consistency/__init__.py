@@ -15,7 +15,7 @@ from sandbox.model.rules.consistency import (
     events,
     joints,
     names,
-    sizes,
+    step_cost,
     stepping,
     surfaces,
 )
@@ -88,8 +88,8 @@ _SIZES: tuple[Rule, ...] = (
     bodies.not_too_many,
     bodies.not_too_many_edges,
     joints.not_too_many_wires,
-    sizes.not_too_many_pulls,
-    sizes.not_too_many_sticking,
+    step_cost.not_too_many_pulls,
+    step_cost.not_too_many_sticking,
 )
 """The rules that are checked before anything whose work grows with the level."""
 

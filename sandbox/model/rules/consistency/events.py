@@ -12,7 +12,7 @@ from sandbox.model.measuring_instants import CrossingEvent
 from sandbox.model.message import Message
 from sandbox.model.quantities import QuantityError, quantity
 from sandbox.model.rules.consistency.mentions import mentions
-from sandbox.model.switches import switchable
+from sandbox.model.switched_forces import switchable
 
 
 def known_parts(level: Level) -> Iterator[Fault]:

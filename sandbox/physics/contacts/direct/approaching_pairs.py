@@ -7,7 +7,7 @@ other since the last time: about ten times for a body that falls, once for one t
 another.
 """
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 
 import numpy as np
@@ -22,7 +22,7 @@ from sandbox.physics.contacts.direct.hollow_pairs import HollowPairs
 from sandbox.physics.contacts.direct.linear_systems import most
 from sandbox.physics.contacts.direct.row_layout import Surfaces
 from sandbox.physics.contacts.direct.separation import Separation
-from sandbox.physics.contacts.time_of_impact import Hit, Path, meet
+from sandbox.physics.contacts.time_of_impact import Hit, Path, meet, nearest
 from sandbox.physics.engine.batch import Booleans, Contacts, Integers
 from sandbox.physics.geometry.distance import Outline, outlines
 from sandbox.physics.joints.exact.constraints import Coordinates, planes
@@ -106,16 +106,36 @@ class ApproachingPairs:
     def meet(self, path: Path, lasts: float, pairs: Iterable[Pair]) -> list[Hit]:
         """Return the impacts of pairs of bodies on a path of length `lasts` [s]."""
         gives = np.stack((path.acceleration * lasts,) * 2)
-        separation, hits = Separation(self._shapes, path, lasts), []
+        hits = []
         for a, b in pairs:
             if self._hollows.pairs[a, b]:
                 hits += self._hollows.meet(path, lasts, (a, b), gives)
-                continue
-            for first, second in separation.unsure((a, b)):
-                one, other = self._outline(a)[first], self._outline(b)[second]
-                if hit := meet(path, one, other, 0.0, lasts, gives):
-                    hits.append(hit)
+        for both in self._unsure(path, lasts, pairs):
+            if hit := meet(path, *both, 0.0, lasts, gives):
+                hits.append(hit)
         return hits
+
+    def ahead(self, path: Path, lasts: float, pairs: Iterable[Pair]) -> list[Hit]:
+        """Return the places at the start where pairs of bodies are nearest that meet on a path.
+
+        Hollow bodies are left out.
+        """
+        none = np.zeros((2, *path.velocity.shape))
+        return [
+            nearest(path, *both, 0.0)
+            for both in self._unsure(path, lasts, pairs)
+            if meet(path, *both, 0.0, lasts, none)
+        ]
+
+    def _unsure(
+        self, path: Path, lasts: float, pairs: Iterable[Pair]
+    ) -> Iterator[tuple[Outline, Outline]]:
+        """Yield the parts of pairs of bodies that may meet; hollow bodies are left out."""
+        separation = Separation(self._shapes, path, lasts)
+        for a, b in pairs:
+            if not self._hollows.pairs[a, b]:
+                for first, second in separation.unsure((a, b)):
+                    yield self._outline(a)[first], self._outline(b)[second]
 
     def _outline(self, body: int) -> list[Outline]:
         """Return the outlines of a body's shapes, in the order of its parts."""

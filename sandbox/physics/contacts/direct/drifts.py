@@ -1,30 +1,12 @@
 """The drifts before and after a kick, where landings or a subdivision cut them into parts."""
 
-from collections.abc import Mapping, Sequence
-from typing import NamedTuple
-
-import numpy as np
+from collections.abc import Sequence
 
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.contact_queries import pairs_of
-from sandbox.physics.contacts.direct.convex_parts import Pair
 from sandbox.physics.contacts.direct.drift_subdivision import Divided
+from sandbox.physics.contacts.direct.landing_record import LandingRecord, Struck
 from sandbox.physics.engine.batch import NO_CONTACTS, Contacts
-
-
-class Struck(NamedTuple):
-    """Two bodies that collided within a drift.
-
-    Attributes
-    ----------
-    bodies
-        Their indices.
-    time
-        The time since the step before [s].
-    """
-
-    bodies: Pair
-    time: float
 
 
 class Drifts:
@@ -44,56 +26,44 @@ class Drifts:
         rad/s].
     parted
         The contacts of its landings that had parted at its end, without impulses.
-    pushed
-        (n,), the sums of the sizes of the impulses of its landings on each body [N s].
-    struck
-        Who collided in its landings, in turn.
-    given
-        The normal impulses of its landings, by pair, in turn [N s].
+    landings
+        What collided in its landings.
     """
 
     def __init__(self, count: int) -> None:
-        self._none: Array = np.zeros(count)
+        self._none = LandingRecord(count)
         self.kicked: Array | None = None
         self.divided: Divided | None = None
         self.drifted: Divided | None = None
         self.led: Array | None = None
         self._leads: Array | None = None  # the same for the drift after the kick
-        self.parted = self._met = NO_CONTACTS
-        self.pushed = self._pushes = self._none
-        self.struck: Sequence[Struck] = ()
-        self._strikes: Sequence[Struck] = ()
-        self.given: Mapping[Pair, float] = {}
-        self._gives: Mapping[Pair, float] = {}
+        self.parted = NO_CONTACTS
+        self.landings = self._lands = self._none
+
+    @property
+    def struck(self) -> Sequence[Struck]:
+        """Who collided in the landings of the drift before it, in turn."""
+        return self.landings.struck
 
     def begin(self, contacts: Contacts) -> None:
         """Go on to the next kick, at whose beginning there are some contacts."""
         self.kicked, self.drifted, self.divided = None, self.divided, None
         self.led, self._leads = self._leads, None
-        self.parted, self._met = _without(self._met, contacts), NO_CONTACTS
-        self.pushed, self._pushes = self._pushes, self._none
-        self.struck, self._strikes = self._strikes, ()
-        self.given, self._gives = self._gives, {}
+        self.landings, self._lands = self._lands, self._none
+        self.parted = _without(self.landings.met, contacts)
 
     def forget(self) -> None:
         """Forget the drift after the last kick: bodies were put elsewhere, or joints changed."""
         self.divided = self._leads = None
-        self._met, self._pushes, self._strikes = NO_CONTACTS, self._none, ()
-        self._gives = {}
+        self._lands = self._none
 
     def divide(self, divided: Divided, mean: Array) -> None:
         """Record that the drift after the kick is taken in parts, with mean velocities, (n, 3)."""
         self.divided, self.kicked, self._leads = divided, divided.left, mean
 
-    def land(
-        self,
-        met: Contacts,
-        pushed: Array,
-        struck: Sequence[Struck],
-        given: Mapping[Pair, float],
-    ) -> None:
-        """Record the landings in the drift after the kick; for the rest see the attributes."""
-        self._met, self._pushes, self._strikes, self._gives = met, pushed, struck, given
+    def land(self, landings: LandingRecord) -> None:
+        """Record the landings in the drift after the kick."""
+        self._lands = landings
 
 
 def _without(met: Contacts, others: Contacts) -> Contacts:

@@ -151,17 +151,7 @@ def _rounds(corner: Booleans, apart: Array, normal: Array) -> tuple[Array, slice
 def features(
     contacts: Contacts, touching: Touching, place: Coordinates, origin: complex
 ) -> Features:
-    """Return the contact points of a step.
-
-    Parameters
-    ----------
-    contacts, touching
-        The contacts of the step, and the layout of their points.
-    place
-        The positions of the bodies.
-    origin
-        The origin of these positions [m].
-    """
+    """Return the contact points of a step; the origin is that of the positions [m]."""
     bodies, pair, _, number, rubs = touching[:5]
     figures, outlines = touching.figures, touching.outlines
     n = contacts.direction.view(complex).take(pair)

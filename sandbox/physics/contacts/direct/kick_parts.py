@@ -48,12 +48,6 @@ class Stage(NamedTuple):
         )
         return self._replace(pulls=np.where(joints, self.pulls, 0.0), contacts=contacts)
 
-    def normal(self, count: int) -> Array:
-        """Return the sums of the sizes of the normal impulses on each body: (n,) [N s]."""
-        both = self.contacts.bodies.T.ravel()
-        pushed = np.bincount(both, np.tile(self.contacts.normal, 2), count)
-        return np.asarray(pushed, dtype=float)
-
 
 class Taken(NamedTuple):
     """The result of a kick; r rows, N bodies with the plane.

@@ -19,24 +19,24 @@ from typing import NamedTuple
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.contacts.contact_queries import pairs_of
 from sandbox.physics.contacts.direct import impacts
 from sandbox.physics.contacts.direct.closing_gaps import closed
 from sandbox.physics.contacts.direct.constraint_impulses import hold
 from sandbox.physics.contacts.direct.constraint_rows import Active
 from sandbox.physics.contacts.direct.convex_parts import Pair
 from sandbox.physics.contacts.direct.drift_parts import Part, concerned
-from sandbox.physics.contacts.direct.drifts import Struck
 from sandbox.physics.contacts.direct.kick_builder import KickBuilder
 from sandbox.physics.contacts.direct.kick_parts import Stage
 from sandbox.physics.contacts.direct.kick_system import Kick
+from sandbox.physics.contacts.direct.landing_record import LandingRecord
 from sandbox.physics.contacts.direct.speculative_contacts import (
+    LOOKS,
     AnyCorner,
     SpeculativeContacts,
 )
 from sandbox.physics.contacts.direct.warm_start import recalled
 from sandbox.physics.contacts.time_of_impact import TOUCH, Hit, Path
-from sandbox.physics.engine.batch import NO_CONTACTS, Booleans, Contacts, Integers
+from sandbox.physics.engine.batch import Booleans
 from sandbox.physics.geometry.roots import root
 from sandbox.physics.joints.exact.constraints import Coordinates, order
 from sandbox.physics.state.errors import JointFailure, NoForces
@@ -46,7 +46,11 @@ SHORT = 0.1
 a short part follow from small differences of positions, and their rounding is traced far back."""
 
 MOST = 8
-"""The most landings of one drift that are located; later ones are found at its end."""
+"""The most landings of one drift that are located. What would land later comes to touch in it, and
+its impact is at its end."""
+
+AGAIN = 4
+"""The most times that a drift is followed anew, since more bodies take part in its landings."""
 
 SOON = 1e-6
 """The share of a drift at its start for which no kick is solved, and at its end in which no landing
@@ -102,14 +106,8 @@ class Landings:
     ----------
     reached
         (n,), which bodies take part in landings.
-    pushed
-        (n,), the sums of the sizes of their impulses on each body [N s].
-    met
-        The contacts that take part in them, without impulses.
-    struck
-        Who collided in them, in turn.
-    given
-        Their normal impulses, by pair, in turn [N s].
+    record
+        What collided in them, and how hard.
     """
 
     def __init__(
@@ -125,24 +123,65 @@ class Landings:
         self._laws, self._until, self._driven = laws, until, driven
         count = len(laws) // 3 - 1
         self._order, self._whole = order(count), 0.0
-        self.reached: Booleans = np.zeros(count, dtype=bool)
-        self.pushed: Array = np.zeros(count)
-        self.met = NO_CONTACTS
-        self.struck: list[Struck] = []
-        self.given: dict[Pair, float] = {}
+        self._begin(np.zeros(count, dtype=bool))
 
     def follow(self, whole: Part) -> list[Part]:
-        """Return the parts of the drift after a kick: the drift itself if nothing lands."""
-        parts, joints, self._whole = [whole], whole.kick.joints, whole.drift
-        kick = joints.kick
+        """Return the parts of the drift after a kick: the drift itself if nothing lands.
+
+        Whoever takes part in a later landing has to be followed from the first one on, where other
+        bodies press on it. So then the drift is followed once more.
+        """
+        joints, kick, self._whole = whole.kick.joints, whole.kick.joints.kick, whole.drift
         try:
-            while len(parts) <= MOST and (found := self._cut(parts[-1])):
-                parts[-1:] = found
-            if len(parts) > 1:
-                parts[-1] = self._lasting(parts[-1], whole.drift)
+            parts = self._parts(whole)
+            for _ in range(AGAIN):
+                if not self._is_late(whole):
+                    break
+                self._begin(self.reached)
+                parts = self._parts(whole)
+            return parts
         finally:
             joints.time(kick, whole.drift)
+
+    def _begin(self, reached: Booleans) -> None:
+        """Begin a drift in whose landings some bodies, (n,), are known to take part."""
+        self.reached = reached
+        self._early: Booleans | None = None  # who takes part from the first landing on
+        self.record = LandingRecord(len(reached))
+
+    def _is_late(self, whole: Part) -> bool:
+        """Return whether bodies take part that press on others, but not from the first landing."""
+        if self._early is None:
+            return False
+        late = self.reached & ~self._early
+        return bool(late.any() and whole.forces[concerned(whole.kick, late)].any())
+
+    def _parts(self, whole: Part) -> list[Part]:
+        """Return the parts of a drift."""
+        parts = [whole]
+        while len(parts) <= MOST and (found := self._cut(parts[-1])):
+            parts[-1:] = found
+        if len(parts) > MOST:
+            parts[-1] = self._stopped(parts[-1])
+        elif len(parts) > 1:
+            parts[-1] = self._lasting(parts[-1], whole.drift)
         return parts
+
+    def _stopped(self, part: Part) -> Part:
+        """Return a part in which what would still land comes to touch, and goes no further."""
+        part.kick.joints.time(part.drift, part.drift)
+        for _ in range(LOOKS):
+            part = self._closed(part, locates=False)
+            ahead = self._speculative.meeting(part.kick, part.moved)
+            if not len(ahead.bodies):
+                break
+            more = self._build.with_ahead(part.kick, ahead)
+            self.reached = self.reached | self._around(more, ahead.bodies.tolist())
+            try:
+                part = self._again(part, more)
+            except (JointFailure, NoForces):
+                break  # at the end of the drift it will be found as an overlap
+        return part.closing if part.kick.closes else part
 
     def _lasting(self, last: Part, drift: float) -> Part:
         """Return the last part with forces that last for a whole drift [s].
@@ -172,6 +211,8 @@ class Landings:
         self.reached = known | self._around(kick, pairs)
         try:
             shorter, met = self._until_it_meets(part, met)
+            if self._early is None:
+                self._early = self.reached
             return shorter, self._land(shorter, part.drift - shorter.drift, met)
         except (JointFailure, NoForces):
             self.reached = known  # it is found where the drift ends
@@ -251,7 +292,7 @@ class Landings:
         struck = kick.layout.touching.pair >= len(kick.contacts.bodies) - len(down.bodies)
         begun, stages = self._struck(part, struck)
         after = part._replace(left=left, drift=left, begun=begun, before=stages, moved=begun)
-        return self.closed(self._solved(after, left, left / 2))
+        return self._closed(self._solved(after, left, left / 2))
 
     def _struck(self, part: Part, struck: Booleans) -> tuple[Array, tuple[Stage, ...]]:
         """Return the velocities after the impact at the end of a part, and its stages.
@@ -263,26 +304,13 @@ class Landings:
         half = part.drift / 2
         came, to_it = impacts.come(some, part.moved + half * drive, struck, part.active)
         begun, pushes, pairs = impacts.bounce(some, came, struck, part.active)
-        time = self._whole - part.left + part.drift
-        self.struck += (Struck(pair, time) for pair in pairs)
-        self.given |= {pair: self.given.get(pair, 0.0) for pair in pairs}
         stages = (
             Stage.of(part.kick, half, came[self._order], to_it + half * others),
             Stage.of(part.kick, 0.0, begun[self._order], pushes),
         )
-        self.pushed = self.pushed + stages[1].normal(len(self.pushed))
-        self._note(stages[1].contacts, part.kick.layout.touching.pair[struck])
+        landed = part.kick.layout.touching.pair[struck]
+        self.record.note(pairs, self._whole - part.left + part.drift, stages[1].contacts, landed)
         return begun, stages
-
-    def _note(self, pushed: Contacts, landed: Integers) -> None:
-        """Note the contacts of an impact, with their impulses, of which some have landed."""
-        takes = pushed.normal > 0
-        takes[landed] = True
-        none = 0.0 * pushed.normal
-        calm = pushed._replace(normal=none, friction=none, impulse=0.0 * pushed.impulse)
-        self.met = self.met.and_(Contacts._make(field[takes] for field in calm))
-        for pair, push in zip(pairs_of(pushed), pushed.normal.tolist(), strict=True):
-            self.given[pair] = self.given.get(pair, 0.0) + push
 
     def _others(self, part: Part) -> tuple[Booleans, Array, Array]:
         """Return which rows act on `reached` bodies, and the forces of the others: (r,) each.
@@ -323,9 +351,10 @@ class Landings:
             moved=moved,
         )
 
-    def closed(self, part: Part) -> Part:
-        """Return a part in which slow corners have come down; see `closed`."""
-        return closed(part, self._speculative, self._build, self._laws, self._again)[0]
+    def _closed(self, part: Part, *, locates: bool = True) -> Part:
+        """Return a part in which corners have come down; see `closed`."""
+        look, build = self._speculative, self._build
+        return closed(part, look, build, self._laws, self._again, locates=locates)[0]
 
     def _again(self, part: Part, kick: Kick) -> Part:
         """Return a part, solved with more rows."""

@@ -33,27 +33,12 @@ def newton(
 ) -> tuple[Array, Array, Active]:
     """Return impulses, (r,), the velocities with them, (3 N,), and the active rows.
 
-    Each island is iterated until it has converged, independently of the others.
+    Each island is iterated until it has converged, independently of the others. `rows` returns the
+    rows after a displacement, (3 N,) [m, rad]. Without impulses the velocities are `motion`, (3 N,)
+    [m/s, rad/s]; the rows are to have the values `wanted`, (r,), at the end of the drift. `impulse`
+    and `active` are the first guess.
 
-    Parameters
-    ----------
-    kick, layout
-        The system, and the layout of its rows.
-    rows
-        Returns the rows after a displacement, (3 N,) [m, rad].
-    motion
-        (3 N,), the velocities without impulses [m/s, rad/s].
-    drift
-        The length of the drift [s].
-    wanted
-        (r,), the targets of the rows at its end.
-    impulse, active
-        The first guess.
-
-    Raises
-    ------
-    JointFailure, NoForces
-        If there is no solution.
+    Raises `JointFailure` or `NoForces` if there is no solution.
     """
     rounds, left = _Rounds(), layout
     for iteration in range(MAX_ITERATIONS):

@@ -153,19 +153,8 @@ class Layout:
 def lay_out(contacts: Contacts, joints: ExactJoints, surfaces: Surfaces, moves: Booleans) -> Layout:
     """Return the rows of joints and contacts; the two points of a side share one row of friction.
 
-    Parameters
-    ----------
-    contacts, joints
-        The contacts and the exact joints.
-    surfaces
-        The contact properties of the bodies.
-    moves
-        (n,), which of them are dynamic.
-
-    Raises
-    ------
-    TooMuch
-        If there are more rows than a step can solve.
+    `moves`, (n,), tells which bodies are dynamic. Raises `TooMuch` if there are more rows than a
+    step can solve.
     """
     first, count = len(joints.pulls_only), len(contacts.bodies)
     slips, static = (table[tuple(contacts.bodies.T)] for table in surfaces[1:3])

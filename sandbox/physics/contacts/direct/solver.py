@@ -168,8 +168,8 @@ class Direct:
         if landed:
             onwards = landed.onwards * self._dt
             self._change = np.where(landed.reached[:, None], onwards, self._change)
-        if np.count_nonzero(self.drifts.pushed):
-            self.last = self.last._replace(impulse=self.drifts.pushed)
+        if np.count_nonzero(pushed := self.drifts.landings.pushed):
+            self.last = self.last._replace(impulse=pushed)
 
     def _moved(self) -> Array:
         """Return the sizes of the bodies' displacements in the last step: (n, 3) [m, rad]."""
@@ -296,7 +296,7 @@ class Direct:
         ways = (divided.end - start) / self._dt
         mean = np.where(landed.reached[:, None], ways, divided.left)
         self.drifts.divide(divided, mean)
-        self.drifts.land(landings.met, landings.pushed, landings.struck, landings.given)
+        self.drifts.land(landings.record)
         self._batch.set_velocity(mean)
         self._known.note(last.kick, last.steady, last.active)
         return landed

@@ -24,9 +24,9 @@ from sandbox.physics.contacts.direct.corner_contacts import ALIKE, LEAST, Spot, 
 from sandbox.physics.contacts.direct.hollow_pairs import HollowCorner, HollowPairs, placed
 from sandbox.physics.contacts.direct.kick_system import Kick
 from sandbox.physics.contacts.direct.row_layout import Surfaces
-from sandbox.physics.contacts.time_of_impact import TOUCH, Hit
+from sandbox.physics.contacts.time_of_impact import Hit, Path
 from sandbox.physics.engine.batch import Booleans, Contacts
-from sandbox.physics.joints.exact.constraints import Coordinates, angles, planes
+from sandbox.physics.joints.exact.constraints import Coordinates, angles, order, planes
 
 LOOKS = 30
 """The most times that a drift is followed to its end: in a rocking stack each time finds one more
@@ -132,6 +132,22 @@ class SpeculativeContacts:
                 if on_side(here.both(pair, parts), *down).gap > 0:
                     yield Corner(pair, parts, *down)
 
+    def meeting(self, kick: Kick, motion: Array) -> Contacts:
+        """Return contacts of bodies that meet in the drift after a kick, at its start.
+
+        Hollow bodies are left out.
+
+        Parameters
+        ----------
+        motion
+            (3 N,), the velocities in that drift [m/s, rad/s].
+        """
+        drift, places = kick.joints.drift, order(len(kick.place.values) // 3 - 1)
+        near = self.approaching.near(kick.contacts, kick.place, drift * motion)
+        path = Path(kick.place.values[places], motion[places], np.zeros(places.shape))
+        hits = self.approaching.ahead(path, drift, near)
+        return self.contacts((), kick.place, kick.joints.origin, hits)
+
     def height(self, corner: AnyCorner, place: Coordinates) -> float:
         """Return the distance of a corner from its side at given positions [m]."""
         return self._spot(corner, place).gap
@@ -148,9 +164,9 @@ class SpeculativeContacts:
         for corner in corners:
             touched = self._touched(corner.pair, self._spot(corner, place), origin)
             found.setdefault(corner.pair, []).append(touched)
-        for _, pair, normal, points, _ in hits:
-            both = [(point + origin, point + origin + normal * TOUCH) for point in points]
-            touched = Touched(self._bodies[pair[1]], normal, both, -TOUCH)
+        for _, pair, normal, points, _, gap in hits:
+            both = [(point + origin, point + origin + normal * gap) for point in points]
+            touched = Touched(self._bodies[pair[1]], normal, both, -gap)
             found.setdefault(pair, []).append(touched)
         return contacts_of(found)
 

@@ -96,10 +96,7 @@ class Wound:
     def look(self, place: Coordinates) -> tuple[float, Sequence[Share]]:
         """Return the length, free and wound, and its gradient.
 
-        Raises
-        ------
-        JointFailure
-            If the end of the string is inside the wheel.
+        Raises `JointFailure` if the end of the string is inside the wheel.
         """
         body = number(self.end)
         arm = self.end.point * exp(1j * place.angle[body])

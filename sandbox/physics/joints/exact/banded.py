@@ -34,14 +34,7 @@ class Look(NamedTuple):
 class Banded:
     """The equations of a scene as a banded system; m equations, N bodies with the plane.
 
-    Parameters
-    ----------
-    reaches
-        The segments of the equations.
-    count
-        The number of equations, m.
-    inverse
-        (3 N,), the inverse mass or moment of inertia of each coordinate.
+    `inverse` is the inverse mass or moment of inertia of each coordinate, (3 N,).
     """
 
     def __init__(self, reaches: Reaches, count: int, inverse: Array) -> None:
@@ -89,10 +82,7 @@ class Banded:
     def solved(self, there: Look, here: Look, violation: Array) -> Array:
         """Return the impulses along the Jacobian `here` that change the values `there`: (m,).
 
-        Parameters
-        ----------
-        violation
-            (m,), the changes.
+        The violation, (m,), is the change. Raises `LinAlgError` if the matrix is singular.
 
         Raises
         ------
@@ -119,21 +109,12 @@ class Banded:
         guess: Array,
         drift: float,
     ) -> tuple[Array, Array, Array]:
-        """Return the impulses that keep lengths (m,) through a drift, by Newton's method.
+        """Return the impulses that keep lengths through a drift, by Newton's method.
 
-        Parameters
-        ----------
-        place, motion, here
-            The positions and velocities at the beginning of the drift, and the equations there.
-        length, guess
-            (m,), the lengths to keep [m], and the initial guess of the impulses [N s].
-        drift
-            The duration of the drift [s].
-
-        Returns
-        -------
-        The impulses (m,), the velocities after them (3 N,), and the residuals of the last iteration
-        (m,), which exceed rounding if there is no solution.
+        The impulses, (m,), come with the velocities after them, (3 N,), and the residuals of the
+        last iteration, (m,), which exceed rounding if there is no solution. Position, motion and
+        equations are those at the beginning of the drift [s]; `length` are the lengths to keep,
+        (m,) [m], and `guess` is the initial guess of the impulses, (m,) [N s].
         """
         impulse = guess
         for _ in range(MAX_ITERATIONS):

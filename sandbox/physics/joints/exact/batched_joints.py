@@ -29,12 +29,8 @@ DOUBTED = 1 + (GROWS - 1) / 2
 class ManyJoints:
     """The joints of N runs; n bodies and m equations in each.
 
-    Parameters
-    ----------
-    joints
-        The joints of each run, all `plain`, right after its start.
-    step
-        The duration of each kick and each drift [s].
+    The joints of each run are all `plain`, and right after its start; `step` is the duration of
+    each kick and each drift [s].
     """
 
     def __init__(self, joints: Sequence[ExactJoints], step: float) -> None:
@@ -56,16 +52,10 @@ class ManyJoints:
         self._past = [tension[rows] for tension in self._past]
 
     def solve(self, place: Array, velocity: Array) -> tuple[Array, Booleans]:
-        """Return the velocities with which the joints hold through the next drift.
+        """Return the velocities with which the joints hold through the next drift: (N, n, 3).
 
-        Parameters
-        ----------
-        place, velocity
-            (N, n, 3), the positions and velocities at the kick [m, rad, m/s, rad/s].
-
-        Returns
-        -------
-        The velocities (N, n, 3), and which runs must be solved alone (N,).
+        Also return which runs must be solved alone, (N,). Positions and velocities, (N, n, 3), are
+        those at the kick [m, rad, m/s, rad/s].
         """
         here = Coordinates(self._values(place))
         planes(here.values)[:, :-1] -= self._origin

@@ -36,16 +36,9 @@ class Row:
 class Reaches:
     """The segments of all sums of lengths: the first of m rows; the other rows are left at zero.
 
-    Parameters
-    ----------
-    rows
-        The sums of lengths.
-    shape
-        The numbers of all rows and all bodies, with the plane itself.
-    inverse_moment
-        (n + 1,), the inverse moments of inertia of the bodies and the plane [1/(kg m²)].
-    turns
-        Whether the Jacobian has angles even if no segment needs them.
+    The shape has the numbers of all rows and of all bodies with the plane itself; `inverse_moment`,
+    (n + 1,), their inverse moments of inertia [1/(kg m²)]. If it `turns`, the Jacobian has angles
+    even if no segment needs them.
     """
 
     def __init__(

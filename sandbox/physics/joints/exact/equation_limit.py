@@ -23,19 +23,10 @@ MOST_PRODUCTS = 600_000_000
 
 
 def refuse_too_many(equations: Sequence[Condition], inverse: Array) -> None:
-    """Refuse more equations than a step can solve.
+    """Refuse more equations than a step can solve, by a `JointFailure`.
 
-    Parameters
-    ----------
-    equations
-        The equations of all exact joints that are solved together.
-    inverse
-        (n,), the inverse masses of the bodies, 0 of those that nothing moves [1/kg].
-
-    Raises
-    ------
-    JointFailure
-        If there are too many.
+    The equations are those of all exact joints that are solved together; `inverse`, (n,), are the
+    inverse masses of the bodies, 0 of those that nothing moves [1/kg].
     """
     count, bodies = len(equations), len(inverse)
     solved = count**2 * bodies > MOST_PRODUCTS

@@ -28,32 +28,8 @@ class Equations:
     """The m equations of all exact joints of a scene of n bodies.
 
     Sums of lengths, the rows, come first and are evaluated together; the others one by one.
-
-    Parameters
-    ----------
-    rows, others
-        The equations.
-    inverse_moment
-        (n + 1,), the inverse moments of inertia, the plane last; 0 of those that do not turn
-        [1/(kg m²)].
-
-    Attributes
-    ----------
-    names
-        The joint of each equation.
-    pulling, turning
-        The equations of each joint that keep no angle, and those that keep one.
-    senses
-        The sense in which an angle's equation turns its second body if it pushes, else 1.
-    alike
-        (m,), the first equation of the same joint; for an equation that keeps an angle, itself. A
-        pin has two equations, one along each axis.
-    changing
-        The equations that change with time, and their changes.
-    pulls_only
-        (m,), the equations that can only pull.
-    reaches
-        The segments whose lengths are added.
+    `inverse_moment` are the inverse moments of inertia, (n + 1,), the plane last; 0 of those that
+    do not turn [1/(kg m²)].
     """
 
     def __init__(
@@ -62,16 +38,24 @@ class Equations:
         equations: tuple[Condition, ...] = (*rows, *others)
         self.rows, self.others = rows, others
         self.names = [equation.joint for equation in equations]
+        """The joint of each equation."""
         turns = [isinstance(equation, Turn) for equation in equations]
         self.senses = [e.sense if isinstance(e, Turn) else 1 for e in equations]
+        """The sense in which an angle's equation turns its second body if it pushes, else 1."""
         self.pulling, self.turning = (_by_joint(equations, turns, way) for way in (False, True))
+        """The equations of each joint that keep no angle, and those that keep one."""
         self.alike = np.arange(len(equations))
+        """(m,), the first equation of the same joint; for an equation that keeps an angle, itself.
+        A pin has two equations, one along each axis."""
         for held in self.pulling.values():
             self.alike[held] = held[:1]
         self.changing = [(i, e.changing) for i, e in enumerate(equations) if e.changing]
+        """The equations that change with time, and their changes."""
         self.pulls_only = np.array([e.pulls_only for e in equations], dtype=bool)
+        """(m,), the equations that can only pull."""
         shape = (len(equations), len(inverse_moment))
         self.reaches = Reaches(rows, shape, inverse_moment, turns=bool(others))
+        """The segments whose lengths are added."""
         self._numbered = list(enumerate(others, len(rows)))
 
     @property

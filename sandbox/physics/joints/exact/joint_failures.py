@@ -35,23 +35,10 @@ def overlapping(names: Sequence[str], row: int) -> JointFailure:
 
 
 def check_independent(joints: JointSystem, here: Rows, response: Array, length: Array) -> float:
-    """Refuse taut joints that are redundant.
+    """Return the ratio of smallest to largest singular value; 1 if nothing is taut.
 
-    Parameters
-    ----------
-    joints
-        The joints: m equations.
-    here
-        Their values and Jacobian at the present positions.
-    response
-        (m, 3 N), J M⁻¹.
-    length
-        (m,), the values to keep [m, rad].
-
-    Returns
-    -------
-    float
-        The ratio of smallest to largest singular value; 1 if nothing is taut.
+    `here` has the values and the Jacobian at the present positions, `response` is J M⁻¹, (m, 3 N),
+    and `length`, (m,), the values to keep [m, rad]. Taut joints that are redundant are refused.
 
     Raises
     ------
@@ -75,20 +62,9 @@ def lost(
 ) -> JointFailure:
     """Return why an equation fails: joints work against each other, or the step is too long.
 
-    Parameters
-    ----------
-    joints
-        The joints: m equations.
-    row
-        The equation with the largest residual.
-    taut
-        (k,), the taut equations.
-    independent
-        The ratio of smallest to largest singular value at the start.
-    tension
-        (m,), the forces along the equations in the last kick [N].
-    drift
-        The duration of a drift [s].
+    The row has the largest residual; `taut` are the taut equations, (k,), and `independent` is the
+    ratio of smallest to largest singular value at the start. `tension` are the forces along all
+    equations in the last kick, (m,) [N], `drift` the duration of a drift [s].
     """
     place, motion = joints.coordinates()
     if _runs_up(joints, row, place, motion, drift):

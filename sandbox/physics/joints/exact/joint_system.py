@@ -23,18 +23,9 @@ from sandbox.physics.joints.exact.equations import Equations
 class JointSystem:
     """All exact joints of a scene; n bodies, m equations C(q) = 0 over q = (x, y, θ).
 
-    Sums of lengths, the rows, are evaluated together; the other equations one by one.
-
-    Parameters
-    ----------
-    rows, others
-        The equations, with points of the plane relative to the origin.
-    batch
-        Reads and writes the bodies.
-    inverse_mass, inverse_moment
-        (n,), 0 of bodies that do not move or turn [1/kg, 1/(kg m²)].
-    origin
-        The origin of all positions in the equations [m].
+    Sums of lengths, the rows, are evaluated together; the other equations one by one. Points of the
+    plane and all positions in the equations are relative to the origin [m]. `inverse_mass` and
+    `inverse_moment`, (n,), are 0 of bodies that do not move or turn [1/kg, 1/(kg m²)].
 
     Attributes
     ----------

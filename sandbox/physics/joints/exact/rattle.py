@@ -22,23 +22,9 @@ def motion(
 
         J (a − M⁻¹ Jᵀ λ) + (dJ/dt) v = 0.
 
-    Not for joints that change with time.
-
-    Parameters
-    ----------
-    joints
-        The joints of n bodies: m equations.
-    mean
-        (n, 3), the mean velocities [m/s, rad/s].
-    smooth
-        (n, 3), the accelerations without the joints [m/s², rad/s²].
-    drift
-        The duration of a drift [s].
-
-    Returns
-    -------
-    tuple
-        (n, 3) [m/s, rad/s], (n, 3) [m/s², rad/s²], (m,) [N].
+    Not for joints that change with time. `mean` are the mean velocities of the n bodies, (n, 3)
+    [m/s, rad/s], `smooth` the accelerations without the joints, (n, 3) [m/s², rad/s²], and `drift`
+    is the duration of a drift [s].
     """
     place, free, driven = joints.place(), coordinates_of(mean).values, coordinates_of(smooth).values
     if joints.band:

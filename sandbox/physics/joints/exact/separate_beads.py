@@ -15,16 +15,8 @@ from sandbox.physics.joints.exact.wire import WireEquation
 class Bead:
     """Keeps a bead on its wire.
 
-    Parameters
-    ----------
-    equation
-        The equation of the wire; see `separate_joints.are_apart`.
-    batch
-        Reads and writes the bodies.
-    inverse
-        The inverse mass of the bead [1/kg].
-    origin
-        The origin of the points of the wire [m].
+    Its equation is one of those in `separate_joints.are_apart`. `inverse` is the inverse mass of
+    the bead [1/kg]. Points of the wire are relative to the origin [m].
     """
 
     def __init__(
@@ -36,20 +28,9 @@ class Bead:
     def solve(self, length: float, guess: float, drift: float) -> float:
         """Find the impulse that keeps the bead on its wire through a drift [s], and apply it [N s].
 
-        Parameters
-        ----------
-        length
-            The distance from the wire to keep [m].
-        guess
-            The initial guess of the impulse [N s].
-
-        Raises
-        ------
-        ZeroDivisionError
-            If there is no impulse: Newton's method does not converge, or its solution would add
-            energy.
-        JointFailure
-            If the wire ends, or bends too sharply for a step.
+        The length is the distance from the wire to keep [m]. Raises `ZeroDivisionError` if there is
+        no impulse: Newton's method does not converge, or its solution would add energy;
+        `JointFailure` if the wire ends, or bends too sharply for a step.
         """
         x, y, u, v, *plane = self._pair.read()
         place, motion = complex(x, y) - self._origin, complex(u, v)

@@ -18,10 +18,7 @@ class Alone(Protocol):
     def solve(self, length: float, guess: float, drift: float) -> float:
         """Find the impulse that keeps a length [m] through a drift [s], and apply it [N s].
 
-        Raises
-        ------
-        ZeroDivisionError
-            If no impulse does.
+        Raises `ZeroDivisionError` if there is none.
         """
 
 
@@ -30,14 +27,8 @@ def alone(
 ) -> list[Alone]:
     """Return a joint for each equation, to be solved by itself; none if some are coupled.
 
-    Parameters
-    ----------
-    batch
-        Reads and writes the bodies.
-    inverse
-        (n + 1,), the inverse masses, 0 of bodies that do not move, the plane last [1/kg].
-    origin
-        The origin of points of the plane [m].
+    `inverse` are the inverse masses, (n + 1,), 0 of bodies that do not move, the plane last [1/kg].
+    Points of the plane are relative to the origin [m].
     """
     found: list[Alone] = []
     if not are_apart(equations, inverse):
@@ -53,10 +44,7 @@ def alone(
 def are_apart(equations: Sequence[Condition], inverse: Array) -> bool:
     """Return whether all are rods or wires through centres, and none share a moving body.
 
-    Parameters
-    ----------
-    inverse
-        (n + 1,), the inverse masses, 0 of bodies that do not move, the plane last [1/kg].
+    `inverse` are the inverse masses, (n + 1,), 0 of bodies that do not move, the plane last [1/kg].
     """
     held: set[int] = set()
     for equation in equations:

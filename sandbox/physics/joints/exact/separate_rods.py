@@ -16,16 +16,9 @@ from sandbox.physics.joints.exact.distances import Row
 class Rod:
     """Keeps the distance of two bodies, or of a body from a point of the plane.
 
-    Parameters
-    ----------
-    row
-        Its equation; see `separate_joints.are_apart`.
-    batch
-        Reads and writes the bodies.
-    inverse
-        (n + 1,), the inverse masses, 0 of bodies that do not move, the plane last [1/kg].
-    origin
-        The origin of points of the plane [m].
+    Its equation is one of those in `separate_joints.are_apart`. `inverse` are the inverse masses,
+    (n + 1,), 0 of bodies that do not move, the plane last [1/kg]. Points of the plane are relative
+    to the origin [m].
     """
 
     def __init__(self, row: Row, batch: Batch, inverse: Array, origin: complex) -> None:
@@ -39,15 +32,8 @@ class Rod:
     def solve(self, length: float, guess: float, drift: float) -> float:
         """Find the impulse that keeps a length [m] through a drift [s], and apply it [N s].
 
-        Parameters
-        ----------
-        guess
-            The initial guess of the impulse [N s].
-
-        Raises
-        ------
-        ZeroDivisionError
-            If there is no impulse: the ends meet, or Newton's method does not converge.
+        Raises `ZeroDivisionError` if there is none: the ends meet, or Newton's method does not
+        converge.
         """
         ax, ay, au, av, bx, by, bu, bv = self._pair.read()
         # differences first: far from the origin, sums of positions round more

@@ -60,13 +60,7 @@ class ExactJoints(ConstraintForces):
         )
 
     def check(self) -> None:
-        """Refuse redundant equations, if that was not checked yet.
-
-        Raises
-        ------
-        JointFailure
-            If some are redundant.
-        """
+        """Raise a `JointFailure` if equations are redundant, and that was not checked yet."""
         if self._fresh and self._joints:
             here = self.equations.glance(self.place())
             self._check_independent(here, here.jacobian * self.inverse, self.length)
@@ -74,14 +68,8 @@ class ExactJoints(ConstraintForces):
     def motion(self, mean: Array, smooth: Array) -> tuple[Array, Array]:
         """Return velocities and accelerations at the present positions, and store the forces there.
 
-        Not for joints that change with time. See `rattle`.
-
-        Parameters
-        ----------
-        mean
-            (n, 3), the mean velocities [m/s, rad/s].
-        smooth
-            (n, 3), the accelerations without the joints [m/s², rad/s²].
+        Not for joints that change with time. `mean` are the mean velocities, (n, 3) [m/s, rad/s],
+        and `smooth` the accelerations without the joints, (n, 3) [m/s², rad/s²]; see `rattle`.
         """
         velocity, acceleration, self.tension = motion(self, mean, smooth, self.drift)
         return velocity, acceleration
@@ -89,16 +77,8 @@ class ExactJoints(ConstraintForces):
     def solve(self, until: float) -> None:
         """Find the impulses that keep the joints through the next drift, and apply them.
 
-        Parameters
-        ----------
-        until
-            The time at the end of that drift [s].
-
-        Raises
-        ------
-        JointFailure
-            If there are none: the joints are contradictory or redundant, or the step is too long
-            for their load.
+        `until` is the time at the end of that drift [s]. Raises `JointFailure` if there are none:
+        the joints are contradictory or redundant, or the step is too long for their load.
         """
         if not self._joints:
             return
@@ -168,17 +148,9 @@ class ExactJoints(ConstraintForces):
     def refuse_gain(self, free: Array, moved: Array, work: Array) -> None:
         """Refuse a kick in which joints add energy, unless lengths change or kinematic bodies move.
 
-        Parameters
-        ----------
-        free, moved
-            (3 N,), the velocities without the joints' impulses, and with them [m/s, rad/s].
-        work
-            (m,), the work of each row, up to a common factor [J].
-
-        Raises
-        ------
-        JointFailure
-            If they add energy; it names the joint with the most work.
+        The velocities are those without the joints' impulses, and with them, (3 N,) [m/s, rad/s];
+        `work` is that of each row, (m,), up to a common factor [J]. The `JointFailure` names the
+        joint with the most work.
         """
         rounding = self._mass * (QUADRATIC / self.drift) ** 2 / 2
         gains = self.kinetic(moved) > GROWS * self.kinetic(free) + rounding

@@ -33,17 +33,10 @@ def independence(delassus: Array) -> tuple[float, Array]:
 def steps_needed(force: Callable[[Array], Array], inverse: Array, drift: float) -> float:
     """Return the factor, at least 2, by which joints under tension need more steps.
 
-    Joints under tension are transverse springs: K = Σ λ ∂²C/∂q². The largest eigenvalue of M⁻¹ K
-    is ω² of the fastest oscillation; for a pendulum ω² = T / (m l).
-
-    Parameters
-    ----------
-    force
-        Returns λᵀ J, (3 N,), after a displacement of the coordinates, (3 N,).
-    inverse
-        (3 N,), the inverse mass or moment of inertia of each coordinate.
-    drift
-        The duration of a drift [s].
+    Joints under tension are transverse springs: K = Σ λ ∂²C/∂q². The largest eigenvalue of M⁻¹ K is
+    ω² of the fastest oscillation; for a pendulum ω² = T / (m l). `force` returns λᵀ J, (3 N,),
+    after a displacement of the coordinates, (3 N,); `inverse` is the inverse mass or moment of
+    inertia of each, (3 N,), and `drift` the duration of a drift [s].
     """
     root = np.sqrt(inverse)
     stiffness = np.zeros((len(root), len(root)))

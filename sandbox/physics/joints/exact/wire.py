@@ -36,23 +36,9 @@ for rounding."""
 
 
 class WireEquation:
-    """The equation of one bead.
+    """The equation of one bead, the anchor that slides along the wire.
 
-    Parameters
-    ----------
-    joint
-        The name of the wire.
-    bead
-        The anchor that slides along the wire.
-    points
-        Points of the curve [m], at equal steps of its parameter.
-
-    Attributes
-    ----------
-    joint
-        The name of the wire.
-    body, point
-        The body of the bead, and the point of that body on the wire [m].
+    The points of the curve are at equal steps of its parameter [m].
     """
 
     length = 0.0
@@ -61,7 +47,10 @@ class WireEquation:
 
     def __init__(self, joint: str, bead: Anchor, points: Points) -> None:
         assert bead.body is not None
-        self.joint, self.body, self.point = joint, bead.body, bead.point
+        self.joint = joint
+        """The name of the wire."""
+        self.body, self.point = bead.body, bead.point
+        """The body of the bead, and the point of that body on the wire [m]."""
         self._nodes, self._curve = points, Quintics(points)
         self._last: tuple[float, complex] | None = None  # the foot, in pieces; the tangent there
 

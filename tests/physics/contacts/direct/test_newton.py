@@ -11,6 +11,7 @@ from sandbox.model.loading import load, parse
 from sandbox.physics.contacts.direct import complementarity, newton, overlap_correction
 from sandbox.physics.contacts.direct.row_layout import Layout
 from sandbox.physics.run import build
+from tests.physics.scenes import GRAVITY, box, fixed, level
 
 
 def capstan(knot: str, place: tuple[str, int | str], value: float) -> Level:
@@ -111,8 +112,15 @@ def test_friction_takes_no_part_where_an_overlap_is_taken_back(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """Its rows had bounds of 0, and were switched on and off before."""
-    wall = build(load(find("machines/wrecking-ball")))
-    wall.advance(150)
+    effects = {
+        **GRAVITY,
+        "contact": {"solver": "direct", "overlaps": True},
+        "friction": {},
+        "rotation": {},
+    }
+    ground = fixed({"type": "box", "width": 9, "height": 1}, (0, -0.5), friction=1)
+    boxes = {"low": box((0, 0.249), friction=0.5), "high": box((0.1, 0.748), friction=0.5)}
+    pile = build(level({"ground": ground, **boxes}, effects))
     slipping: list[bool] = []
     take_back = newton.newton
 
@@ -122,7 +130,7 @@ def test_friction_takes_no_part_where_an_overlap_is_taken_back(
         return impulse, way, active
 
     monkeypatch.setattr(overlap_correction, "newton", watched)
-    wall.advance(60)
+    pile.advance(9)
 
     assert slipping
     assert not any(slipping)

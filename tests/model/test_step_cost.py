@@ -1,10 +1,10 @@
-"""What a step cannot carry is refused with the number that is too large, and why."""
+"""A level that is too expensive per step is refused, with the number that is too large."""
 
 from typing import Any
 
 import pytest
 
-from sandbox.model.rules.consistency import sizes
+from sandbox.model.rules.consistency import step_cost
 from tests.model.levels import Data, mistakes
 
 BASE = {"format": 1, "title": "Sizes", "effects": {}}
@@ -30,7 +30,7 @@ def test_more_bodies_than_a_step_can_go_through_do_not_attract_each_other(
 
 
 def test_only_those_that_attract_each_other_are_counted(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(sizes, "MOST_PULLS", 9)
+    monkeypatch.setattr(step_cost, "MOST_PULLS", 9)
     effects = {"gravitation": {"constant": 1, "bodies": ["b0", "b1", "b2"]}}
 
     assert told({**BASE, "bodies": crowd(8), "effects": effects}) == []
@@ -47,7 +47,7 @@ def test_more_centres_than_a_step_can_go_through_are_refused() -> None:
 
 
 def test_more_pairs_that_stick_than_can_be_watched_are_refused() -> None:
-    """A thousand took 17 s to build, for half a million pairs."""
+    """A thousand bodies took 17 s to build, for half a million pairs."""
     data = {**BASE, "effects": {"contact": {}, "friction": {}}}
 
     few = {**data, "bodies": crowd(200, friction=0.3, static_friction=0.5)}
