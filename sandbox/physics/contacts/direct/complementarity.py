@@ -16,6 +16,7 @@ Rows may be redundant, as at the feet of a welded table: their forces are then n
 their resultants. The smallest forces that contacts can give are taken.
 """
 
+from collections.abc import Sequence
 from math import inf, sqrt
 
 import numpy as np
@@ -144,7 +145,8 @@ class _Scaled:
         self._delassus = delassus + give * np.eye(len(rate)) if give else delassus
         self._friction = FrictionBounds(problem.friction, size)
         self._row = problem.friction.row
-        self._settled = not (len(self._row) or np.count_nonzero(problem.pushes))  # joints alone
+        self._pushing: list[int] = problem.pushes.nonzero()[0].tolist()
+        self._settled = not (len(self._row) or self._pushing)  # joints alone
         self._largest = 0.0 if self._settled else most(rate)
         self._circles: set[bytes] = set()  # active sets that are known to cycle
 
@@ -273,28 +275,48 @@ class _Scaled:
         return not np.count_nonzero(active.on & ~(off <= allowed + blur))
 
     def _judge(self, impulse: Array, rate: Array, active: Active) -> Active | None:
-        """Return a better active set for these impulses and rates; None if this one is right."""
+        """Return a better active set for these impulses and rates; None if this one is right.
+
+        Row by row in plain numbers, since most islands have few rows.
+        """
         if self._settled:
             return None
         close = TOLERANCE * most(impulse)
-        still = TOLERANCE * max(self._largest, most(rate)) + self._blur
-        pulls_or_meets = np.where(active.on, impulse + close, rate + still) < 0
-        wrong = self._problem.pushes & pulls_or_meets
-        on = active.on ^ wrong
-        if not len(self._row):
-            return Active(on, active.slip) if np.count_nonzero(wrong) else None
-        friction, row, slip = self._problem.friction, self._row, active.slip
-        pressing = on.take(self._friction.contact) & friction.there
-        on[row] = presses = pressing[0] | pressing[1]
-        own = impulse.take(row)
-        beyond = active.on.take(row) & (np.abs(own) > self._friction.sticking(impulse) + close)
-        if np.count_nonzero(slip) or np.count_nonzero(beyond):
-            slip = np.where(slip * rate.take(row) > still.take(row), 0, slip)
-            slip[beyond] = np.sign(own[beyond])
-            slip *= presses
-            on[row] &= slip == 0
-        better = Active(on, slip)
-        return None if better.key == active.key else better
+        still = (TOLERANCE * max(self._largest, most(rate)) + self._blur).tolist()
+        was, own, moves = active.on.tolist(), impulse.tolist(), rate.tolist()
+        on, before = self._bearing(was, own, moves, close, still), active.slip.tolist()
+        slip = before.copy()
+        for i, (row, contacts, *_) in enumerate(self._problem.friction.each):
+            if slip[i]:
+                if slip[i] * moves[row] > still[row]:
+                    slip[i] = 0
+            elif was[row] and abs(own[row]) > self._friction.bound(i, own) + close:
+                slip[i] = 1 if own[row] > 0 else -1
+            presses = on[contacts[0]] or on[contacts[-1]]
+            if not presses:
+                slip[i] = 0
+            on[row] = presses and not slip[i]
+        if on == was and slip == before:
+            return None
+        return Active(np.array(on), np.array(slip, dtype=np.intp))
+
+    def _bearing(
+        self,
+        was: Sequence[bool],
+        own: Sequence[float],
+        moves: Sequence[float],
+        close: float,
+        still: Sequence[float],
+    ) -> list[bool]:
+        """Return which rows are active if contacts let go that pull, and bear that meet; (m,) each.
+
+        `close` and `still` are the rounding errors of impulses and rates; see `_judge`.
+        """
+        on = list(was)
+        for row in self._pushing:
+            if (own[row] + close if was[row] else moves[row] + still[row]) < 0:
+                on[row] = not was[row]
+        return on
 
     def _guess(self, impulse: Array) -> Active:
         """Return the active set that approximate impulses suggest."""

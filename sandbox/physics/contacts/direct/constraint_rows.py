@@ -31,6 +31,13 @@ class Friction:
     slips: Array
 
     @cached_property
+    def each(self) -> list[tuple[int, list[int], float, float]]:
+        """Each row, with the contact rows that there are, and its two coefficients."""
+        contacts = [[row for row in pair if row >= 0] for pair in self.contact.T.tolist()]
+        coefficients = self.sticks.tolist(), self.slips.tolist()
+        return list(zip(self.row.tolist(), contacts, *coefficients, strict=True))
+
+    @cached_property
     def there(self) -> Booleans:
         """Whether there is such a contact row: (2, f)."""
         return np.asarray(self.contact >= 0)
