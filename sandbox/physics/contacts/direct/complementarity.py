@@ -16,12 +16,12 @@ Rows may be redundant, as at the feet of a welded table: their forces are then n
 their resultants. The smallest forces that contacts can give are taken.
 """
 
-from collections.abc import Sequence
 from math import inf, sqrt
 
 import numpy as np
 
 from sandbox.model.expressions import Array
+from sandbox.physics.contacts.direct.active_set import Found
 from sandbox.physics.contacts.direct.constraint_rows import Active, Problem
 from sandbox.physics.contacts.direct.friction_bounds import FrictionBounds
 from sandbox.physics.contacts.direct.linear_complementarity import FAINT, by_lemke
@@ -275,48 +275,13 @@ class _Scaled:
         return not np.count_nonzero(active.on & ~(off <= allowed + blur))
 
     def _judge(self, impulse: Array, rate: Array, active: Active) -> Active | None:
-        """Return a better active set for these impulses and rates; None if this one is right.
-
-        Row by row in plain numbers, since most islands have few rows.
-        """
+        """Return a better active set for these impulses and rates; None if this one is right."""
         if self._settled:
             return None
         close = TOLERANCE * most(impulse)
-        still = (TOLERANCE * max(self._largest, most(rate)) + self._blur).tolist()
-        was, own, moves = active.on.tolist(), impulse.tolist(), rate.tolist()
-        on, before = self._bearing(was, own, moves, close, still), active.slip.tolist()
-        slip = before.copy()
-        for i, (row, contacts, *_) in enumerate(self._problem.friction.each):
-            if slip[i]:
-                if slip[i] * moves[row] > still[row]:
-                    slip[i] = 0
-            elif was[row] and abs(own[row]) > self._friction.bound(i, own) + close:
-                slip[i] = 1 if own[row] > 0 else -1
-            presses = on[contacts[0]] or on[contacts[-1]]
-            if not presses:
-                slip[i] = 0
-            on[row] = presses and not slip[i]
-        if on == was and slip == before:
-            return None
-        return Active(np.array(on), np.array(slip, dtype=np.intp))
-
-    def _bearing(
-        self,
-        was: Sequence[bool],
-        own: Sequence[float],
-        moves: Sequence[float],
-        close: float,
-        still: Sequence[float],
-    ) -> list[bool]:
-        """Return which rows are active if contacts let go that pull, and bear that meet; (m,) each.
-
-        `close` and `still` are the rounding errors of impulses and rates; see `_judge`.
-        """
-        on = list(was)
-        for row in self._pushing:
-            if (own[row] + close if was[row] else moves[row] + still[row]) < 0:
-                on[row] = not was[row]
-        return on
+        still = TOLERANCE * max(self._largest, most(rate)) + self._blur
+        found = Found.of(active, impulse, rate, close, still)
+        return found.better(active, self._pushing, self._problem.friction, self._friction.sizes)
 
     def _guess(self, impulse: Array) -> Active:
         """Return the active set that approximate impulses suggest."""

@@ -1,6 +1,5 @@
 """The bounds of friction, given by the impulses of its contacts (Coulomb's law)."""
 
-from collections.abc import Sequence
 from functools import cached_property
 
 import numpy as np
@@ -19,12 +18,17 @@ class FrictionBounds:
         The rows of friction.
     size
         (m,), the factors by which impulses are scaled.
+
+    Attributes
+    ----------
+    sizes
+        These factors as plain numbers.
     """
 
     def __init__(self, friction: Friction, size: Array) -> None:
         self.row, self.contact = friction.row, friction.contact
         self._friction, self._size = friction, size
-        self._sizes: list[float] = size.tolist()
+        self.sizes: list[float] = size.tolist()
 
     @cached_property
     def _shares(self) -> tuple[Array, Array]:
@@ -32,14 +36,6 @@ class FrictionBounds:
         (sticks, slips), size = self._friction.shares, self._size
         scale = size.take(self.row) / size.take(self.contact)
         return sticks * scale, slips * scale
-
-    def bound(self, number: int, impulse: Sequence[float]) -> float:
-        """Return the bound of one friction while it sticks, with impulses (m,)."""
-        row, contacts, sticks, _ = self._friction.each[number]
-        bound, size = 0.0, self._sizes
-        for contact in contacts:
-            bound += sticks * (size[row] / size[contact]) * max(impulse[contact], 0.0)
-        return bound
 
     def sticking(self, impulse: Array) -> Array:
         """Return the bounds of friction while it sticks, (f,), with impulses (m,)."""
@@ -72,7 +68,7 @@ class FrictionBounds:
 
         Friction that slips, in the direction of its sign in `slip`, (f,), follows from its contact.
         """
-        gives, size = np.eye(len(self._size)), self._sizes
+        gives, size = np.eye(len(self._size)), self.sizes
         for sign, (row, contacts, _, slips) in zip(slip.tolist(), self._friction.each, strict=True):
             for contact in contacts if sign else ():
                 gives[row, contact] += sign * (slips * (size[row] / size[contact]))
