@@ -75,6 +75,10 @@ class Active(NamedTuple):
         """The active set as a hashable key."""
         return self.on.tobytes() + self.slip.tobytes()
 
+    def equals(self, other: "Active") -> bool:
+        """Return whether another active set is the same."""
+        return other is self or other.key == self.key
+
 
 class Problem(NamedTuple):
     """The kinds of the rows; m of them.

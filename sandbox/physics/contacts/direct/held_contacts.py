@@ -27,12 +27,10 @@ def without_held(kick: Kick) -> tuple[Layout, Booleans] | None:
     layout = kick.layout
     if not len(layout.joined):
         return None
-    rows = layout.joined + layout.gaps.start
-    here, ties = (kick.here.jacobian.take(some, axis=0) for some in (rows, layout.ties))
-    response, answers = (kick.response.take(some, axis=0) for some in (rows, layout.ties))
-    across = here.dot(answers.T)
-    shares = nearest(ties.dot(answers.T), across.T)
-    own = np.vecdot(here, response)
+    count, rows = len(layout.joined), layout.tied
+    delassus = kick.here.jacobian.take(rows, axis=0).dot(kick.response.take(rows, axis=0).T)
+    across, own = delassus[:count, count:], delassus.diagonal()[:count]
+    shares = nearest(delassus[count:, count:], across.T)
     held = layout.joined[own - np.vecdot(across, shares.T) <= MOVES * own]
     if not len(held):
         return None

@@ -275,9 +275,10 @@ def rows_at(place: Coordinates, joints: ExactJoints, found: Features) -> Rows:
 
 
 def _runs(contacts: Contacts, layout: Layout, running: Array) -> Array:
-    (a, b), rubs = layout.touching.sliding, layout.touching.rubs
+    rubs = layout.touching.rubs
     if not np.count_nonzero(running):
         return np.zeros(len(rubs))
+    a, b = layout.touching.sliding
     runs = running[b] - running[a]
     direction = contacts.direction[layout.touching.pair[rubs]]
     return np.asarray(runs[:, 1] * direction[:, 0] - runs[:, 0] * direction[:, 1])

@@ -194,7 +194,7 @@ class Landings:
             longer = self._solved(last, drift, drift / 2)
         except (JointFailure, NoForces):
             return last
-        same = longer.active.key == last.active.key
+        same = longer.active.equals(last.active)
         return last._replace(lasting=longer.forces) if same else last
 
     def _cut(self, part: Part) -> tuple[Part, Part] | None:

@@ -50,8 +50,7 @@ def newton(
         off, lets = far if iteration < SOON else None, TAUT / drift
         found = solve_rows(kick, left, there.jacobian, rate, held, impulse, lets=lets, off=off)
         impulse, active = found if left is layout else _with_settled(left, before, found)
-        moves = far | (active.on != held.on)
-        moves[layout.slips] |= active.slip != held.slip
+        moves = far if active is held else _changes(layout, far, active, held)
         if not np.count_nonzero(moves):
             return impulse, motion + impulse.dot(kick.response), active
         left = layout.around(moves)
@@ -70,6 +69,13 @@ def _with_settled(
         some[island.rows] = True
     slip = np.where(some[left.slips], held.slip, active.slip)
     return np.where(some, solved, impulse), Active(np.where(some, held.on, active.on), slip)
+
+
+def _changes(layout: Layout, far: Booleans, active: Active, held: Active) -> Booleans:
+    """Return which rows are far from their targets, or active in another way than before: (r,)."""
+    moves = far | (active.on != held.on)
+    moves[layout.slips] |= active.slip != held.slip
+    return moves
 
 
 class _Rounds:
@@ -123,12 +129,12 @@ def solve_rows(
     JointFailure, NoForces
         If there is no solution.
     """
-    found = np.zeros(len(rate))
-    on, slip = np.zeros(len(rate), dtype=bool), np.zeros(len(active.slip), dtype=np.intp)
     if layout.hangs_together:
         allow = inf if off is not None and np.count_nonzero(off) else lets
         terms = _Terms(kick.response, jacobian, rate, impulse)
         return _solve_island(kick, layout.islands[0], terms, active, allow)
+    found = np.zeros(len(rate))
+    on, slip = np.zeros(len(rate), dtype=bool), np.zeros(len(active.slip), dtype=np.intp)
     if len(alone := layout.alone):
         each = np.full(len(alone), lets) if off is None else np.where(off[alone], inf, lets)
         found[alone], on[alone] = _solve_alone(kick, alone, jacobian, rate, impulse, each), True

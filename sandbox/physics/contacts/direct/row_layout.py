@@ -121,6 +121,11 @@ class Layout:
         return replace(self, problem=problem, islands=parts)
 
     @cached_property
+    def tied(self) -> Integers:
+        """The rows of the gaps between bodies that share a joint, and of such joints."""
+        return np.concatenate((self.joined + self.gaps.start, self.ties))
+
+    @cached_property
     def hangs_together(self) -> bool:
         """Whether all rows take part in one island, of more than the row of a joint."""
         if len(self.islands) != 1 or _is_alone(self.islands[0]):

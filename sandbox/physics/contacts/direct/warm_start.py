@@ -67,7 +67,7 @@ class WarmStart:
     def note(self, kick: Kick, forces: Array, active: Active) -> None:
         """Remember the forces of a kick, (r,) [N], and its active rows."""
         known, self._known = self._known, Known(kick.layout, forces, active)
-        same = known and known.layout is kick.layout and known.active.key == active.key
+        same = known and known.layout is kick.layout and known.active.equals(active)
         self._past = [forces, *self._past[:2]] if same else [forces]
 
     def guess(self, kick: Kick, motion: Array, length: float) -> tuple[Array, Active]:
