@@ -41,8 +41,8 @@ TOLERANCE = 1e-11
 GUESSES = 15
 """The most updates of the active set before another method is tried."""
 
-GIVES = (1e-9, 1e-7, 1e-5)
-"""Compliances, as shares of each row's own inverse mass, that are tried where several active sets
+GIVES = 1e-9
+"""The compliance, as a share of each row's own inverse mass, that is tried where several active sets
 are possible: the problem then has a unique solution, close to the smallest impulses."""
 
 MISSED = 1e-7
@@ -162,12 +162,10 @@ class _Scaled:
         impulse, found = self.mend(active)
         if found is None:
             impulse, found = self.mend(self._resting())
-        for give in GIVES if found is None else ():
-            _, soft = self._softer(give).mend(active)
+        if found is None:
+            _, soft = self._softer().mend(active)
             if soft is not None:
                 impulse, found = self.mend(soft)
-                if found is not None:
-                    break
         return (impulse, found) if found is not None else self._by_corners()
 
     def _resting(self) -> Active:
@@ -180,10 +178,10 @@ class _Scaled:
         on[self._row] = True
         return Active(on, np.zeros(len(self._row), dtype=np.intp))
 
-    def _softer(self, give: float) -> "_Scaled":
+    def _softer(self) -> "_Scaled":
         """Return the same problem with a compliance."""
         problem, size, blur = self._problem, self._size, self._blur
-        return _Scaled(problem, self._delassus, self._rate, size, blur, self._lets, give)
+        return _Scaled(problem, self._delassus, self._rate, size, blur, self._lets, GIVES)
 
     def _by_corners(self) -> tuple[Array, Active]:
         """Return the solution by Lemke's method."""
