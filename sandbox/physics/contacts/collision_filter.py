@@ -26,5 +26,5 @@ def keep_apart(
 def meets(one: pymunk.Body, other: pymunk.Body) -> bool:
     """Return whether two bodies may touch each other."""
     return not any(
-        not bar.collide_bodies and (bar.a is other or bar.b is other) for bar in one.constraints
+        (bar.a is other or bar.b is other) and not bar.collide_bodies for bar in one.constraints
     )

@@ -203,5 +203,10 @@ class ApproachingPairs:
 
 def _are_one(one: pymunk.Body, other: pymunk.Body) -> bool:
     """Return whether two bodies are welded or stuck together, so that they do not collide."""
-    group, same = ({shape.filter.group for shape in body.shapes} for body in (one, other))
-    return bool(group & same - {0})
+    solids = _solids(one)
+    return bool(solids and solids & _solids(other))
+
+
+def _solids(body: pymunk.Body) -> set[int]:
+    """Return the collision groups of a body's shapes, but for 0."""
+    return {shape.filter.group for shape in body.shapes} - {0}

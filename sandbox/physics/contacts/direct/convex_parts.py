@@ -156,12 +156,14 @@ class Placed:
 
     def __init__(self, parts: Sequence[Sequence[Part]], place: Coordinates) -> None:
         self._parts, self.place = parts, place
+        self._plane: list[complex] = place.plane.tolist()
+        self._turned: list[complex] = place.turned.tolist()
         self._known: dict[Pair, Part] = {}
 
     def part(self, body: int, number: int) -> Part:
         """Return a part of a body."""
         if (known := self._known.get((body, number))) is None:
-            where, turned = complex(self.place.plane[body]), complex(self.place.turned[body])
+            where, turned = self._plane[body], self._turned[body]
             known = self._known[body, number] = self._parts[body][number].placed(where, turned)
         return known
 
