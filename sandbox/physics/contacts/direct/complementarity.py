@@ -42,8 +42,8 @@ GUESSES = 15
 """The most updates of the active set before another method is tried."""
 
 GIVES = 1e-9
-"""The compliance, as a share of each row's own inverse mass, that is tried where several active sets
-are possible: the problem then has a unique solution, close to the smallest impulses."""
+"""The compliance, as a share of each row's own inverse mass, that is tried where several active
+sets are possible: the problem then has a unique solution, close to the smallest impulses."""
 
 MISSED = 1e-7
 """The tolerance of a solution by Lemke's method, as a share of the largest rate. Its many pivots
@@ -241,8 +241,9 @@ class _Scaled:
             impulse[rows], repeats = solved(matrix, -self._rate[rows])
             return impulse, repeats
         gives = self._friction.follow(active.slip)[:, rows]
-        found, repeats = solved(self._delassus.take(rows, axis=0) @ gives, -self._rate.take(rows))
-        return gives @ found, repeats
+        matrix = self._delassus.take(rows, axis=0).dot(gives)
+        found, repeats = solved(matrix, -self._rate.take(rows))
+        return gives.dot(found), repeats
 
     def _shared(self, impulse: Array, active: Active) -> Array:
         """Return the smallest equivalent impulses that contacts can give, (m,), of redundant rows.

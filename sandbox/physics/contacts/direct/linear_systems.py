@@ -6,6 +6,7 @@ from typing import NamedTuple
 import numpy as np
 
 from sandbox.model.expressions import Array
+from sandbox.physics.joints.exact.dense_systems import solve
 from sandbox.physics.state.cancellation import cancellation_point
 
 REPEATS = 1e11
@@ -38,7 +39,7 @@ def solved(matrix: Array, wanted: Array) -> tuple[Array, bool]:
     if len(wanted) == 1:
         return wanted / (matrix[0] if matrix[0, 0] else 1.0), False
     try:
-        found, probe = np.linalg.solve(matrix, np.array((wanted, _probe(len(wanted)))).T).T
+        found, probe = solve(matrix, np.array((wanted, _probe(len(wanted)))).T).T
     except np.linalg.LinAlgError:
         probe = found = np.full(1, np.inf)
     if most(probe) < REPEATS:
@@ -70,7 +71,7 @@ def nearest(matrix: Array, wanted: Array) -> Array:
         return wanted / matrix[0, 0] if matrix[0, 0] else 0.0 * wanted
     columns = np.column_stack((_probe(count), wanted))
     try:
-        found = np.linalg.solve(matrix, columns).astype(float, copy=False)
+        found = solve(matrix, columns)
         if most(found[:, 0]) * matrix.diagonal().max() < SOUND:
             return np.asarray(found[:, 1:].reshape(wanted.shape))
     except np.linalg.LinAlgError:

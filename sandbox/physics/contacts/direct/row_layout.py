@@ -75,6 +75,11 @@ class Island(NamedTuple):
     slips: Integers
     problem: Problem
 
+    def asking(self, problem: Problem) -> "Island":
+        """Return it with the kinds of all rows, and the same friction."""
+        free, pushes = problem.free.take(self.rows), problem.pushes.take(self.rows)
+        return self._replace(problem=self.problem._replace(free=free, pushes=pushes))
+
 
 @dataclass(frozen=True)
 class Layout:
@@ -114,10 +119,10 @@ class Layout:
 
     def asking(self, problem: Problem) -> "Layout":
         """Return the same rows with other kinds, or without friction."""
-        rubs = bool(len(problem.friction.row))
-        parts = [
-            _part(problem, one.rows, one.slips if rubs else one.slips[:0]) for one in self.islands
-        ]
+        if problem.friction is self.problem.friction:
+            parts = [one.asking(problem) for one in self.islands]
+        else:
+            parts = [_part(problem, one.rows, one.slips[:0]) for one in self.islands]
         return replace(self, problem=problem, islands=parts)
 
     @cached_property

