@@ -51,9 +51,9 @@ class Features:
     points
         A and B above, (2, k + f), along their bodies' axes [m].
     side
-        (k,), the body with the side; the first body where there is none.
+        (k + f,), the body with the side; the first body where there is none.
     normal
-        (k,), n above, along the axes of that body.
+        (k + f,), n above, and i n for friction, along the axes of that body.
     owns
         (2, k + f), 1 for the body with the side, else 0.
     rounds
@@ -90,36 +90,40 @@ class Features:
 
         Entries of the Jacobian that are 0 are not written.
         """
-        held, rubs, count = self.touching.held, self.touching.rubs, len(self.apart)
+        held, count = self.touching.held, len(self.apart)
         turned, plane = place.turned, place.plane
         arms = self.points * turned.take(held)
-        ends = plane.take(self.touching.bodies)
-        ends += arms[:, :count]
+        ends = plane.take(held) + arms
         d = ends[1] - ends[0]
-        along = self.normal * turned.take(self.side)
-        beside = along.conj() * d
-        gap, off = beside.real, beside.imag  # the distance along a side
-        across = 1j * along
-        if self.rounds is not None:
-            self._of_round(d, (gap, off, along, across))
-        if self.curved:
-            rows = gap, off, along, across
-            follow_curves(self.curved, (plane, turned), arms[:, :count], rows)
-            arms[:, count:] = arms[:, rubs]
-        total[:count], ways, leans = gap, along, off
-        if len(rubs):
-            rolled = self.rolls * place.angle.take(held[:, count:])
-            total[count:] = off.take(rubs) + rolled[0] + rolled[1]
-            ways = np.concatenate((along, across.take(rubs)))
-            leans = np.concatenate((off, -gap.take(rubs)))
+        ways = self.normal * turned.take(self.side)
+        beside = ways.conj() * d  # along the normal, and along the side
+        if self.rounds is not None or self.curved:
+            self._bend(place, arms, d[:count], ways, beside)
+        total[:] = beside.real
         way = FROM_TO * ways
         spin = (way * arms.conj()).imag
-        spin += self.owns * leans
-        if len(rubs):
+        spin += self.owns * beside.imag
+        if len(held[0]) > count:
+            rolled = self.rolls * place.angle.take(held[:, count:])
+            total[count:] += rolled[0]
+            total[count:] += rolled[1]
             spin[:, count:] += self.rolls
         in_plane, in_angle = self.touching.into
         flat = jacobian.reshape(-1)
         flat[in_plane], flat[in_angle] = way.view(float), spin
+
+    def _bend(self, place: Coordinates, arms: Plane, d: Plane, ways: Plane, beside: Plane) -> None:
+        """Correct the rows of discs and curves, for which normals turn; see `look`."""
+        rubs, count = self.touching.rubs, len(d)
+        along, across = ways[:count], 1j * ways[:count]
+        rows = gap, slip, _, _ = beside.real[:count], beside.imag[:count], along, across
+        if self.rounds is not None:
+            self._of_round(d, rows)
+        if self.curved:
+            follow_curves(self.curved, (place.plane, place.turned), arms[:, :count], rows)
+            arms[:, count:] = arms[:, rubs]
+        beside.real[count:], beside.imag[count:] = slip.take(rubs), -gap.take(rubs)
+        ways[count:] = across.take(rubs)
 
     def _of_round(self, d: Plane, rows: tuple[Array, Array, Plane, Plane]) -> None:
         """Set the rows of discs: the gaps and slips, and their derivatives by d, (k,) each."""
@@ -175,11 +179,12 @@ def features(
     if curved:
         roll_on_curves(curved, owns[0] | owns[1], rubs, figures, rolls)
     circles = _circles(sign, curved, rubs)
+    normal = n * place.turned.take(side).conj()
     return Features(
         touching=touching,
         points=((at - where) * back).take(touching.rows, axis=1),
-        side=side,
-        normal=n * place.turned.take(side).conj(),
+        side=side.take(touching.rows),
+        normal=np.concatenate((normal, 1j * normal.take(rubs))),
         owns=owns.take(touching.rows, axis=1).astype(float),
         rounds=rounds,
         sign=np.zeros(0) if sign is None else sign[rounds],

@@ -117,7 +117,7 @@ class Kick:
             return NO_CONTACTS
         there, touching = self.moved(place), self.layout.touching
         each = np.arange(len(touching.pair))
-        guest = (self.features.side == touching.bodies[0]).astype(np.intp)
+        guest = (self.features.side[each] == touching.bodies[0]).astype(np.intp)
         body, sense = touching.bodies[guest, each], 1 - 2 * guest
         arm = self.features.points[guest, each]
         first, last = (at.plane[body] + arm * at.turned[body] for at in (self.place, place))
