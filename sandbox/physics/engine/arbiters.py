@@ -83,11 +83,10 @@ class Arbiters:
             return None
         floats = np.frombuffer(floating).reshape(-1, 12).take(rows, axis=0)
         impulse, direction = floats[:, :2], floats[:, 2:4]
-        on_surfaces = floats[:, 4:].reshape(-1, 2, 2, 2)
-        overlap = on_surfaces[:, :, 0] - on_surfaces[:, :, 1]
-        across = overlap * direction[:, None]
-        depth = across[:, :, 0] + across[:, :, 1]
-        points = (on_surfaces[:, :, 0] + on_surfaces[:, :, 1]) / 2
+        one, other = floats.view(complex)[:, 2::2], floats.view(complex)[:, 3::2]  # on the surfaces
+        overlap = one - other
+        depth = overlap.real * direction[:, :1] + overlap.imag * direction[:, 1:]
+        points = ((one + other) / 2).view(float).reshape(-1, 2, 2)
         if alone and not self._pushes:
             (normal, friction), impulse = np.zeros((2, len(rows))), np.zeros((len(rows), 2))
         else:
