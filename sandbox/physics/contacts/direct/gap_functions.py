@@ -122,19 +122,22 @@ class Features:
         if self.curved:
             follow_curves(self.curved, (place.plane, place.turned), arms[:, :count], rows)
             arms[:, count:] = arms[:, rubs]
-        beside.real[count:], beside.imag[count:] = slip.take(rubs), -gap.take(rubs)
-        ways[count:] = across.take(rubs)
+        if len(rubs):
+            beside.real[count:], beside.imag[count:] = slip.take(rubs), -gap.take(rubs)
+            ways[count:] = across.take(rubs)
 
     def _of_round(self, d: Plane, rows: tuple[Array, Array, Plane, Plane]) -> None:
         """Set the rows of discs: the gaps and slips, and their derivatives by d, (k,) each."""
         gap, slip, along, across = rows
         rounds, sign = self.rounds, self.sign
-        d, apart = d[rounds], self.apart[rounds]
-        size, first = np.abs(d), np.abs(apart)
-        toward, turned = sign * d / size, d / apart
-        gap[rounds], along[rounds] = sign * size, toward
-        slip[rounds] = sign * first * np.arctan2(turned.imag, turned.real)
-        across[rounds] = 1j * toward * (first / size)
+        d = d[rounds]
+        size = np.abs(d)
+        gap[rounds], along[rounds] = sign * size, sign * d / size
+        if len(self.touching.rubs):
+            apart = self.apart[rounds]
+            first, turned = np.abs(apart), d / apart
+            slip[rounds] = sign * first * np.arctan2(turned.imag, turned.real)
+            across[rounds] = 1j * along[rounds] * (first / size)
 
     def moved(self, place: Coordinates) -> "Features":
         """Return the same contact points for a drift that begins at other positions."""
