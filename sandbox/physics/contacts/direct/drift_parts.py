@@ -85,8 +85,7 @@ class Part(NamedTuple):
 
 def concerned(kick: Kick, reached: Booleans) -> Booleans:
     """Return which rows of a kick act on some of the bodies, (n,): (r,)."""
-    columns = order(len(reached))[reached].ravel()
-    return np.asarray((kick.response[:, columns] != 0).any(axis=1))
+    return np.asarray(kick.acts[:, reached].any(axis=1))
 
 
 @dataclass(frozen=True)

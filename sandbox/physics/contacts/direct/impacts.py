@@ -210,7 +210,7 @@ def recorded(kick: Kick, left: Array, pushes: Array) -> ImpactOutcome:
     reached = np.zeros(len(jump), dtype=bool)
     for rows, _, _ in kick.layout.islands:
         if pushes[rows].any():
-            reached |= kick.response[rows][:, places].any(axis=(0, 2))
+            reached |= kick.acts[rows].any(axis=0)
     jump = np.where(reached[:, None], jump, 0.0)
     return ImpactOutcome(reached, jump, left[places], np.zeros(len(jump)))
 

@@ -9,7 +9,13 @@ from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.gap_functions import Features, features
 from sandbox.physics.contacts.direct.row_layout import Layout
 from sandbox.physics.engine.batch import NO_CONTACTS, Booleans, Contacts
-from sandbox.physics.joints.exact.constraints import Coordinates, Rows, blur
+from sandbox.physics.joints.exact.constraints import (
+    Coordinates,
+    Rows,
+    angles,
+    blur,
+    planes,
+)
 from sandbox.physics.joints.exact.shake import ExactJoints
 
 PROUD = 1e-9
@@ -214,6 +220,12 @@ class Kick:
     def ahead(self) -> Booleans:
         """Which gaps are still open, and close within the drift: (k,)."""
         return np.asarray(self.layout.touching.pair >= len(self.contacts.bodies) - self.closes)
+
+    @cached_property
+    def acts(self) -> Booleans:
+        """Which bodies each row acts on: (r, n)."""
+        moved = (planes(self.response) != 0) | (angles(self.response) != 0)
+        return np.asarray(moved[:, :-1])
 
     @cached_property
     def blur(self) -> float:

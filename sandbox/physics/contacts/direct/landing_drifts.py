@@ -266,7 +266,7 @@ class Landings:
         reached[[body for pair in pairs for body in pair]] = True
         reached &= kick.joints.inverse[self._order].any(axis=1)
         for rows, _, _ in kick.layout.islands:
-            bodies = (kick.response[rows][:, self._order] != 0).any(axis=(0, 2))
+            bodies = kick.acts[rows].any(axis=0)
             if (bodies & reached).any():
                 reached |= bodies
         return reached

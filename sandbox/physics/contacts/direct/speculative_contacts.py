@@ -19,7 +19,7 @@ import numpy as np
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.contact_queries import Query, Touched, contacts_of, pairs_of
 from sandbox.physics.contacts.direct.approaching_pairs import ApproachingPairs
-from sandbox.physics.contacts.direct.convex_parts import Pair, Shapes
+from sandbox.physics.contacts.direct.convex_parts import Pair, Placed, Shapes
 from sandbox.physics.contacts.direct.corner_contacts import ALIKE, LEAST, Spot, on_side, within
 from sandbox.physics.contacts.direct.hollow_pairs import HollowCorner, HollowPairs, placed
 from sandbox.physics.contacts.direct.kick_system import Kick
@@ -115,18 +115,18 @@ class SpeculativeContacts:
         if not turning:
             return []
         ended = Coordinates(kick.place.values + drift * motion)
-        found = [one for pair in turning for one in self._down(pair, kick.place, ended)]
+        here, there = self._shapes.at(kick.place), self._shapes.at(ended)
+        found = [one for pair in turning for one in self._down(pair, here, there)]
         if not found:
             return []
         new = _new(self.contacts(found, kick.place, kick.joints.origin), kick).tolist()
         return [corner for corner, is_new in zip(found, new, strict=True) if is_new]
 
-    def _down(self, pair: Pair, start: Coordinates, end: Coordinates) -> Iterator[AnyCorner]:
+    def _down(self, pair: Pair, here: Placed, there: Placed) -> Iterator[AnyCorner]:
         """Yield the corners of two bodies that come down between two placements."""
         if self._hollows.pairs[pair]:
-            yield from self._hollows.corners(pair, start, end)
+            yield from self._hollows.corners(pair, here.place, there.place)
             return
-        here, there = self._shapes.at(start), self._shapes.at(end)
         for parts in self._shapes.close(pair, there):
             for down in within(there.both(pair, parts)):
                 if on_side(here.both(pair, parts), *down).gap > 0:
