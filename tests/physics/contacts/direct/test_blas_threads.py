@@ -2,12 +2,13 @@
 
 from collections.abc import Iterator
 
-import numpy as np
 import pytest
 from threadpoolctl import ThreadpoolController
 
+from sandbox.model.expressions import Array
 from sandbox.model.level import Level
-from sandbox.physics.contacts.direct import blas_threads
+from sandbox.physics.contacts.direct import blas_threads, linear_systems
+from sandbox.physics.joints.exact.dense_systems import solve
 from sandbox.physics.run import build
 from tests.physics.scenes import GRAVITY, Spec, disc, fixed, level
 
@@ -37,15 +38,14 @@ def test_only_large_islands_are_kept_in_one_thread(
     count: int, expected: int, two_threads: ThreadpoolController, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     threads: set[int] = set()
-    solve = np.linalg.solve
 
-    def watched(*args: object) -> object:
+    def watched(matrix: Array, wanted: Array) -> Array:
         threads.update(one["num_threads"] for one in two_threads.info())
-        return solve(*args)  # type: ignore[call-overload]
+        return solve(matrix, wanted)
 
     world = build(row(count))
     world.advance(2)
-    monkeypatch.setattr(np.linalg, "solve", watched)
+    monkeypatch.setattr(linear_systems, "solve", watched)
     world.advance(2)
 
     assert threads == {expected}
