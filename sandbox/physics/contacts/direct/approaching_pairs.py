@@ -79,6 +79,10 @@ class ApproachingPairs:
         self._ahead = b""  # the displacements that were expected then
         self._found: list[Pair] = []  # its result
 
+    def forget(self) -> None:
+        """Look at all pairs anew: joints changed, and what was one solid may collide."""
+        self._room[:], self._seen = 0.0, None
+
     def near(self, contacts: Contacts, place: Coordinates, way: Array) -> list[Pair]:
         """Return the pairs that do not touch, or not where they might within the drift.
 

@@ -193,6 +193,7 @@ class Direct:
     def relay(self) -> None:
         """Begin anew with other joints, at the present positions."""
         self._build.relay()
+        self._speculative.approaching.forget()
         self._begin_anew()
 
     def forget(self) -> None:

@@ -5,9 +5,11 @@ of a step with exact joints. The bits are the same.
 """
 
 import numpy as np
-from numpy.linalg import _umath_linalg as kernel  # its arguments have been the same since NumPy 1.8
 
 from sandbox.model.expressions import Array
+
+# its arguments have been the same since NumPy 1.8; a later one may name it otherwise
+_kernel = getattr(np.linalg, "_umath_linalg", None)
 
 
 def solve(matrix: Array, wanted: Array) -> Array:
@@ -18,8 +20,10 @@ def solve(matrix: Array, wanted: Array) -> Array:
     LinAlgError
         If the matrix is singular.
     """
+    if _kernel is None:
+        return np.linalg.solve(matrix, wanted).astype(float, copy=False)
     with np.errstate(all="ignore"):
-        found = (kernel.solve1 if wanted.ndim == 1 else kernel.solve)(matrix, wanted)
+        found = (_kernel.solve1 if wanted.ndim == 1 else _kernel.solve)(matrix, wanted)
     first = found.item(0)
     if first != first:  # a singular matrix, or values that are not finite
         return np.linalg.solve(matrix, wanted).astype(float, copy=False)

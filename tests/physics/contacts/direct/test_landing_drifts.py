@@ -313,6 +313,37 @@ def test_the_watchdog_does_not_take_a_bounce_for_what_is_lifted(
     assert lifted[-1] <= 1e-9
 
 
+@pytest.mark.parametrize("rate", [60.0, 240.0])
+def test_what_was_welded_to_a_body_lands_on_it_once_the_weld_is_cut(rate: float) -> None:
+    """The two were taken for one solid for good, and the disc was 45 mm deep at 60 Hz."""
+    cut, falls, e, end = 0.1, 0.5, 0.5, 0.6
+    scene = {
+        "ground": GROUND,
+        "low": box((0, 0.25), mass=50, friction=1),
+        "high": disc((0, 0.7 + falls), radius=0.2, friction=0, restitution=e),
+    }
+    scene = {name: {"restitution": 1, **body} for name, body in scene.items()}
+    world = build(
+        level(
+            scene,
+            {**DIRECT, "restitution": {}},
+            joints={"weld": {"type": "weld", "ends": ["low", "high"]}},
+            events={"lets_go": {"at": cut, "cut": ["weld"]}},
+            stepping={"rate": rate},
+        )
+    )
+    deepest = 0.0
+    for _ in range(round(end * rate)):
+        world.advance()
+        assert world.contacts is not None
+        deepest = max(deepest, float(world.contacts.depth.max()))
+
+    landed = (2 * falls / G) ** 0.5
+    after = e * G * landed - G * (end - cut - landed)
+    assert deepest <= PROUD
+    assert world.snapshot.velocity[-1, 1] == pytest.approx(after, abs=1e-6)
+
+
 def test_what_does_not_bounce_lands_as_well_where_something_else_does() -> None:
     """Beside a ball on another floor, which bounces: the box falls as it does alone."""
     fallen: Spec = {"falls": box((0, 1), angle=0.3, friction=0.5)}
