@@ -5,6 +5,7 @@ import pytest
 
 from sandbox.app.drawing.text import Pen
 from sandbox.app.runs.session import Session
+from sandbox.app.stage import given_forces
 from sandbox.app.stage.given_forces import Forces, Written
 from sandbox.app.stage.labels import Labels
 from sandbox.app.stage.marks import boxes
@@ -221,7 +222,7 @@ def test_the_forces_on_a_chassis_are_written_beside_the_car(
     stage.view.looking = session.looking
     stage.asked = "forces"
     written: list[Written] = []
-    found = forces.beside
+    found = given_forces.beside
 
     def noted(*where: object) -> Written | None:
         written.extend(text for text in (found(*where),) if text)  # type: ignore[arg-type]
