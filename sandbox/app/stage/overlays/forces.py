@@ -42,7 +42,8 @@ def _draw(surface: pygame.Surface, view: View) -> None:
         _mark(view, acting.name, start, end)
     if lines.near((center := view.camera.to_screen(found.center),)):
         pygame.draw.aacircle(surface, theme.TEXT, center, RING, 2)
-    avoid = marks.boxes(view.camera, ((each, *view.state(each)) for each in view.moving))
+    moving = view.moving if view.few else ()
+    avoid = marks.boxes(view.camera, ((each, *view.state(each)) for each in moving))
     written = [
         beside(surface, view.pen, text, start, end, view.labels, color, name, avoid)
         for text, start, end, color, name in ends
