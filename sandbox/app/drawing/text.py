@@ -15,6 +15,15 @@ from sandbox.app.drawing.theme import Color
 SIGNS = "/\\._-"
 """The characters after which a word that does not fit on a line is broken, such as a path."""
 
+SYLLABLE = re.compile(
+    r"(?:sch[lmnrw]?|(?<!s)ch|ck|ph|th|(?<![cpt])h|(?<!c)k|(?<!sch)[lmnrw]|[bcdfgjpqstvxzß])"
+    r"(?=[aeiouyäöü])",
+    re.IGNORECASE,
+)
+"""The consonants with which a syllable begins: the last ones before a vowel."""
+SHORT = 3  # letters, the least before and after a hyphen
+PUNCTUATION = ".,;:!?()"
+
 NO_LETTER = "\U0010ffff"
 
 FITTED = (
@@ -150,17 +159,28 @@ class Pen:
 
     @staticmethod
     def _pieces(word: str, width: int, font: pygame.font.Font) -> list[str]:
-        """Break a word that is wider than a line, if possible after one of `SIGNS`."""
-        pieces, piece = [], ""
-        for letter in word:
-            if piece and font.size(piece + letter)[0] > width:
-                whole = max(map(piece.rfind, SIGNS)) + 1
-                if whole < len(piece) / 2:
-                    whole = len(piece)
-                pieces.append(piece[:whole])
-                piece = piece[whole:]
-            piece += letter
-        return [*pieces, piece]
+        """Break a word that is wider than a line: after one of `SIGNS`, or between syllables."""
+        pieces = []
+        while len(word) > 1 and font.size(word)[0] > width:
+            end, hyphen = _broken(word, width, font)
+            pieces.append(word[:end] + hyphen)
+            word = word[end:]
+        return [*pieces, word]
+
+
+def _broken(word: str, width: int, font: pygame.font.Font) -> tuple[int, str]:
+    """Return the number of letters of a word on the first line, and the hyphen after them."""
+    ends = range(1, len(word))
+    most = max(bisect_right(ends, width, key=lambda end: font.size(word[:end])[0]), 1)
+    sign = max(word.rfind(sign, 0, most) for sign in SIGNS) + 1
+    if sign >= most / 2:
+        return sign, ""
+    if word.strip(PUNCTUATION).isalpha():
+        syllables = (found.start() for found in SYLLABLE.finditer(word))
+        for end in reversed([end for end in syllables if SHORT <= end <= len(word) - SHORT]):
+            if font.size(f"{word[:end]}-")[0] <= width:
+                return end, "-"
+    return most, ""
 
 
 def _fitted(text: str) -> str:

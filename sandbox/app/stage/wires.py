@@ -14,7 +14,7 @@ from sandbox.physics.stepping.world import World
 
 POINTS = 1000
 """The number of points of a wire: with 200, a spiral was seen to have corners."""
-STRAIGHT, APART = 2.0, 12.0  # px, the least distances of drawn points, and of those labels avoid
+STRAIGHT, APART = 4.0, 12.0  # px, the least distances of drawn points, and of those labels avoid
 
 
 def held(world: World) -> Sequence[str]:
