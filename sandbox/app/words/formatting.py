@@ -69,7 +69,7 @@ def error(value: float) -> str:
     """Format an error with one significant digit, since only its magnitude matters."""
     if value == 0 or not isfinite(value):
         return number(value)
-    return _in_print(f"{value:.0e}")
+    return _in_print(f"{value:.1g}" if 1e-3 <= abs(value) < 10 else f"{value:.0e}")
 
 
 def share(value: float) -> str:

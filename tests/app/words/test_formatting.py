@@ -29,6 +29,7 @@ def test_no_number_ends_in_a_point(value: float, digits: int, text: str) -> None
 def test_an_error_shows_its_size_only() -> None:
     assert formatting.error(3.4e-15) == "3×10⁻¹⁵"
     assert formatting.error(-1e-6) == "−10⁻⁶"
+    assert formatting.error(0.0234) == "0.02"
     assert formatting.error(0) == "0"
 
 
@@ -37,7 +38,7 @@ def test_an_error_shows_its_size_only() -> None:
     [
         (8167.3, 3, "8170", "8.17×10³"),
         (-1844.0, 3, "−1840", "−1.84×10³"),
-        (99999.7, 3, "100000", "10⁵"),
+        (99999.7, 3, "100000", "1.00×10⁵"),
     ],
 )  # fmt: skip
 def test_a_number_of_a_few_thousands_is_rounded_unless_all_its_digits_count(
