@@ -37,6 +37,9 @@ from sandbox.model.shapes import XY, evaluate
 from sandbox.physics.stepping.world import World
 
 
+EDGE = 4  # px, between labels and the edge of the stage
+
+
 class Stage:
     """Draws a world. Static parts are drawn once and kept.
 
@@ -107,6 +110,7 @@ class Stage:
         """
         view, world, outlines = self.view, self.view.world, self.view.outlines
         area = surface.get_rect() if self.plain else grid.inside(self.camera, self._pen)
+        area = area.inflate(-2 * self._pen.px(EDGE), 0)
         view.trail, view.labels = trail, Labels(area, view.kept)
         wide, high = self._pen.px(130), self._pen.px(90)
         view.labels.take(pygame.Rect(surface.width - wide, surface.height - high, wide, high))
