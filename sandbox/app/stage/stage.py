@@ -36,7 +36,6 @@ from sandbox.model.joints import Wire
 from sandbox.model.shapes import XY, evaluate
 from sandbox.physics.stepping.world import World
 
-
 EDGE = 4  # px, between labels and the edge of the stage
 
 
