@@ -28,6 +28,7 @@ class Background:
     def __init__(self) -> None:
         self._process: SpawnProcess | None = None
         self._findings: Connection | None = None
+        self._orders: Connection | None = None  # to work that listens
 
     @property
     def running(self) -> bool:
@@ -39,17 +40,35 @@ class Background:
         """The process ID; None if no task is running."""
         return self._process.pid if self._process else None
 
-    def start(self, work: Work, *arguments: object) -> None:
-        """Start a task, and cancel the one in progress."""
+    def start(self, work: Work, *arguments: object, listens: bool = False) -> None:
+        """Start a task, and cancel the one in progress.
+
+        Parameters
+        ----------
+        work, arguments
+            A function that yields findings, and its arguments.
+        listens
+            Whether the function also gets a connection from which it receives what is sent.
+        """
         self.cancel()
-        task = ForkingPickler.dumps((work, arguments, theme.used(), language.used()))
+        task = ForkingPickler.dumps((work, arguments, listens, theme.used(), language.used()))
         self._findings, sender = SpawnContext().Pipe(duplex=False)
         orders, order = SpawnContext().Pipe(duplex=False)
         self._process = SpawnProcess(target=_run, args=(sender, orders), daemon=True, name="study")
         self._process.start()
         sender.close()
         orders.close()
-        Thread(target=_hand_over, args=(order, task), daemon=True).start()
+        if listens:
+            order.send_bytes(task)
+            self._orders = order
+        else:
+            Thread(target=_hand_over, args=(order, task), daemon=True).start()
+
+    def send(self, order: object) -> None:
+        """Send something small to work that listens."""
+        if self._orders is not None:
+            with suppress(BrokenPipeError):  # the work has ended, as `found` will notice
+                self._orders.send(order)
 
     def found(self) -> Iterator[Any]:
         """Yield the results that have come in since the last call, without waiting."""
@@ -69,9 +88,10 @@ class Background:
             self._process.kill()  # terminate() would be a request, which it may ignore
             self._process.join()
             self._process.close()
-        if self._findings is not None:
-            self._findings.close()
-        self._process = self._findings = None
+        for end in (self._findings, self._orders):
+            if end is not None:
+                end.close()
+        self._process = self._findings = self._orders = None
 
 
 class Errand:
@@ -108,13 +128,13 @@ def _run(sender: Connection, orders: Connection) -> None:
     if hasattr(os, "nice"):
         os.nice(POLITE)
     try:
-        work, arguments, look, spoken = orders.recv()
+        work, arguments, listens, look, spoken = orders.recv()
         theme.use(look)  # so that its pictures match the window
         language.use(spoken)  # so that its texts match the window
-        for finding in work(*arguments):
+        for finding in work(*arguments, *((orders,) if listens else ())):
             sender.send(finding)
-    except BrokenPipeError:
-        pass  # nobody reads the results any more
+    except (BrokenPipeError, EOFError):
+        pass  # nobody reads the results, or gives orders, any more
     finally:
         sender.close()
 

@@ -76,6 +76,10 @@ class Banner:
     def _complete(self, session: Session) -> str:
         if session.changes:
             return self._compared(session)
+        attempt = session.attempt()
+        if attempt is not None and attempt.stars:
+            earned = say("{stars} of {most} stars", stars=attempt.stars, most=attempt.most)
+            return say("{stars} – R restarts, F3 shows all challenges", stars=earned)
         when = formatting.seconds(session.duration)
         return say("Run complete at {when} – R restarts, Space goes on", when=when)
 

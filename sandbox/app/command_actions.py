@@ -159,12 +159,18 @@ class CommandActions:
 
     def _has_room(self, column: str) -> bool:
         """Whether the window is wide enough for a column; if not, show a note."""
-        space = self._space
-        least = room(column, space.pen.scale, beside=space.panels.side is not None)
-        enough = space.surface.width >= least
+        least, enough = self._needed(column), self._fits(column)
         if not enough:
             self._tell(say("Make the window wider for that: {least} px are enough.", least=least))
         return enough
+
+    def _fits(self, column: str) -> bool:
+        """Whether the window is wide enough for a column."""
+        return self._space.surface.width >= self._needed(column)
+
+    def _needed(self, column: str) -> int:
+        """Return the least width of the window with a column [px]."""
+        return room(column, self._space.pen.scale, beside=self._space.panels.side is not None)
 
     def _show_checks(self) -> None:
         """Show the checks on the level's own page."""
@@ -206,10 +212,16 @@ class CommandActions:
         self._space.panels.go_on(-1 if pygame.key.get_mods() & pygame.KMOD_SHIFT else 1)
 
     def _find(self) -> None:
-        """Focus the search for levels, and show the list if it was hidden."""
-        if self._space.panels.list is None:
+        """Focus the search for levels, and show the list if it was hidden.
+
+        In a window that is too narrow for the list beside the panel, go to the home page.
+        """
+        panels = self._space.panels
+        if panels.list is None and not panels.home.open and not self._fits("levels"):
+            self._space.go_home()
+        if panels.list is None:
             self._toggle_column("levels")
-        self._space.panels.seek()
+        panels.seek()
 
     def _show_challenges(self) -> None:
         """Show the home page, scrolled to the challenges."""

@@ -5,6 +5,7 @@ from collections.abc import Iterable
 from sandbox.model.expressions import Expression
 from sandbox.model.level import (
     ApexEvent,
+    Check,
     ContactEvent,
     CrossingEvent,
     Instant,
@@ -16,11 +17,16 @@ from sandbox.model.level import (
 
 def measures(level: Level, quantities: Iterable[str]) -> list[str]:
     """Return the measures of a level's checks, then quantities at the end and their maxima."""
-    checked = [f"{c.quantity}@{written(c.at)}" for c in level.checks if c.at is not None]
+    checked = [of_check(c) for c in level.checks if c.at is not None]
     always = [c.quantity for c in level.checks if c.at is None]
     names = list(quantities)
     ends = [f"{name}@end" for name in (*always, *names)]
     return list(dict.fromkeys([*checked, *ends, *(f"max({name})" for name in names)]))
+
+
+def of_check(check: Check) -> str:
+    """Return what a check measures; at the end of the run if it is made at every step."""
+    return f"{check.quantity}@{'end' if check.at is None else written(check.at)}"
 
 
 def written(at: Instant) -> str:

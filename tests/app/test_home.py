@@ -2,6 +2,8 @@
 
 import os
 import time
+from itertools import islice
+from multiprocessing import Pipe
 from pathlib import Path
 
 import numpy as np
@@ -16,6 +18,7 @@ from sandbox.app.files import progress
 from sandbox.app.home import draft_strip, picture_cache
 from sandbox.app.home.home import Home
 from sandbox.app.home.picture_cache import SIZE
+from sandbox.app.home.thumbnails import Thumbnails
 from sandbox.app.words.language import say
 from sandbox.editing import recovery
 from sandbox.editing.draft import Draft
@@ -339,12 +342,45 @@ def test_a_level_that_cannot_be_drawn_says_so(person: Person, tmp_path: Path) ->
     until(person, lambda: home(person).thumbnails.hopeless(tmp_path / "level.json"))
 
 
+def made(*paths: Path) -> list[picture_cache.Picture]:
+    """Return the pictures of levels, drawn by one order; EOFError if there are none."""
+    orders, order = Pipe(duplex=False)
+    order.send(list(paths))
+    if not paths:
+        order.close()
+    return [*islice(picture_cache.made(picture_cache.folder(), orders), max(len(paths), 1))]
+
+
+@pytest.mark.sweep
+def test_one_process_draws_whatever_cards_come_into_view() -> None:
+    """It was ended and begun anew with each letter of a search, and drew nothing meanwhile."""
+    pygame.display.set_mode((100, 100))
+    names = ("free-fall", "components", "projectile")
+    levels = [catalog.find(f"kinematics/{name}") for name in names]
+    thumbnails, deadline = Thumbnails(), time.monotonic() + PATIENCE
+    pids: set[int | None] = set()
+    try:
+        for level in levels:
+            for _ in range(5):
+                thumbnails.follow([level], [level])
+                pids.add(thumbnails._work.pid)
+        while thumbnails.of(levels[-1]) is None:
+            assert time.monotonic() < deadline
+            thumbnails.follow(levels[-1:], levels[-1:])
+            pids.add(thumbnails._work.pid)
+            time.sleep(0.01)
+    finally:
+        thumbnails.cancel()
+
+    assert len(pids - {None}) == 1
+
+
 def test_a_level_is_drawn_anew_when_its_file_says_something_else(tmp_path: Path) -> None:
     path = tmp_path / "level.json"
     path.write_text(scenes.falling())
-    (first,) = picture_cache.made([path], picture_cache.folder())
+    (first,) = made(path)
     path.write_text(scenes.falling(title="A stone"))
-    (second,) = picture_cache.made([path], picture_cache.folder())
+    (second,) = made(path)
 
     assert first.key != second.key
     assert pygame.image.load(picture_cache.folder() / f"{first.key}.png").get_size() == SIZE
@@ -357,9 +393,9 @@ def test_half_a_picture_counts_as_none(tmp_path: Path, content: bytes) -> None:
     picture_cache.folder().mkdir()
     (picture_cache.folder() / f"{picture_cache.key(path)}.png").write_bytes(content)
 
-    (made,) = picture_cache.made([path], picture_cache.folder())
+    (drawn,) = made(path)
 
-    assert picture_cache.kept(made.key) == made.png != b""
+    assert picture_cache.kept(drawn.key) == drawn.png != b""
 
 
 def test_a_folder_that_takes_no_pictures_is_no_reason_to_show_none(tmp_path: Path) -> None:
@@ -367,9 +403,9 @@ def test_a_folder_that_takes_no_pictures_is_no_reason_to_show_none(tmp_path: Pat
     path.write_text(scenes.falling())
     picture_cache.folder().write_text("a file where the folder should be")
 
-    (made,) = picture_cache.made([path], picture_cache.folder())
+    (drawn,) = made(path)
 
-    assert made.png
+    assert drawn.png
 
 
 def test_no_level_holds_up_the_others(pen: Pen, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -410,7 +446,8 @@ def test_what_is_kept_is_bounded(monkeypatch: pytest.MonkeyPatch) -> None:
         path.write_bytes(b"")
         os.utime(path, (i, i))
 
-    list(picture_cache.made([], picture_cache.folder()))
+    with pytest.raises(EOFError):
+        made()
 
     assert sorted(path.stem for path in picture_cache.folder().iterdir()) == ["2", "3", "4"]
 

@@ -5,9 +5,11 @@ import pytest
 
 from sandbox.app.drawing.text import Pen
 from sandbox.app.runs.session import Session
-from sandbox.app.stage.given_forces import Forces
+from sandbox.app.stage import given_forces
+from sandbox.app.stage.given_forces import Forces, Written
 from sandbox.app.stage.labels import Labels
 from sandbox.app.stage.marks import boxes
+from sandbox.app.stage.overlays import forces
 from sandbox.app.stage.stage import Stage
 from sandbox.model import catalog
 from sandbox.model.loading import load
@@ -195,3 +197,41 @@ def test_no_label_lies_over_a_ruler(pen: Pen, monkeypatch: pytest.MonkeyPatch) -
     assert len(places) >= 3
     assert min(place.left for place in places) >= stage.view.labels.bounds.left > 12
     assert max(place.bottom for place in places) <= stage.view.labels.bounds.bottom < 400
+
+
+def test_two_labels_beside_each_other_can_be_told_apart() -> None:
+    """Two names read as one: brick2brick4."""
+    labels = Labels(BOUNDS)
+    left, beside = pygame.Rect(10, 10, 20, 10), pygame.Rect(30, 10, 20, 10)
+
+    assert labels.find([left]) == left
+    assert labels.find([beside, SECOND]) == SECOND
+
+
+def test_the_forces_on_a_chassis_are_written_beside_the_car(
+    pen: Pen, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """They were written over its wheels and over its body."""
+    session = Session(load(catalog.find("machines/car-over-bumps")))
+    while session.t < 1.5:
+        session.step()
+    session.looking.chosen = "chassis"
+    stage = Stage(pen, (580, 540))
+    stage.use(session.world)
+    stage.fit()
+    stage.view.looking = session.looking
+    stage.asked = "forces"
+    written: list[Written] = []
+    found = given_forces.beside
+
+    def noted(*where: object) -> Written | None:
+        written.extend(text for text in (found(*where),) if text)  # type: ignore[arg-type]
+        return written[-1]
+
+    monkeypatch.setattr(forces, "beside", noted)
+    stage.draw(pygame.Surface((580, 540)))
+
+    car = boxes(stage.camera, ((each, *stage.view.state(each)) for each in stage.view.moving))
+    assert len(written) == 5
+    assert all(each.place.collidelist(car) < 0 for each in written)
+    assert any(each.leader for each in written)

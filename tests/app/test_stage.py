@@ -12,9 +12,10 @@ from sandbox.app.stage import joints, strings
 from sandbox.app.stage.outline import outlines
 from sandbox.app.stage.stage import Stage
 from sandbox.model import catalog
-from sandbox.model.joints import Rod
+from sandbox.model.joints import Rod, Wire
 from sandbox.model.loading import choose, load
 from sandbox.model.shapes import XY
+from sandbox.model.wires import along
 from tests.app import scenes
 
 SIZE = (640, 480)
@@ -428,3 +429,44 @@ def test_the_wheels_of_pegs_beside_each_other_do_not_overlap() -> None:
 
     between = surface.subsurface((70, 53, 1, 30))
     assert not pygame.surfarray.array3d(between).any()
+
+
+def test_a_wire_is_as_smooth_as_its_curve(pen: Pen, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A spiral was drawn with 200 straight pieces, 0.8 px off the curve on which the marble ran."""
+    session = Session(load(catalog.find("machines/marble-run")))
+    stage = Stage(pen, (1200, 1200))
+    stage.use(session.world)
+    stage.fit()
+    drawn: list[XY] = []
+    path = lines.path
+
+    def noted(surface: pygame.Surface, color: Color, points: list[XY], width: float) -> None:
+        drawn.extend(points if color == theme.SURFACE_EDGE else ())
+        path(surface, color, points, width)
+
+    monkeypatch.setattr(lines, "path", noted)
+    for _ in range(2):
+        draw(session, stage)
+
+    wire = session.level.joints["run"]
+    assert isinstance(wire, Wire)
+    fine = along(wire, session.values, 20_000)
+    x, y = np.array(stage.camera.path(zip(fine.real, fine.imag, strict=True))).T
+    a, b = np.array(drawn[:-1]), np.array(drawn[1:])
+    middles = (a + b) / 2
+    off = [np.hypot(x - px, y - py).min() for px, py in middles]
+    assert max(off) < 0.1  # px
+    assert len(drawn) < 1002  # once, though the stage was drawn twice
+
+
+def test_one_of_many_joints_is_a_line(pen: Pen, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The pins of 760 rods took 10 of the 20 ms of a frame."""
+    stage = Stage(pen, SIZE)
+    stage.use(Session(load(catalog.find("hard/net-of-20"))).world)
+    stage.fit()
+    circles: list[object] = []
+    monkeypatch.setattr(pygame.draw, "aacircle", lambda *where: circles.append(where))
+
+    stage.draw(pygame.Surface(SIZE))
+
+    assert len(circles) < 10

@@ -18,6 +18,7 @@ from sandbox.app.panels.footer import counted
 from sandbox.app.panels.layout import divide
 from sandbox.app.runs import runfile
 from sandbox.app.runs.session import Session
+from sandbox.app.words.language import Name
 from sandbox.model import catalog
 from sandbox.model.level import Stepping
 from sandbox.model.loading import load
@@ -402,6 +403,34 @@ def test_in_the_smallest_window_the_clock_can_be_read(player: Person) -> None:
     assert isinstance(controls, Controls)
     assert controls._clock.width > 100
     assert controls._clock.right < controls.button("help").rect.left
+
+
+@pytest.mark.parametrize("language", ["en", "de"])
+def test_in_a_narrow_window_the_time_can_be_scrubbed_and_home_be_reached(
+    player: Person, language: Name
+) -> None:
+    """In German at 900 x 600 the bar was 50 px long, beside a stage of 370 px."""
+    player.window.comfort.choose(language=language)
+    player.resize((900, 600))
+    player.wait(0.1)
+    controls = player.window.panels.controls
+
+    assert isinstance(controls, Controls)
+    assert controls._clock.width >= 180
+    assert player.window.panels.layout.stage.width >= 460
+    player.click(controls.button("home").rect)
+    assert player.window.panels.home.open
+    assert player.window.panels.list is not None
+
+
+def test_a_search_in_a_narrow_window_goes_to_the_cards(player: Person) -> None:
+    player.resize((900, 600))
+
+    player.press(pygame.K_SLASH, "/")
+    player.type("cradle")
+
+    assert player.window.panels.home.open
+    assert player.window.panels.sought == "cradle"
 
 
 def test_in_a_narrow_window_the_columns_make_way_for_the_stage(player: Person) -> None:

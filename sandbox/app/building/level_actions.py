@@ -5,6 +5,7 @@ from typing import Literal
 
 from sandbox.app.building.button_action import Act
 from sandbox.app.building.edited_level import Work
+from sandbox.app.words import level_words
 from sandbox.app.words.language import say
 from sandbox.editing.edits import events
 from sandbox.editing.edits.challenges import add_challenge, drop_challenge
@@ -14,6 +15,8 @@ from sandbox.model.level import Level
 
 MOST_TOLD = 12
 """The largest number of checks, and of ghosts, that have a button to remove them."""
+LONGEST = 30
+"""The largest number of letters of a check's title on its button."""
 
 
 def stated(work: Work) -> list[Act]:
@@ -30,9 +33,12 @@ def stated(work: Work) -> list[Act]:
         )
         for name in moving[:1]
     ]
+    words = level_words.of(level)
     checks = [
         Act(
-            f"− {check.quantity}", say("take this check out"), partial(_drop, work, "checks", index)
+            f"− {_cut(level_words.title(check, words))}",
+            say("take this check out"),
+            partial(_drop, work, "checks", index),
         )
         for index, check in enumerate(level.checks)
     ]
@@ -46,6 +52,11 @@ def stated(work: Work) -> list[Act]:
     ]
     told = [*checks[:MOST_TOLD], *ghosts[:MOST_TOLD]]
     return [*adding, *_challenge(work, level, moving), *_waiting(work, level), *told]
+
+
+def _cut(title: str) -> str:
+    """Return a title that fits on a button."""
+    return title if len(title) <= LONGEST else f"{title[: LONGEST - 1].rstrip()}…"
 
 
 def _challenge(work: Work, level: Level, moving: list[str]) -> list[Act]:

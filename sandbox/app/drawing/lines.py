@@ -77,7 +77,8 @@ def seen(surface: pygame.Surface, a: XY, b: XY) -> tuple[float, float]:
 
 def stroke(surface: pygame.Surface, color: Color, a: XY, b: XY, width: float) -> None:
     """Draw a straight line with smooth sides."""
-    if not near((a, b)):
+    (ax, ay), (bx, by) = a, b
+    if not (-FAR < ax < FAR and -FAR < ay < FAR and -FAR < bx < FAR and -FAR < by < FAR):
         near_by = cut((a, b))[:2]
         if len(near_by) < 2:
             return

@@ -1,5 +1,6 @@
 """Renders text in pygame_gui's Noto Sans, and caches it."""
 
+import re
 from bisect import bisect_right
 from functools import cache, lru_cache
 from importlib.resources import files
@@ -14,7 +15,27 @@ from sandbox.app.drawing.theme import Color
 SIGNS = "/\\._-"
 """The characters after which a word that does not fit on a line is broken, such as a path."""
 
+SYLLABLE = re.compile(
+    r"(?:sch[lmnrw]?|(?<!s)ch|ck|ph|th|(?<![cpt])h|(?<!c)k|(?<!sch)[lmnrw]|[bcdfgjpqstvxzß])"
+    r"(?=[aeiouyäöü])",
+    re.IGNORECASE,
+)
+"""The consonants with which a syllable begins: the last ones before a vowel."""
+SHORT = 3  # letters, the least before and after a hyphen
+PUNCTUATION = ".,;:!?()"
+
 NO_LETTER = "\U0010ffff"
+
+FITTED = (
+    (re.compile("−"), "–"),
+    (re.compile(r" (?=J\b)"), " \u200a"),
+    (re.compile(r"r\.(?=\w)"), "r\u200a."),
+)
+"""What is drawn otherwise, since Noto Sans draws it badly in small sizes.
+
+Its minus is as short as a hyphen, a J reaches into the space before it, and an r hides the point
+after it.
+"""
 
 
 def legible(text: str) -> str:
@@ -69,7 +90,7 @@ class Pen:
         self, text: str, size: int = 14, color: Color | None = None, bold: bool = False
     ) -> pygame.Surface:
         """Return a line of text on a transparent surface."""
-        font, text, color = self.font(size, bold), legible(text), color or theme.TEXT
+        font, text, color = self.font(size, bold), _fitted(text), color or theme.TEXT
         if text.isascii():
             return font.render(text, True, color)
         runs = groupby(text, key=_lacks)
@@ -106,7 +127,7 @@ class Pen:
             line = ""
             for word in legible(paragraph).split(" "):
                 longer = f"{line} {word}" if line else word
-                if font.size(longer)[0] <= width:
+                if font.size(_fitted(longer))[0] <= width:
                     line = longer
                     continue
                 lines += [line] if line else []
@@ -129,24 +150,45 @@ class Pen:
     def shorten(self, text: str, width: int, size: int = 14) -> str:
         """Return a text, cut with … at the end if it is wider than a width [px]."""
         font, text = self.font(size, False), legible(text)
-        if font.size(text)[0] <= width:
+        if font.size(_fitted(text))[0] <= width:
             return text
-        fitting = bisect_right(range(len(text)), width, key=lambda n: font.size(f"{text[:n]}…")[0])
+        fitting = bisect_right(
+            range(len(text)), width, key=lambda n: font.size(_fitted(f"{text[:n]}…"))[0]
+        )
         return f"{text[: max(fitting - 1, 0)].rstrip()}…"
 
     @staticmethod
     def _pieces(word: str, width: int, font: pygame.font.Font) -> list[str]:
-        """Break a word that is wider than a line, if possible after one of `SIGNS`."""
-        pieces, piece = [], ""
-        for letter in word:
-            if piece and font.size(piece + letter)[0] > width:
-                whole = max(map(piece.rfind, SIGNS)) + 1
-                if whole < len(piece) / 2:
-                    whole = len(piece)
-                pieces.append(piece[:whole])
-                piece = piece[whole:]
-            piece += letter
-        return [*pieces, piece]
+        """Break a word that is wider than a line: after one of `SIGNS`, or between syllables."""
+        pieces = []
+        while len(word) > 1 and font.size(word)[0] > width:
+            end, hyphen = _broken(word, width, font)
+            pieces.append(word[:end] + hyphen)
+            word = word[end:]
+        return [*pieces, word]
+
+
+def _broken(word: str, width: int, font: pygame.font.Font) -> tuple[int, str]:
+    """Return the number of letters of a word on the first line, and the hyphen after them."""
+    ends = range(1, len(word))
+    most = max(bisect_right(ends, width, key=lambda end: font.size(word[:end])[0]), 1)
+    sign = max(word.rfind(sign, 0, most) for sign in SIGNS) + 1
+    if sign >= most / 2:
+        return sign, ""
+    if word.strip(PUNCTUATION).isalpha():
+        syllables = (found.start() for found in SYLLABLE.finditer(word))
+        for end in reversed([end for end in syllables if SHORT <= end <= len(word) - SHORT]):
+            if font.size(f"{word[:end]}-")[0] <= width:
+                return end, "-"
+    return most, ""
+
+
+def _fitted(text: str) -> str:
+    """Return a legible text with the characters that are drawn best."""
+    text = legible(text)
+    for badly, better in FITTED:
+        text = badly.sub(better, text)
+    return text
 
 
 def _drawn(font: pygame.font.Font, text: str, color: Color) -> pygame.Surface:

@@ -2,9 +2,10 @@
 
 import hashlib
 import os
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from contextlib import suppress
 from math import ceil
+from multiprocessing.connection import Connection
 from pathlib import Path
 from time import perf_counter
 from typing import NamedTuple
@@ -75,14 +76,20 @@ def kept(known: str, where: Path | None = None) -> bytes:
     return png if png.startswith(_BEGIN) and png.endswith(_END) else b""
 
 
-def made(paths: Sequence[Path], where: Path) -> Iterator[Picture]:
-    """Draw levels in a process without a window, and cache the pictures in a folder."""
+def made(where: Path, orders: Connection) -> Iterator[Picture]:
+    """Draw levels in a process without a window, and cache the pictures in a folder.
+
+    The latest of the `orders` is a list of levels; what is left of earlier ones is not drawn.
+    """
     os.environ["SDL_VIDEODRIVER"] = os.environ["SDL_AUDIODRIVER"] = "dummy"
     pygame.font.init()
     pen = Pen()
     _forget_the_oldest(where)
-    for path in paths:
-        yield _made(path, pen, where)
+    left: list[Path] = []
+    while True:
+        while not left or orders.poll():
+            left = orders.recv()
+        yield _made(left.pop(0), pen, where)
 
 
 def _made(path: Path, pen: Pen, where: Path) -> Picture:

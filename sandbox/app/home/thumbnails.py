@@ -13,7 +13,9 @@ from sandbox.app.home.picture_cache import SIZE
 AT_ONCE = 3
 """The number of pictures that are read from disk per frame."""
 BATCH = 16
-"""The number of levels that are drawn before the visible ones are determined anew."""
+"""The largest number of levels that are ordered at once."""
+ENOUGH = 32
+"""The number of pictures after which another process draws them, as its time is limited."""
 MOST = 80
 """The number of pictures that are kept in memory: more than are ever visible at once."""
 
@@ -27,7 +29,8 @@ class Thumbnails(Errand):
         self._lacking: set[Path] = set()  # not on disk
         self._kept: set[Path] = set()  # on disk, unless they could not be saved
         self._hopeless: set[Path] = set()  # cannot be drawn
-        self._drawing: list[Path] = []
+        self._drawing: list[Path] = []  # ordered; the first is being drawn
+        self._drawn = 0  # by the process
         self._size = SIZE
 
     def forget(self) -> None:
@@ -54,8 +57,10 @@ class Thumbnails(Errand):
 
     def follow(self, seen: Sequence[Path], others: Sequence[Path]) -> None:
         """Take in finished pictures, and request more: visible cards first, then the others."""
+        came = False
         for made in self._work.found():
-            self._drawing.remove(made.path)
+            came, self._drawn = True, self._drawn + 1
+            self._drawing = [path for path in self._drawing if path != made.path]
             self._take(made.path, made.png, seen=made.path in seen)
         if not self._work.running:
             self._hopeless.update(self._drawing[:1])  # at which the process ended early
@@ -65,8 +70,8 @@ class Thumbnails(Errand):
             self._look_up(path)
         for_nobody = not any(path in self._drawing for path in seen)
         hurried = for_nobody and any(path in self._lacking for path in seen)
-        if not waiting and (hurried or not self._work.running):
-            self._draw(seen, others)
+        if not waiting and (not self._drawing or (hurried and came)):
+            self._order(seen, others)
 
     def _unknown(self, path: Path) -> bool:
         """Whether the picture of a visible card has not been looked up yet."""
@@ -84,14 +89,21 @@ class Thumbnails(Errand):
         else:
             self._lacking.add(path)
 
-    def _draw(self, seen: Sequence[Path], others: Sequence[Path]) -> None:
-        """Start drawing the next few levels."""
+    def _order(self, seen: Sequence[Path], others: Sequence[Path]) -> None:
+        """Order the next few levels, after the one that is being drawn; or end the process."""
         known = self._kept | self._hopeless
         wanted = [path for path in seen if path in self._lacking]
         wanted += [path for path in others if path not in known and path not in wanted]
-        if wanted:
-            self._drawing = wanted[:BATCH]
-            self._work.start(picture_cache.made, list(self._drawing), picture_cache.folder())
+        if not (wanted or self._drawing) or (self._drawn >= ENOUGH and not self._drawing):
+            self._work.cancel()
+        if not wanted:
+            return
+        if not self._work.running:
+            self._drawn = 0
+            self._work.start(picture_cache.made, picture_cache.folder(), listens=True)
+        now = self._drawing[:1]
+        self._drawing = now + [path for path in wanted if path not in now][:BATCH]
+        self._work.send(list(self._drawing))
 
     def _take(self, path: Path, png: bytes, *, seen: bool) -> None:
         """Keep a finished picture of a visible card; an invalid one marks its level as hopeless."""

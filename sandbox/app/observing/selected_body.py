@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.theme import Color
-from sandbox.app.words.formatting import number, rounded_up
+from sandbox.app.words.formatting import name_in_words, number, rounded_up
 from sandbox.app.words.language import say
 from sandbox.model.effects import EFFECTS
 from sandbox.model.joints import KINDS
@@ -121,10 +121,7 @@ def texts(found: FreeBody) -> Sequence[tuple[Acting, str]]:
     forces = felt(found)
     alike = [acting for acting in forces if _count(forces, acting) > 1]
     short = len({acting.name for acting in alike}) == 1 and all(acting.by for acting in alike)
-    told = [
-        say(a.name) if a not in alike else say("from {giver}", giver=a.by) if short else _whole(a)
-        for a in forces
-    ]
+    told = [say(a.name) if a not in alike else _from(a) if short else _whole(a) for a in forces]
     sizes = [f"{newtons(acting.size)} N" for acting in forces]
     return [*zip(forces, map(" ".join, zip(_numbered(told), sizes, strict=True)), strict=True)]
 
@@ -135,8 +132,13 @@ def titles(found: FreeBody) -> Sequence[tuple[Acting, str]]:
     return [*zip(forces, _numbered([*map(_whole, forces)]), strict=True)]
 
 
+def _from(acting: Acting) -> str:
+    return say("from {giver}", giver=name_in_words(acting.by))
+
+
 def _whole(acting: Acting) -> str:
-    return f"{say(acting.name)}, {acting.by}" if acting.by else say(acting.name)
+    called = say(acting.name)
+    return f"{called}, {name_in_words(acting.by)}" if acting.by else called
 
 
 def _count(forces: Sequence[Acting], acting: Acting) -> int:

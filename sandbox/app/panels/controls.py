@@ -16,10 +16,11 @@ from sandbox.app.words.language import later, say
 
 SPEED = 58  # px, the width of the number between the two buttons
 
-ROOMY = 900  # px, the smallest width of the window with buttons for the overlays
-TIGHT = 560  # px, the smallest width with the speed and its buttons
+CLOCK = 130  # px, the least width of the clock for which other buttons make way
+TIGHT = 560  # px, the smallest width of the window with the speed and its buttons
 
 PLAY, PAUSE = later("Play"), later("Pause")
+HOME: tuple[tuple[str, str], ...] = (("home", later("Home")),)
 LEFT: tuple[tuple[str, str], ...] = (
     ("play", PLAY), ("step", later("Step")), ("restart", later("Restart")),
 )  # fmt: skip
@@ -33,13 +34,21 @@ NEARLY = 0.95  # share of the chosen speed, above which a lower speed is not rep
 
 
 class Controls(Bar):
-    """Buttons for the most frequent commands, and the clock between them."""
+    """Buttons for the most frequent commands, and the clock between them.
 
-    def __init__(self, manager: UIManager, pen: Pen, rect: pygame.Rect) -> None:
+    Parameters
+    ----------
+    home
+        Whether there is a button for the home page.
+    """
+
+    def __init__(
+        self, manager: UIManager, pen: Pen, rect: pygame.Rect, *, home: bool = False
+    ) -> None:
         super().__init__(manager, pen, rect)
         px = pen.px
         x = px(MARGIN)
-        for command, text in LEFT:
+        for command, text in (*HOME, *LEFT) if home else LEFT:
             main = command == "play"
             room = self._room(*map(say, (PLAY, PAUSE) if main else (text,)), main=main)
             x = self._button(command, say(text), x, room, main=main)
@@ -48,14 +57,27 @@ class Controls(Bar):
             x = self._button("slower", "−", x + px(GAP), 32)
             self._speed = pygame.Rect(x, 0, px(SPEED), 0)
             x = self._button("faster", "+", x + px(SPEED), 32)
-        wanted = (*_overlays(), *WAYS) if rect.width >= px(ROOMY) else WAYS[-1:]
-        shown = [(command, say(text), self._room(say(text))) for command, text in wanted]
-        right = rect.width - px(MARGIN - GAP) - sum(px(width) + px(GAP) for _, _, width in shown)
+        right = self._ways(x)
         self._clock = pygame.Rect(x + px(12), rect.y, right - x - px(28), rect.height)
         self._seeking = False
         self._snaps: Sequence[float] = ()
+
+    def _ways(self, left: int) -> int:
+        """Make the buttons at the right that leave the clock its room, and return their left edge.
+
+        `left` is the right edge of the other buttons [px].
+        """
+        px = self._pen.px
+        for wanted in ((*_overlays(), *WAYS), WAYS, WAYS[-1:]):
+            shown = [(command, say(text), self._room(say(text))) for command, text in wanted]
+            taken = sum(px(width) + px(GAP) for _, _, width in shown)
+            edge = self._rect.width - px(MARGIN - GAP) - taken
+            if edge - left - px(28) >= px(CLOCK):
+                break
+        right = edge
         for command, text, width in shown:
             right = self._button(command, text, right, width)
+        return edge
 
     def sought(self, event: pygame.event.Event) -> float | None:
         """Return the share of the run that was clicked or dragged to, from 0 to 1; None if none."""
@@ -144,7 +166,8 @@ class Controls(Bar):
         }
         if away and min(away) <= snap:
             blow = away[min(away)]
-            (a, b), impulse = blow.names, formatting.quantity(blow.impulse, "N s", 3)
+            a, b = map(formatting.name_in_words, blow.names)
+            impulse = formatting.quantity(blow.impulse, "N s", 3)
             t = formatting.seconds(blow.t)
             yield say("{t}: {a} strikes {b}, {impulse}", t=t, a=a, b=b, impulse=impulse), theme.TEXT
 

@@ -144,7 +144,7 @@ class Panels:
         if self.home.open:
             self.controls: Bar = HomeBar(manager, pen, layout.controls, session)
         else:
-            self.controls = Controls(manager, pen, layout.controls)
+            self.controls = Controls(manager, pen, layout.controls, home=self.list is None)
         self.refusal = None
         if refused is not None and not self.home.open:
             self.refusal = Refusal(manager, pen, layout.stage, refused)

@@ -20,6 +20,9 @@ from sandbox.physics.advising.remedies import Advice
 from sandbox.physics.measuring.goals import Attempt
 from sandbox.physics.state.errors import SimulationError
 
+MOST_LEVELS = 4
+"""The number of levels for which the parameters that fit are kept."""
+
 
 class Session(Playback):
     """A level that is played, with its own parameters and rate [Hz] unless others are given.
@@ -50,6 +53,7 @@ class Session(Playback):
         """The body that the user has selected, and the forces on it."""
         self.repeats = False
         """Whether it repeats a run from a file, which earns no stars."""
+        self._fitting: dict[int, tuple[Level, Values, Values, Values]] = {}  # see `values_for`
         begun = self._built(self.begun_as, (), level.defaults if values is None else values)
         super().__init__(LiveRun(level, begun), watched=not patient)
         self._opened = self.level, self.values
@@ -76,8 +80,18 @@ class Session(Playback):
         """Return parameters for a level: the current ones, as far as the run has them.
 
         If the level does not allow the current values, those at the start are taken, or else the
-        level's defaults.
+        level's defaults. The answer is kept, as it is asked for in every frame, and finding it
+        evaluates all that a level must fulfil.
         """
+        found = self._fitting.get(id(level))
+        if found is None or found[0] is not level or found[1:3] != (self.begun_with, self.values):
+            if len(self._fitting) > MOST_LEVELS:
+                self._fitting.clear()
+            found = level, {**self.begun_with}, {**self.values}, self._values_that_fit(level)
+            self._fitting[id(level)] = found
+        return found[3]
+
+    def _values_that_fit(self, level: Level) -> Values:
         for known in ({**self.begun_with, **self.values}, self.begun_with):
             with suppress(ValueRangeError):
                 return choose(level, {n: known[n] for n in level.parameters if n in known})

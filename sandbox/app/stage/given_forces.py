@@ -1,9 +1,10 @@
 """Draws given forces as arrows, added tip to tail; their tips can be dragged."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import groupby
 from math import copysign, hypot
+from typing import NamedTuple
 
 import numpy as np
 import pygame
@@ -34,6 +35,10 @@ WIDTH = 4.0  # px, thicker than the arrow of a velocity, which may overlap
 HANDLE = 5.0  # px, the radius of the ring at a tip that can be dragged
 REACH = 11.0  # px, the distance within which the mouse grabs a tip
 STEEP = 0.2  # the least horizontal part of an arrow, relative to its length, for text at its side
+AROUND = (1, 0), (-1, 0), (0, 1), (0, -1), (1, 1), (-1, 1), (1, -1), (-1, -1)
+"""The directions in which a text is placed from a point, to the right and downwards."""
+FURTHER = range(25, 110, 20)  # px, the distances of texts that a thin line leads to
+LEADER = 30  # px, twice the distance from an arrow from which a line leads to its text
 INSTANTS = 240
 """The number of times at which a force is evaluated to find its largest value."""
 
@@ -148,44 +153,76 @@ def _pair(x: float, y: float) -> str:
     return f"({x:.3g}, {y:.3g}) N".replace("-", MINUS)
 
 
-def write_beside(
-    surface: pygame.Surface, pen: Pen, text: str, start: XY, end: XY, labels: Labels,
-    color: Color | None = None, name: str = "",
-) -> None:  # fmt: skip
-    """Write text beside the tip of an arrow, or beyond the tip of a steep one.
+class Written(NamedTuple):
+    """A text that has its place beside an arrow."""
 
-    If labels or arrows are in the way, the text is placed around the tip or along the arrow; if
-    there is no room, or the arrow is too short to be seen, it is left out.
+    image: pygame.Surface
+    place: pygame.Rect
+    color: Color
+    leader: tuple[XY, XY] | None
+    """a line that leads to a text further off [px]"""
+
+    def draw_leader(self, surface: pygame.Surface) -> None:
+        """Draw the line that leads to the text, if it needs one."""
+        if self.leader:
+            pygame.draw.aaline(surface, self.color, *self.leader)
+
+
+def write_beside(
+    surface: pygame.Surface, pen: Pen, text: str, start: XY, end: XY, labels: Labels, color: Color,
+    name: str,
+) -> None:  # fmt: skip
+    """Write text beside an arrow; if there is no room, it is left out."""
+    if written := beside(surface, pen, text, start, end, labels, color, name):
+        written.draw_leader(surface)
+        surface.blit(written.image, written.place)
+
+
+def beside(
+    surface: pygame.Surface, pen: Pen, text: str, start: XY, end: XY, labels: Labels, color: Color,
+    name: str, avoid: Sequence[pygame.Rect] = (),
+) -> Written | None:  # fmt: skip
+    """Return a text beside the tip of an arrow, or beyond the tip of a steep one.
+
+    If labels, arrows or areas to avoid are in the way, the text is placed around the tip or along
+    the arrow, or further off, with a thin line that leads to it; None if there is no room, or the
+    arrow is too short to be seen.
     """
     length = hypot(end[0] - start[0], end[1] - start[1])
     if length < HANDLE or not surface.get_rect().collidepoint(end):
-        return
-    ux, uy = (end[0] - start[0]) / length, (end[1] - start[1]) / length
+        return None
     image = pen.outlined(text, color=color)
+    around = [*_beside(image, start, end, length), *_further_off(image, end)]
+    place = labels.find([each.clamp(labels.bounds) for each in around], avoid, name=name)
+    if place is None:
+        return None
+    if pygame.FRect(place).inflate(LEADER, LEADER).clipline(start, end):
+        return Written(image, place, color, None)
+    near = min(max(end[0], place.left), place.right), min(max(end[1], place.top), place.bottom)
+    return Written(image, place, color, (end, near))
+
+
+def _beside(image: pygame.Surface, start: XY, end: XY, length: float) -> Iterator[pygame.Rect]:
+    """Yield the places of a text at the tip of an arrow, and along it [px]."""
+    ux, uy = (end[0] - start[0]) / length, (end[1] - start[1]) / length
     aside = copysign(HANDLE + 6 + image.width / 2, ux) if abs(ux) > STEEP else 0.0
     beyond = uy * (6 if aside else HANDLE + 4 + image.height / 2)
     place = image.get_rect(center=(end[0] + aside, end[1] + beyond))
-    around = [place.move(0, off * image.height) for off in (0, -1, 1)]
+    yield from (place.move(0, off * image.height) for off in (0, -1, 1))
+    across, over = image.width / 2 + HANDLE + 6, image.height / 2 + HANDLE + 4
     for back in (0.0, 0.5, 1.0):
         x, y = end[0] - back * ux * length, end[1] - back * uy * length
         beside = image.get_rect(center=(x, y))
-        across, over = image.width / 2 + HANDLE + 6, image.height / 2 + HANDLE + 4
-        moves = (
-            (across, 0),
-            (-across, 0),
-            (0, over),
-            (0, -over),
-            (across, over),
-            (-across, over),
-            (across, -over),
-            (-across, -over),
-            (0, 2 * over),
-            (0, -2 * over),
-        )
-        around += [beside.move(move) for move in moves]
-    places = [each.clamp(labels.bounds) for each in around]
-    if found := labels.find(places, name=name):
-        surface.blit(image, found)
+        moves = (*AROUND, (0, 2), (0, -2))
+        yield from (beside.move(across * right, over * down) for right, down in moves)
+
+
+def _further_off(image: pygame.Surface, end: XY) -> Iterator[pygame.Rect]:
+    """Yield the places of a text further off from the tip of an arrow, the nearest first [px]."""
+    beside = image.get_rect(center=end)
+    for off in FURTHER:
+        across, over = image.width / 2 + off, image.height / 2 + off
+        yield from (beside.move(across * right, over * down) for right, down in AROUND)
 
 
 def _acts(force: Force, world: World) -> bool:

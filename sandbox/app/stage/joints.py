@@ -61,6 +61,17 @@ def draw_joint(
                 lines.path(surface, theme.SPRING, _buffer(place, way), 2)
 
 
+def draw_crowd(surface: pygame.Surface, camera: Camera, path: Sequence[XY]) -> None:
+    """Draw one of many joints through points of the plane [m]: a line, or a dot, without pins."""
+    corners = camera.path(path)
+    if not lines.near(corners):
+        return
+    if dist(corners[0], corners[-1]) > 1:
+        lines.path(surface, theme.SURFACE_EDGE, corners, 2)
+    else:
+        surface.fill(theme.SURFACE_EDGE, (corners[0][0] - 1, corners[0][1] - 1, 3, 3))
+
+
 def draw_open(surface: pygame.Surface, camera: Camera, path: Sequence[XY]) -> None:
     """Draw a joint that has not latched yet: a hook at each end, open towards the other."""
     begin, *_, end = camera.path(path)

@@ -1,11 +1,13 @@
 """Places labels so that none covers another."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import chain
 
 import pygame
 
 from sandbox.model.shapes import XY
+
+GAP = 4  # px, between two labels beside each other
 
 
 class Labels:
@@ -44,27 +46,28 @@ class Labels:
         no place is better than one in such an area. A label without a name may change places in the
         next picture.
         """
-        free = {
-            i: place
-            for i, place in enumerate(places)
-            if self.bounds.contains(place) and place.collidelist(self._taken) < 0
-        }
-        clear = {i: place for i, place in free.items() if place.collidelist(avoid) < 0}
-        first = self._kept.get(name, -1) if name else -1
-        best = self._choose(first, clear, {} if strict else free)
+        spots = list(places)
+        first = self._kept.get(name, len(spots)) if name else len(spots)
+        order = [first, *range(len(spots))] if first < len(spots) else range(len(spots))
+
+        def free() -> Iterator[int]:
+            return (i for i in order if self._is_free(spots[i]))
+
+        def clear() -> Iterator[int]:
+            return (i for i in free() if spots[i].collidelist(avoid) < 0)
+
+        apart = (i for i in clear() if not self._crosses(spots[i]))
+        best = next(chain(apart, clear(), () if strict else free()), None)
         if best is None:
             return None
         self._kept[name] = best
-        self.take(free[best])
-        return free[best]
+        self.take(spots[best])
+        return spots[best]
 
-    def _choose(
-        self, first: int, clear: Mapping[int, pygame.Rect], free: Mapping[int, pygame.Rect]
-    ) -> int | None:
-        """Return the best place: `first` if none is better, else the first one that is as good."""
-        apart = (i for i in (first, *clear) if i in clear and not self._crosses(clear[i]))
-        lesser = (i for pool in (clear, free) for i in (first, *pool) if i in pool)
-        return next(chain(apart, lesser), None)
+    def _is_free(self, place: pygame.Rect) -> bool:
+        """Whether a place is within the bounds, and apart from the labels beside it."""
+        roomy = place.inflate(2 * GAP, 0)
+        return self.bounds.contains(place) and roomy.collidelist(self._taken) < 0
 
     def _crosses(self, place: pygame.Rect) -> bool:
         """Whether a marked line crosses a place."""

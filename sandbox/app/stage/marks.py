@@ -13,7 +13,7 @@ from sandbox.app.drawing.theme import Color
 from sandbox.app.observing.milestones import Milestone
 from sandbox.app.stage.labels import Labels
 from sandbox.app.stage.outline import Outline
-from sandbox.app.words.formatting import nice, number
+from sandbox.app.words.formatting import name_in_words, nice, number
 from sandbox.app.words.level_words import Say
 from sandbox.model.arithmetic import ExpressionError
 from sandbox.model.expressions import Array, Values
@@ -224,7 +224,7 @@ def draw_names(
     boxes = [_box(path) if seen else pygame.Rect() for path, seen in zip(paths, near, strict=True)]
     for i, (outline, _, _) in enumerate(shown):
         if near[i]:
-            text = pen.outlined(outline.name)
+            text = pen.outlined(name_in_words(outline.name))
             x, y = (round(c) for c in max(paths[i], key=lambda corner: corner[0] - corner[1]))
             box, place = boxes[i], text.get_rect(topleft=(x + 4, y - 16))
             places = (

@@ -16,11 +16,13 @@ from sandbox.app.stage import (
     belts_and_flames,
     bodies,
     grid,
+    joint_paths,
     joints,
     liquid,
     marks,
     surfaces,
     texts,
+    wires,
 )
 from sandbox.app.stage.given_forces import Arrow
 from sandbox.app.stage.labels import Labels
@@ -30,10 +32,11 @@ from sandbox.app.stage.overlays.overlay import Overlay
 from sandbox.app.stage.overlays.register import OVERLAYS, at_first
 from sandbox.app.stage.view import View
 from sandbox.app.words import level_words
-from sandbox.model.joints import Rail, body_of
+from sandbox.model.joints import Wire
 from sandbox.model.shapes import XY, evaluate
-from sandbox.physics.state.anchor import Plane
 from sandbox.physics.stepping.world import World
+
+EDGE = 4  # px, between labels and the edge of the stage
 
 
 class Stage:
@@ -62,6 +65,7 @@ class Stage:
         self._base = pygame.Surface(size)
         self._canvas = pygame.Surface(size)
         self._base_key: object = None
+        self._wires: Sequence[Sequence[XY]] = ()  # points along those that are drawn [px]
         self._trail_key: object = None
         self._trail_drawn: list[int] = []
         self._level: object = None
@@ -105,12 +109,13 @@ class Stage:
         """
         view, world, outlines = self.view, self.view.world, self.view.outlines
         area = surface.get_rect() if self.plain else grid.inside(self.camera, self._pen)
+        area = area.inflate(-2 * self._pen.px(EDGE), 0)
         view.trail, view.labels = trail, Labels(area, view.kept)
         wide, high = self._pen.px(130), self._pen.px(90)
         view.labels.take(pygame.Rect(surface.width - wide, surface.height - high, wide, high))
-        if view.few:
-            _mark_joints(view)
         self._draw_base()
+        if view.few:
+            _mark_joints(view, self._wires)
         traced = view.few and any(each.draw_trail for each in self._overlays)
         others = [(each.trail, each.variant.color) for each in beside] or [
             (trail, theme.LANES[i % len(theme.LANES)]) for i, trail in enumerate(earlier)
@@ -183,7 +188,8 @@ class Stage:
         camera = self.camera
         below = [each.draw_below for each in self._overlays if each.draw_below is not None]
         touched = self.view.world.disturbed
-        key = (camera.center, camera.scale, camera.size, touched, *below)
+        wired = tuple(wires.held(self.view.world))
+        key = (camera.center, camera.scale, camera.size, touched, wired, *below)
         if key == self._base_key:
             return
         self._base_key, self._trail_key = key, None
@@ -196,6 +202,7 @@ class Stage:
             if outline.layer <= 0:
                 self._draw_surface(self._base, outline, middle)
         self._draw_centers()
+        self._wires = wires.draw_wires(self._base, camera, self.view.world)
         if self._relief:
             self._relief.draw_curve(self._base, camera, self._pen)
         for draw in below:
@@ -256,24 +263,21 @@ class Stage:
 
     def _draw_joints(self, surface: pygame.Surface, *, in_front: bool) -> None:
         """Draw the joints in front of bodies, and open ones, or else those behind bodies."""
-        world = self.view.world
-        snapshot, paths = world.snapshot, world.scene.joints.paths
-        springs = world.scene.joints.springs
+        world, many = self.view.world, len(self.view.world.level.joints) > bodies.FEW
         for row, (name, joint) in enumerate(world.level.joints.items()):
-            there = world.scene.joints.holds(name, float(snapshot.t))
+            there = world.scene.joints.holds(name, float(world.snapshot.t))
             if in_front and not there:
                 self._draw_open(surface, name)
             if isinstance(joint, joints.IN_FRONT) is not in_front or not there:
                 continue
-            spring = springs.get(name)
-            ends = spring.span(snapshot) if spring else None
-            places = ends or [anchor.look(snapshot)[0] for anchor in paths[name]]
-            if isinstance(joint, Rail) and body_of(joint.ends[1]) is None:
-                places = self._far_along(joint, places[1])
-            path = [(float(place.real), float(place.imag)) for place in places]
-            path = joints.drawn(joint, path, world.values, self._angle_of)
-            slack = snapshot.tension[row] == 0
-            joints.draw_joint(surface, self.camera, joint, path, bool(slack))
+            if isinstance(joint, Wire):
+                continue  # a part of the base
+            path = joint_paths.path_of(self.camera, world, name, joint, self._angle_of)
+            if many:
+                joints.draw_crowd(surface, self.camera, path)
+            else:
+                slack = bool(world.snapshot.tension[row] == 0)
+                joints.draw_joint(surface, self.camera, joint, path, slack)
 
     def _angle_of(self, body: str) -> float:
         return self.view.state(self.view.outlines[body])[1]
@@ -283,17 +287,7 @@ class Stage:
         world = self.view.world
         latches = world.scene.joints.latches
         if latches and latches.is_open(name, float(world.snapshot.t)):
-            places = [anchor.look(world.snapshot)[0] for anchor in world.scene.joints.paths[name]]
-            path = [(float(place.real), float(place.imag)) for place in places]
-            joints.draw_open(surface, self.camera, path)
-
-    def _far_along(self, rail: Rail, through: Plane) -> list[Plane]:
-        """Return two points of a rail outside the picture [m]."""
-        (x, y), seen = self.camera.center, max(self.camera.size) / self.camera.scale
-        way = complex(*evaluate(rail.direction, self.view.world.values))
-        way /= abs(way)
-        here = through + way * ((complex(x, y) - through) * way.conjugate()).real
-        return [here - seen * way, here + seen * way]
+            joints.draw_open(surface, self.camera, joint_paths.between_ends(world, name))
 
     def _draw_bodies(self, surface: pygame.Surface) -> None:
         many = len(self.view.moving) > bodies.FEW
@@ -312,10 +306,14 @@ class Stage:
         self.view.watch()
 
 
-def _mark_joints(view: View) -> None:
-    """Keep labels off springs, strings and rods, if possible."""
-    for path in view.world.scene.joints.paths.values():
-        ends = [anchor.look(view.world.snapshot)[0] for anchor in path]
-        pixels = [view.camera.to_screen((float(end.real), float(end.imag))) for end in ends]
+def _mark_joints(view: View, drawn: Sequence[Sequence[XY]]) -> None:
+    """Keep labels off wires that are drawn, and off springs, strings and rods, if possible."""
+    for line in drawn:
+        for start, end in pairwise(line):
+            view.labels.mark(start, end)
+    for name, joint in view.world.level.joints.items():
+        if isinstance(joint, Wire):
+            continue
+        pixels = view.camera.path(joint_paths.between_ends(view.world, name))
         for start, end in pairwise(pixels):
             view.labels.mark(start, end)

@@ -98,7 +98,9 @@ def draw(
     surface = pygame.Surface(size)
     surface.fill(theme.STAGE)
     up = up or upwards(pen, size[1], [each.y for each in series])
-    _draw_axes(surface, pen, span.read_in(units[0]), up.read_in(units[1]))
+    if series:  # otherwise the scale of y means nothing
+        _draw_heights(surface, pen, span, up.read_in(units[1]))
+    _draw_widths(surface, pen, span.read_in(units[0]), up)
     field = pygame.Rect(round(span.start), round(up.end), 0, 0)
     field.size = round(span.end - span.start), round(up.start - up.end)
     surface.set_clip(field.inflate(2 * MARGIN, 2 * MARGIN))
@@ -168,15 +170,20 @@ def _sign(surface: pygame.Surface, which: int, color: Color, points: Sequence[XY
         curve_markers.sign(surface, which, color, points[len(points) * place // count], 3)
 
 
-def _draw_axes(surface: pygame.Surface, pen: Pen, span: Scale, up: Scale) -> None:
-    bottom, left = round(up.start), round(span.start)
-    offset = _offset(up)
+def _draw_heights(surface: pygame.Surface, pen: Pen, span: Scale, up: Scale) -> None:
+    """Draw lines at round values of y, and the values."""
+    left, offset = round(span.start), _offset(up)
     beyond = Scale(up.low - offset, up.high - offset, up.start, up.end)
     for value in beyond.ticks(4):
         y = round(float(beyond.pixels(np.array(value))))
         pygame.draw.line(surface, theme.GRID_STRONG, (left, y), (span.end, y))
         text = pen.write(_brief(value), 11, theme.DIM)
         surface.blit(text, text.get_rect(midright=(left - 4, y)))
+
+
+def _draw_widths(surface: pygame.Surface, pen: Pen, span: Scale, up: Scale) -> None:
+    """Draw lines at round values of x, and the values."""
+    bottom = round(up.start)
     for value in _ticks_apart(pen, span):
         x = round(float(span.pixels(np.array(value))))
         pygame.draw.line(surface, theme.GRID_STRONG, (x, up.end), (x, bottom))
@@ -223,4 +230,4 @@ def _offset(up: Scale) -> float:
 
 def _brief(value: float) -> str:
     """Format the number of a tick."""
-    return f"{0.0 if abs(value) < 1e-15 else value:.5g}".replace("-", formatting.MINUS)
+    return formatting.brief(0.0 if abs(value) < 1e-15 else value)

@@ -1,6 +1,7 @@
 """Formats numbers, times and settings as text."""
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from functools import partial
 from math import ceil, degrees, floor, inf, isclose, isfinite, log10
 
 from sandbox.app.words.language import later, plural, say
@@ -22,6 +23,8 @@ from sandbox.physics.measuring.comparison import Difference
 from sandbox.physics.measuring.goals import Outcome
 
 MINUS = "−"
+RAISED = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
+"""The digits of an exponent."""
 ROUNDING = 1e-12
 """The fraction of a scale below which a value counts as a rounding error."""
 NO_DIFFERENCE = later("no difference")
@@ -33,17 +36,28 @@ SCHEMES: Mapping[str, str] = {
 }
 
 
-def number(value: float, digits: int = 5) -> str:
-    """Format a number with some significant digits, and a power of ten if it needs one."""
+def number(value: float, digits: int = 5, *, all_count: bool = False) -> str:
+    """Format a number with some significant digits, and a power of ten if it needs one.
+
+    A number from 1e3 to 1e5 with fewer digits than places is rounded, 8170; if `all_count`, so
+    that no digit is shown that does not count, it has a power of ten, 8.17×10³.
+    """
     if not isfinite(value):
         return "–" if value != value else ("∞" if value > 0 else f"{MINUS}∞")
     if value == 0:
         return "0"
     if 1e-3 <= abs(value) < 1e5:
         text = f"{value:#.{digits}g}".rstrip(".")
+        if "e" in text and not all_count:
+            text = f"{float(text):.0f}"
     else:
         text = f"{value:.{max(digits - 3, 0)}e}"
-    return (_power(text) if "e" in text else text).replace("-", MINUS)
+    return _in_print(text)
+
+
+def brief(value: float) -> str:
+    """Format a number without needless zeros, as at a tick of an axis."""
+    return _in_print(f"{value:.5g}")
 
 
 def without_rounding(value: float, scale: float) -> float:
@@ -55,7 +69,7 @@ def error(value: float) -> str:
     """Format an error with one significant digit, since only its magnitude matters."""
     if value == 0 or not isfinite(value):
         return number(value)
-    return _power(f"{value:.0e}").replace("-", MINUS)
+    return _in_print(f"{value:.1g}" if 1e-3 <= abs(value) < 10 else f"{value:.0e}")
 
 
 def share(value: float) -> str:
@@ -63,16 +77,26 @@ def share(value: float) -> str:
     return f"{100 * value:.1f} %".replace("-", MINUS) if 1e-3 <= abs(value) < 1e4 else error(value)
 
 
-def quantity(value: float, unit: str, digits: int = 5) -> str:
-    """Format a number with its unit; radians are shown in degrees."""
+def quantity(value: float, unit: str, digits: int = 5, *, all_count: bool = False) -> str:
+    """Format a number with its unit, see `number`; radians are shown in degrees."""
+    return _in_unit(value, unit, partial(number, digits=digits, all_count=all_count))
+
+
+def _in_unit(value: float, unit: str, write: Callable[[float], str]) -> str:
+    """Format a number by a function, and append its unit; radians are shown in degrees."""
     if unit.startswith("rad"):
-        return f"{number(degrees(value), digits)}{unit.replace('rad', '°')}"
-    return f"{number(value, digits)} {unit}".rstrip()
+        return f"{write(degrees(value))}{unit.replace('rad', '°')}"
+    return f"{write(value)} {unit}".rstrip()
+
+
+def name_in_words(name: str) -> str:
+    """Return the name of a body or joint as it is read: rear axle, not rear_axle."""
+    return name.replace("_", " ")
 
 
 def bounds(outcome: Outcome) -> str:
     """Format the bounds of a goal: the lower, the upper, or both."""
-    least, most = (quantity(bound, outcome.unit, 4) for bound in (outcome.least, outcome.most))
+    least, most = (_in_unit(bound, outcome.unit, brief) for bound in (outcome.least, outcome.most))
     if outcome.least == -inf:
         return say("at most {most}", most=most)
     if outcome.most == inf:
@@ -264,10 +288,14 @@ def certain(value: float, off: float, unit: str) -> str:
     """Format a value that has an error, with only the digits that can be trusted."""
     scale = degrees(1) if unit.startswith("rad") else 1.0
     digits = surviving(scale * value, scale * off)
-    return quantity(value if digits else 0.0, unit, digits or 1)
+    return quantity(value if digits else 0.0, unit, digits or 1, all_count=True)
 
 
-def _power(text: str) -> str:
-    """Shorten a number with a power of ten: 2e3, not 2.e+03."""
+def _in_print(text: str) -> str:
+    """Write a number as it is printed: −2×10³, not -2e+03, and 10⁻⁵, not 1e-05."""
     mantissa, _, exponent = text.partition("e")
-    return f"{mantissa.rstrip('.')}e{int(exponent)}"
+    if exponent:
+        shown = mantissa.rstrip(".")
+        factor = {"1": "", "-1": MINUS}.get(shown, f"{shown}×")
+        text = f"{factor}10{str(int(exponent)).translate(RAISED)}"
+    return text.replace("-", MINUS)

@@ -170,3 +170,25 @@ def test_of_a_text_without_end_the_beginning_is_shown_at_once(pen: Pen) -> None:
 
     assert pen.shorten("ab" * 50_000, 100).startswith("abab")
     assert process_time() - begun < 1
+
+
+@pytest.mark.parametrize(
+    ("word", "lines"),
+    [
+        ("Anfangsgeschwindigkeit", ["Anfangsgeschwindig-", "keit"]),
+        ("Winkelbeschleunigung", ["Winkelbeschleuni-", "gung"]),
+        ("Abwurfgeschwindigkeit,", ["Abwurfgeschwin-", "digkeit,"]),
+        ("deceleration", ["decelera-", "tion"]),
+    ],
+)
+def test_a_word_that_is_too_long_is_broken_between_syllables(
+    pen: Pen, word: str, lines: list[str]
+) -> None:
+    """Labels of parameters read Anfangsgeschwindigkei, and a t below it."""
+    width = max(pen.font(12, False).size(lines[0])[0], pen.font(12, False).size(lines[1])[0])
+
+    assert pen.wrap(word, width, 12) == lines
+
+
+def test_a_word_without_syllables_is_broken_anywhere(pen: Pen) -> None:
+    assert "".join(pen.wrap("x" * 60, 100, 12)) == "x" * 60

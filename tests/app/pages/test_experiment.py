@@ -147,3 +147,18 @@ def test_nothing_is_run_where_nobody_looks(person: Person) -> None:
     person.wait(1.0)
 
     assert not exploring(person).running
+
+
+def test_parameters_and_measures_are_offered_by_their_labels(person: Person) -> None:
+    """They were names and formulas: m, and t@crossing(ball.position.y, 0, up)."""
+    person.window.open_level("newton/magnetic-field")
+    person.press(pygame.K_y, "y")
+    vary, measure = person.page(ExperimentPage).lists
+
+    assert [each["text"] for each in vary.item_list[:2]] == ["m, mass", "q, charge"]
+    assert measure.item_list[0]["text"] == "period"
+    assert measure.get_single_selection() == "period"
+    assert exploring(person).chosen(person.session) == (
+        "m",
+        "t@crossing(ball.position.y, 0, up)",
+    )

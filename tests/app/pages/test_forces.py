@@ -208,7 +208,7 @@ ALIKE = (
     ("machines/trebuchet", "stone", ["from arm (1)", "from arm (2)"]),
     ("machines/waiters-tray", "tray", ["from left", "from right", "normal force", "friction"]),
     ("newton/two-forces", "box", ["applied force (1)", "applied force (2)"]),
-    ("machines/car-over-bumps", "chassis", ["from rear_axle", "from front_axle", "from bolts"]),
+    ("machines/car-over-bumps", "chassis", ["from rear axle", "from front axle", "from bolts"]),
     ("hard/arch", "stone1", ["normal force, stone2", "friction, stone2", "friction, ground"]),
 )
 

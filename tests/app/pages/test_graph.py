@@ -406,3 +406,19 @@ def test_what_is_saved_is_what_is_seen(
     (png,) = (tmp_path / "files").glob("*.png")
     width, height = pygame.image.load(png).size
     assert (width, height) == (1050, 480)
+
+
+@pytest.mark.parametrize(
+    ("level", "quantity"),
+    [
+        ("lagrange/double-pendulum", "upper.speed"), ("energy/two-bodies", "light.position.x"),
+        ("newton/atwood", "left.position.y"), ("momentum/cradle", "ball5.speed"),
+    ],
+)  # fmt: skip
+def test_the_first_graph_is_of_something_that_changes(
+    person: Person, level: str, quantity: str
+) -> None:
+    """The energy of a pendulum is a graph of rounding errors that looks like a motion."""
+    person.window.open_level(level)
+
+    assert person.window.workers.of(Choice).up(person.session) == (quantity,)

@@ -11,6 +11,7 @@ import pytest
 from sandbox.app import film
 from sandbox.app.background import Background
 from sandbox.app.files import save_folder
+from sandbox.app.pages.share.filming import Filming
 from sandbox.app.pages.share.panel import KINDS, SharePage
 from sandbox.app.runs import runfile
 from sandbox.app.runs.session import Session
@@ -177,3 +178,13 @@ def test_how_far_a_film_is_has_its_place_on_the_page(
     shown.update()
 
     assert shown._state.relative_rect == free
+
+
+def test_where_a_film_was_saved_stays_on_the_page(person: Person) -> None:
+    """It was told for five seconds, which are over when somebody looks up after a long film."""
+    shown = played(person)
+    before = pygame.surfarray.array3d(shown._drawn())
+
+    person.window.workers.of(Filming).told = "saved projectile.gif"
+
+    assert not np.array_equal(before, pygame.surfarray.array3d(shown._drawn()))

@@ -30,11 +30,22 @@ def seated(person: Person, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> P
 
 @pytest.mark.parametrize("count", [1, 2, 24, 25, 1000])
 def test_the_instants_are_few_and_the_last_is_one_of_them(count: int) -> None:
-    shown = list(card.instants(count))
+    shown = list(card.instants(np.arange(count) / 240))
 
     assert len(shown) <= card.ROWS + 1
     assert (shown[0], shown[-1]) == (0, count - 1)
     assert len(set(shown)) == len(shown)
+
+
+@pytest.mark.parametrize("rate", [60, 240, 234.1])
+def test_the_instants_are_those_nearest_to_round_times(rate: float) -> None:
+    """Kepler's ellipse was told at 0.08542 s, 0.1708 s, 0.2562 s."""
+    t = np.arange(round(2 * rate) + 1) / rate
+
+    shown = t[card.instants(t)][:-1]
+
+    assert np.abs(shown - 0.1 * np.arange(len(shown))).max() <= 0.5 / rate + 1e-12
+    assert len(shown) in (20, 21)
 
 
 @pytest.mark.sweep

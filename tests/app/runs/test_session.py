@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from sandbox.app.pages.effects import whatif
+from sandbox.app.runs import session as session_module
 from sandbox.app.runs.beginning import begin
 from sandbox.app.runs.live_run import LiveRun
 from sandbox.app.runs.pace import SPEEDS, Pace
@@ -14,7 +15,9 @@ from sandbox.editing.run_as_level import as_it_stands
 from sandbox.model import catalog
 from sandbox.model.crowd_levels import crowd
 from sandbox.model.errors import ValueRangeError
-from sandbox.model.loading import load, parse
+from sandbox.model.expressions import Values
+from sandbox.model.level import Level
+from sandbox.model.loading import choose, load, parse
 from sandbox.physics.measuring.recording import count_steps
 from sandbox.physics.run import build
 from tests.app import scenes
@@ -407,3 +410,25 @@ def test_a_run_records_what_the_checks_of_its_own_level_need() -> None:
 
     assert len(run.readings(hurried=False)) == len(level.checks)
     assert level.checks
+
+
+def test_what_a_level_must_fulfil_is_evaluated_when_a_value_changes_only(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """It took 20 of the 30 ms of each frame of a level whose rods shrink."""
+    session = Session(load(catalog.find("rotation/collapsing-star")))
+    asked: list[object] = []
+
+    def noted(level: Level, settings: Values) -> Values:
+        asked.append(settings)
+        return choose(level, settings)
+
+    monkeypatch.setattr(session_module, "choose", noted)
+    for _ in range(10):
+        assert session.values_for(session.begun_as) == session.values
+        session.step()
+    assert len(asked) == 1
+
+    name = next(iter(session.values))
+    session.restart({name: session.level.parameters[name].max})
+    assert session.values_for(session.begun_as) == session.values

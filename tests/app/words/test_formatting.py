@@ -10,8 +10,8 @@ from sandbox.app.words import formatting
 @pytest.mark.parametrize(
     ("value", "text"),
     [
-        (0, "0"), (1.5, "1.5000"), (-9.81, "−9.8100"), (1234567.0, "1.23e6"),
-        (2e-15, "2.00e−15"), (12345.6, "12346"), (inf, "∞"), (nan, "–"),
+        (0, "0"), (1.5, "1.5000"), (-9.81, "−9.8100"), (1234567.0, "1.23×10⁶"),
+        (2e-15, "2.00×10⁻¹⁵"), (12345.6, "12346"), (inf, "∞"), (nan, "–"),
     ],
 )  # fmt: skip
 def test_a_number_has_five_digits_or_a_power_of_ten(value: float, text: str) -> None:
@@ -20,15 +20,37 @@ def test_a_number_has_five_digits_or_a_power_of_ten(value: float, text: str) -> 
 
 @pytest.mark.parametrize(
     ("value", "digits", "text"),
-    [(2000, 1, "2e3"), (2000, 4, "2000"), (0.5, 1, "0.5"), (20, 2, "20"), (-5e6, 1, "−5e6")],
+    [(2000, 1, "2000"), (2000, 4, "2000"), (0.5, 1, "0.5"), (20, 2, "20"), (-5e6, 1, "−5×10⁶")],
 )
 def test_no_number_ends_in_a_point(value: float, digits: int, text: str) -> None:
     assert formatting.number(value, digits) == text
 
 
 def test_an_error_shows_its_size_only() -> None:
-    assert formatting.error(3.4e-15) == "3e−15"
+    assert formatting.error(3.4e-15) == "3×10⁻¹⁵"
+    assert formatting.error(-1e-6) == "−10⁻⁶"
+    assert formatting.error(0.0234) == "0.02"
     assert formatting.error(0) == "0"
+
+
+@pytest.mark.parametrize(
+    ("value", "digits", "text", "certain"),
+    [
+        (8167.3, 3, "8170", "8.17×10³"),
+        (-1844.0, 3, "−1840", "−1.84×10³"),
+        (99999.7, 3, "100000", "1.00×10⁵"),
+    ],
+)  # fmt: skip
+def test_a_number_of_a_few_thousands_is_rounded_unless_all_its_digits_count(
+    value: float, digits: int, text: str, certain: str
+) -> None:
+    """An energy on the stage was read as 8.17e3 J."""
+    assert formatting.number(value, digits) == text
+    assert formatting.number(value, digits, all_count=True) == certain
+
+
+def test_names_are_read_as_words() -> None:
+    assert formatting.name_in_words("rear_axle") == "rear axle"
 
 
 def test_angles_are_read_in_degrees() -> None:

@@ -91,12 +91,12 @@ def _draw_axes(surface: pygame.Surface, pen: Pen, across: Axis, up: Axis) -> Non
     for power in up.powers(7):
         y = round(up.pixel(10.0**power))
         pygame.draw.line(surface, theme.GRID_STRONG, (left, y), (across.end, y))
-        text = pen.write(f"1e{power}", 11, theme.DIM)
+        text = pen.write(formatting.error(10.0**power), 11, theme.DIM)
         surface.blit(text, text.get_rect(midright=(left - 4, y)))
     for power in across.powers(5):
         x = round(across.pixel(10.0**power))
         pygame.draw.line(surface, theme.GRID_STRONG, (x, up.end), (x, bottom))
-        text = pen.write(f"{10.0**power:g}", 11, theme.DIM)
+        text = pen.write(formatting.brief(10.0**power), 11, theme.DIM)
         surface.blit(text, text.get_rect(midtop=(x, bottom + 4)))
     title = pen.write(say("ms of computing for 1 s"), 11, theme.DIM)
     place = title.get_rect(midbottom=((across.start + across.end) / 2, surface.height))

@@ -16,6 +16,7 @@ from sandbox.app.widgets.plot import Scale, Series
 from sandbox.app.words import formatting, level_words
 from sandbox.app.words.language import later, plural, say
 from sandbox.experiments.measures import MeasureError, parse
+from sandbox.experiments.suggested_measures import of_check
 from sandbox.model.level import Level
 
 HEIGHT = 190  # px, of the curve
@@ -37,8 +38,11 @@ def curve(
     if chosen is None:
         card.text(say(NOTHING), 14, theme.DIM)
         return card.drawn(), pygame.Rect(0, 0, 0, 0)
+    title = shown_as(session.original, chosen.measure)
     unit = unit_of(session.level, chosen)
-    card.text(f"{chosen.measure} [{unit}]" if unit else chosen.measure, 13, theme.BODIES[0])
+    card.text(f"{title} [{unit}]" if unit else title, 13, theme.BODIES[0])
+    if title != chosen.measure:
+        card.text(chosen.measure, 12, theme.DIM)
     _point_text(card, session.level, chosen, mouse)
     card.y += GAP
     field = pygame.Rect(0, card.y, width, pen.px(HEIGHT))
@@ -46,7 +50,7 @@ def curve(
     span = span_of(pen, width, session.level, chosen)
     card.put(plot.draw(pen, field.size, list(_series(exploring.points)), span, here), 0)
     card.y += pen.px(HEIGHT) + 2
-    across = _named(session.level, chosen.parameter)
+    across = named(session.level, chosen.parameter, session.level.parameters[chosen.parameter].unit)
     card.text(say("against {quantity}", quantity=across), 12, theme.DIM)
     _progress(card, exploring)
     return card.drawn(), field
@@ -58,6 +62,12 @@ def unit_of(level: Level, chosen: Chosen) -> str:
         return parse(chosen.measure, level, until=False).unit
     except MeasureError:
         return ""
+
+
+def shown_as(level: Level, measure: str) -> str:
+    """Return the label of the check that measures the same; else the measure itself."""
+    labels = {of_check(each): level_words.of(level)(each.label) for each in level.checks}
+    return labels.get(measure) or measure
 
 
 def span_of(pen: Pen, width: int, level: Level, chosen: Chosen) -> Scale:
@@ -99,11 +109,12 @@ def _point_text(card: Card, level: Level, chosen: Chosen, point: Point | None) -
     card.text(message, 12, theme.NOTICE)
 
 
-def _named(level: Level, name: str) -> str:
+def named(level: Level, name: str, unit: str = "") -> str:
+    """Return a parameter with its label, and a unit in brackets."""
     parameter = level.parameters[name]
-    unit = f" [{parameter.unit}]" if parameter.unit else ""
-    label = f", {level_words.of(level)(parameter.label)}" if parameter.label else ""
-    return f"{name}{unit}{label}"
+    label = level_words.of(level)(parameter.label)
+    shown = f"{name} [{unit}]" if unit else name
+    return f"{shown}, {label}" if label and label != name else shown
 
 
 def _progress(card: Card, exploring: Exploring) -> None:

@@ -6,7 +6,7 @@ import pygame
 from pygame_gui import UI_SELECTION_LIST_NEW_SELECTION
 
 from sandbox.app.cards.card import heading
-from sandbox.app.pages.experiment.card import curve, nearest, span_of
+from sandbox.app.pages.experiment.card import curve, named, nearest, shown_as, span_of
 from sandbox.app.pages.experiment.chosen_curve import Exploring, measures
 from sandbox.app.pages.experiment.sampling import Point
 from sandbox.app.pages.page import Desk
@@ -32,17 +32,30 @@ class ExperimentPage:
         self._curve = sheet.image(self._drawn(), sheet.margin // 2)
         self.lists: list[UISelectionList] = []
         self._titles = []
+        self._rows: list[dict[str, str]] = []  # of each list: what is shown, and what is chosen
         chosen = self._exploring.chosen(desk.session)
         if chosen is not None:
-            offers = list(desk.session.level.parameters), measures(desk.session)
-            for title, names, now, most in zip(
-                (say("Vary"), say("Measure")), offers, chosen, MOST_ROWS, strict=True
+            for title, rows, now, most in zip(
+                (say("Vary"), say("Measure")), self._offers(), chosen, MOST_ROWS, strict=True
             ):
                 self._titles.append(sheet.image(heading(sheet.pen, sheet.width, title), 0))
-                height = min(len(names), most) * sheet.px(ROW) + 12
-                self.lists.append(sheet.choices(names, height, now))
+                height = min(len(rows), most) * sheet.px(ROW) + 12
+                shown = next(each for each, offered in rows.items() if offered == now)
+                self._rows.append(rows)
+                self.lists.append(sheet.choices([*rows], height, shown))
         self._seen: object = None
         self.update()
+
+    def _offers(self) -> tuple[dict[str, str], dict[str, str]]:
+        """Return the parameters and the measures, by the text that is shown for each."""
+        level, original = self._session.level, self._session.original
+        offered = measures(self._session)
+        titles = [shown_as(original, each) for each in offered]
+        named_twice = {title for title in titles if titles.count(title) > 1}
+        return {named(level, each): each for each in level.parameters}, {
+            each if title in named_twice else title: each
+            for title, each in zip(titles, offered, strict=True)
+        }
 
     @property
     def field(self) -> pygame.Rect:
@@ -56,8 +69,9 @@ class ExperimentPage:
         elif event.type == pygame.MOUSEBUTTONDOWN and event.button == 1:
             return self._run(event.pos)
         elif event.type == UI_SELECTION_LIST_NEW_SELECTION and event.ui_element in self.lists:
-            of = ("parameter", "measure")[self.lists.index(event.ui_element)]
-            self._exploring.choose(self._session, **{of: str(event.text)})
+            which = self.lists.index(event.ui_element)
+            of = ("parameter", "measure")[which]
+            self._exploring.choose(self._session, **{of: self._rows[which][str(event.text)]})
             self._mouse = None
             return ""
         return None

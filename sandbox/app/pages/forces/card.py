@@ -12,7 +12,7 @@ from sandbox.app.observing import selected_body
 from sandbox.app.pages.forces import diagram
 from sandbox.app.pages.forces.axes import Axes, components
 from sandbox.app.runs.session import Session
-from sandbox.app.words.formatting import number
+from sandbox.app.words.formatting import name_in_words, number
 from sandbox.app.words.language import later, say
 from sandbox.model.shapes import XY
 from sandbox.physics.measuring.free_body import FreeBody
@@ -30,7 +30,8 @@ CLOSED = later("One force was computed from the others and m a, so their sum pro
 def forces(pen: Pen, width: int, session: Session, axes: Axes) -> pygame.Surface:
     """Draw the forces on the selected body."""
     card, body = Card(pen, width), session.looking.body(session.level)
-    card.heading(say("Forces on {body}", body=body) if body else say("Forces"))
+    on = name_in_words(body) if body else ""
+    card.heading(say("Forces on {body}", body=on) if on else say("Forces"))
     found = session.looking.at(session.world)
     if found is None:
         card.text(say(NOT_YET if body else NOBODY), 13, theme.DIM)

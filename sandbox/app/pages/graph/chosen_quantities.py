@@ -9,7 +9,8 @@ from sandbox.app.pages.graph.zoom import WHOLE, Zoom
 from sandbox.app.runs.session import Session
 from sandbox.app.words.language import say
 from sandbox.model.last_result_cache import of_the_last
-from sandbox.model.level import Level
+from sandbox.model.level import Check, Level
+from sandbox.model.level_parts import names_in
 from sandbox.model.quantities import TIME, momentary
 
 MOST = 400
@@ -38,9 +39,11 @@ class Choice(Errand):
         self._zooms: dict[str, Zoom] = {}
 
     def up(self, session: Session) -> tuple[str, ...]:
-        """Return the chosen quantities: at first that of the first check, or the first speed."""
+        """Return the chosen quantities: at first one of a check that changes, or a speed."""
         names = offered(session.level)
-        checked = (c.quantity for c in session.original.checks if c.quantity in names)
+        checked = (
+            c.quantity for c in session.original.checks if c.quantity in names and _changes(c)
+        )
         speeds = (name for name in names if name.endswith(".speed"))
         first = next(checked, next(speeds, names[0]))
         chosen = self._up.get(session.original.title, (first,))
@@ -78,3 +81,8 @@ class Choice(Errand):
     def follow(self, session: Session, seconds: float, *, watched: bool) -> str | None:  # noqa: ARG002
         """Return the message with the picture's path once it is saved."""
         return next(iter([*self._work.found()][-1:]), None)
+
+
+def _changes(check: Check) -> bool:
+    """Whether a checked quantity changes in time: a conserved one is a graph of rounding errors."""
+    return check.at is not None or TIME.name in names_in(check.formula)

@@ -33,13 +33,14 @@ class Momentum(NamedTuple):
 def bodies(world: World) -> list[Momentum]:
     """Return the momenta of all bodies; of many, the largest ones, and the sum of the others."""
     found, every = momenta.heavy(world), momenta.momenta(world, world.snapshot)
+    each = {row: Momentum(formatting.name_in_words(name), every[row]) for row, name in found}
     if len(found) <= MOST:
-        return [Momentum(name, every[row]) for row, name in found]
-    rows = np.array([row for row, _ in found])
+        return [*each.values()]
+    rows = np.array([*each])
     sizes = np.hypot(every[rows, 0], every[rows, 1])
     largest = set(rows[np.argsort(-sizes, kind="stable")[:MOST]].tolist())
-    rest = [row for row, _ in found if row not in largest]
-    shown = [Momentum(name, every[row]) for row, name in found if row in largest]
+    rest = [row for row in each if row not in largest]
+    shown = [momentum for row, momentum in each.items() if row in largest]
     return [
         *shown,
         Momentum(plural("{count} other", "{count} others", len(rest)), every[rest].sum(axis=0)),

@@ -15,6 +15,8 @@ class Filming(Errand):
         super().__init__()
         self.done = 0.0
         """The progress of the film, from 0 to 1."""
+        self.told = ""
+        """The message about the last film saved; empty if there is none, or a newer one."""
 
     def begin(self, session: Session, kind: Kind) -> str:
         """Start a film of the run so far, and return the message.
@@ -25,7 +27,7 @@ class Filming(Errand):
         if self.running:
             return say("one film at a time: the next when this one is saved")
         path = path_for(session, f".{kind}")
-        self.done, self.news = 0.0, object()
+        self.done, self.told, self.news = 0.0, "", object()
         self._work.start(film, run_of(session), path, kind)
         return say("filming {time:.3g} s of the run ...", time=session.t)
 
@@ -35,7 +37,7 @@ class Filming(Errand):
         for found in self._work.found():
             self.news = object()
             if isinstance(found, str):
-                told = found
+                told = self.told = found
             else:
                 self.done = found
         return told

@@ -73,7 +73,7 @@ class SharePage:
         return self._actions[event.ui_element]()
 
     def update(self) -> None:
-        """Show the progress of a film."""
+        """Show the progress of a film, and its path once it is saved."""
         self._sheet.replace(self._state, self._drawn())
 
     def _save(self, save: Callable[[Session], Path]) -> str:
@@ -84,6 +84,8 @@ class SharePage:
         if self._filming.running:
             message = say("Filming: {share:.0%}", share=self._filming.done)
             card.text(message, 14, theme.NOTICE)
+        elif self._filming.told:
+            card.text(self._filming.told, 13, theme.DIM)
         card.y = max(card.y, self._sheet.pen.height(14))  # at least one line
         return card.drawn()
 

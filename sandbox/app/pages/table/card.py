@@ -1,7 +1,8 @@
 """The table of the graphed quantities at selected instants."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 
+import numpy as np
 import pygame
 
 from sandbox.app.cards.card import SMALLEST, Card
@@ -11,10 +12,13 @@ from sandbox.app.pages.graph.card import measured
 from sandbox.app.runs.session import Session
 from sandbox.app.words import formatting
 from sandbox.app.words.language import say
+from sandbox.model.expressions import Array
 from sandbox.physics.accuracy.trusted_digits import Trust
 
 ROWS = 24
-"""The approximate number of instants shown, evenly spaced, with the last one."""
+"""The largest number of instants shown, at round times, besides the last one."""
+ROUNDING = 1e-9
+"""The fraction of an interval by which the first time may be late."""
 
 COLUMNS = 3
 """The number of quantities that fit beside the time; a file contains all."""
@@ -36,7 +40,7 @@ def values(
     columns, units = measured(session.world, session.history, ["t", *shown])
     _row(card, ["t", *shown], theme.ACCENT)
     _row(card, ["s", *(units[n] for n in shown)], theme.DIM)
-    for row in instants(len(columns["t"])):
+    for row in instants(columns["t"]):
         cells = (_cell(float(columns[n][row]), units[n], trust.get(n)) for n in shown)
         _row(card, [f"{columns['t'][row]:.4g}", *cells], theme.TEXT)
     if left := len(names) - len(shown):
@@ -45,11 +49,18 @@ def values(
     return card.drawn()
 
 
-def instants(count: int) -> Iterator[int]:
-    """Yield the indices of the instants shown: evenly spaced ones, and the last."""
-    every = max(-(-count // ROWS), 1)
-    yield from range(0, count - 1, every)
-    yield count - 1
+def instants(t: Array) -> Sequence[int]:
+    """Return the indices of the instants shown: the first, the nearest to round times, the last.
+
+    `t` are the recorded times: (k,) [s].
+    """
+    last, every = len(t) - 1, formatting.rounded_up(float(t[-1] - t[0]) / ROWS)
+    if not every:
+        return [last]
+    wanted = np.arange(np.ceil(t[0] / every - ROUNDING), t[-1] / every) * every
+    after = np.clip(np.searchsorted(t, wanted), 1, last)
+    nearest = after - (wanted - t[after - 1] < t[after] - wanted)
+    return [*dict.fromkeys([0, *nearest.tolist(), last])]
 
 
 def _cell(value: float, unit: str, trust: Trust | None) -> str:

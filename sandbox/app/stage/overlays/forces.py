@@ -6,7 +6,8 @@ import pygame
 
 from sandbox.app.drawing import lines, theme
 from sandbox.app.observing import selected_body
-from sandbox.app.stage.given_forces import LONGEST, write_beside
+from sandbox.app.stage import marks
+from sandbox.app.stage.given_forces import LONGEST, beside
 from sandbox.app.stage.overlays.overlay import Overlay
 from sandbox.app.stage.view import View
 from sandbox.model.effects.force import Force
@@ -41,8 +42,16 @@ def _draw(surface: pygame.Surface, view: View) -> None:
         _mark(view, acting.name, start, end)
     if lines.near((center := view.camera.to_screen(found.center),)):
         pygame.draw.aacircle(surface, theme.TEXT, center, RING, 2)
-    for text, start, end, color, name in ends:  # texts last, so that nothing covers them
-        write_beside(surface, view.pen, text, start, end, view.labels, color, name)
+    moving = view.moving if view.few else ()
+    avoid = marks.boxes(view.camera, ((each, *view.state(each)) for each in moving))
+    written = [
+        beside(surface, view.pen, text, start, end, view.labels, color, name, avoid)
+        for text, start, end, color, name in ends
+    ]
+    shown = [each for each in written if each is not None]
+    for each in shown:
+        each.draw_leader(surface)
+    surface.blits([(each.image, each.place) for each in shown])  # so that nothing covers them
 
 
 def _mark(view: View, name: str, start: XY, end: XY) -> None:
