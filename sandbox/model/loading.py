@@ -122,7 +122,7 @@ def parse(text: str, source: str = "<text>") -> Level:
 
 @contextmanager
 def _uncollected() -> Iterator[None]:
-    """Let no garbage be collected within this: looking for it takes a third of a large level's time.
+    """Let no garbage be collected within this, which takes a third of the time for a large level.
 
     Only parts that refer to each other wait for it; all others are freed as ever.
     """
