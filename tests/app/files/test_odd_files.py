@@ -2,6 +2,7 @@
 
 import json
 import os
+from collections.abc import Callable
 from pathlib import Path
 
 import pygame
@@ -22,7 +23,7 @@ def sparse(path: Path) -> None:
         file.truncate(200_000_000)
 
 
-ODD = {
+ODD: dict[str, Callable[[Path], object]] = {
     "is not an ordinary file": pipe,
     "is a folder": Path.mkdir,
     "larger than": sparse,
