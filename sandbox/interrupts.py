@@ -1,4 +1,4 @@
-"""Ctrl-C and requests to terminate, which must end a run even inside pymunk's callbacks."""
+"""Ctrl-C, requests to terminate and closed terminals: they end a run even in pymunk's callbacks."""
 
 import signal
 import sys
@@ -13,14 +13,23 @@ INTERRUPTED = STATUS + signal.SIGINT
 ENDED = STATUS + signal.SIGTERM
 """The exit statuses."""
 
+SIGNALS = tuple(
+    signal.Signals[name] for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name)
+)
+"""The signals that end the process in good order; there is no SIGHUP on Windows."""
+
 _CALLBACKS = "pymunk._callbacks"
 _RETRY = 0.001  # s
 
 
 def install() -> None:
-    """End the process on Ctrl-C or a request to end, without a traceback."""
-    for number in (signal.SIGINT, signal.SIGTERM):
-        signal.signal(number, _interrupt)
+    """End the process on each of `SIGNALS`, without a traceback.
+
+    A closed terminal does not end what was started to outlive it, by `nohup`.
+    """
+    for number in SIGNALS:
+        if number in (signal.SIGINT, signal.SIGTERM) or signal.getsignal(number) != signal.SIG_IGN:
+            signal.signal(number, _interrupt)
     sys.unraisablehook = _lost
 
 
@@ -34,8 +43,9 @@ def _interrupt(number: int, frame: FrameType | None) -> None:
 def _lost(exception: "sys.UnraisableHookArgs") -> None:
     """Exit once more where nothing can be raised: while pymunk's objects are freed, say."""
     if isinstance(exception.exc_value, SystemExit):
-        ended = exception.exc_value.code == ENDED
-        start_new_thread(_again, (signal.SIGTERM if ended else signal.SIGINT,))
+        status = exception.exc_value.code
+        ended_by = [number for number in SIGNALS if status == STATUS + number]
+        start_new_thread(_again, (ended_by[0] if ended_by else signal.SIGINT,))
     else:
         sys.__unraisablehook__(exception)
 

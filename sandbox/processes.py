@@ -44,17 +44,18 @@ def prepare(*modules: str) -> None:
 
 @contextmanager
 def starting() -> Iterator[None]:
-    """Start processes within this that do not hear Ctrl-C.
+    """Start processes within this that hear no Ctrl-C, no request to end and no closed terminal.
 
-    It is for this process alone, and waits until they have started: they end with this one, and
-    have nothing to say.
+    They are for this process alone: they end with it, and have nothing to say. A signal that comes
+    meanwhile takes effect afterwards, since nobody would wait for a process that has half started.
     """
     if not hasattr(signal, "pthread_sigmask"):
         yield
         return
-    resource_tracker.ensure_running()  # it would let signals through again when it starts
-    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, interrupts.SIGNALS)
     try:
+        resource_tracker.ensure_running()  # it lets some signals through again when it starts
+        signal.pthread_sigmask(signal.SIG_BLOCK, interrupts.SIGNALS)
         yield
     finally:
         signal.pthread_sigmask(signal.SIG_SETMASK, before)
@@ -84,7 +85,8 @@ def spread(
     try:
         while True:
             for number, item in islice(coming, AHEAD * max(jobs, 1) - len(numbers)):
-                numbers[pool.submit(work, item)] = number
+                with starting():
+                    numbers[pool.submit(work, item)] = number
             if not numbers:
                 break
             for done in wait(numbers, return_when=FIRST_COMPLETED).done:

@@ -16,11 +16,11 @@ PATIENCE = 60.0  # s
 
 @pytest.fixture(autouse=True)
 def _handler() -> Iterator[None]:
-    numbers = signal.SIGINT, signal.SIGTERM
-    before, hook = [signal.getsignal(number) for number in numbers], sys.unraisablehook
+    before = [signal.getsignal(number) for number in interrupts.SIGNALS]
+    hook = sys.unraisablehook
     interrupts.install()
     yield
-    for number, handler in zip(numbers, before, strict=True):
+    for number, handler in zip(interrupts.SIGNALS, before, strict=True):
         signal.signal(number, handler)
     sys.unraisablehook = hook
 
@@ -38,18 +38,26 @@ def test_ctrl_c_within_a_class_statement_exits_as_well() -> None:
     assert exit_.value.code == interrupts.INTERRUPTED
 
 
-def test_ctrl_c_exits_with_the_status_of_shells() -> None:
+@pytest.mark.parametrize(("name", "status"), [("SIGINT", 130), ("SIGTERM", 143), ("SIGHUP", 129)])
+def test_each_signal_exits_with_the_status_of_shells(name: str, status: int) -> None:
+    if not hasattr(signal, name):
+        pytest.skip("there is no such signal here")
+
     with pytest.raises(SystemExit) as exit_:
-        signal.raise_signal(signal.SIGINT)
+        signal.raise_signal(signal.Signals[name])
 
-    assert exit_.value.code == 130
+    assert exit_.value.code == status
 
 
-def test_a_request_to_end_exits_with_the_status_of_shells() -> None:
-    with pytest.raises(SystemExit) as exit_:
-        signal.raise_signal(signal.SIGTERM)
+@pytest.mark.skipif(not hasattr(signal, "SIGHUP"), reason="there is no such signal here")
+def test_a_closed_terminal_does_not_end_what_was_to_outlive_it() -> None:
+    """As `nohup` asks for."""
+    signal.signal(signal.SIGHUP, signal.SIG_IGN)
 
-    assert exit_.value.code == 143
+    interrupts.install()
+
+    signal.raise_signal(signal.SIGHUP)
+    assert signal.getsignal(signal.SIGHUP) == signal.SIG_IGN
 
 
 def test_ctrl_c_in_a_callback_exits_once_it_is_over() -> None:
@@ -78,20 +86,26 @@ def run_interrupted(finished: list[bool]) -> None:
 
 
 class Freed:
-    """Something that is freed just when somebody presses Ctrl-C."""
+    """Something that is freed just when a signal comes."""
+
+    def __init__(self, number: signal.Signals) -> None:
+        self._number = number
 
     def __del__(self) -> None:
-        signal.raise_signal(signal.SIGINT)
+        signal.raise_signal(self._number)
 
 
-def test_ctrl_c_while_something_is_freed_exits_after_it() -> None:
+@pytest.mark.parametrize("number", interrupts.SIGNALS)
+def test_a_signal_while_something_is_freed_exits_after_it(number: signal.Signals) -> None:
     """What pymunk frees, it frees in Python, and there an exception is lost, too."""
-    with pytest.raises(SystemExit):
-        interrupted_in_freeing()
+    with pytest.raises(SystemExit) as exit_:
+        interrupted_in_freeing(number)
+
+    assert exit_.value.code == interrupts.STATUS + number
 
 
-def interrupted_in_freeing() -> None:
-    freed = Freed()
+def interrupted_in_freeing(number: signal.Signals) -> None:
+    freed = Freed(number)
     del freed
     wait()
 

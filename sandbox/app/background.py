@@ -15,6 +15,7 @@ from typing import Any
 
 from sandbox.app.drawing import theme
 from sandbox.app.words import language
+from sandbox.processes import starting
 
 LIMIT = 120.0  # s, the longest lifetime of a process
 POLITE = 5  # added to the process's niceness, where there is one
@@ -55,7 +56,8 @@ class Background:
         self._findings, sender = SpawnContext().Pipe(duplex=False)
         orders, order = SpawnContext().Pipe(duplex=False)
         self._process = SpawnProcess(target=_run, args=(sender, orders), daemon=True, name="study")
-        self._process.start()
+        with starting():
+            self._process.start()
         sender.close()
         orders.close()
         if listens:

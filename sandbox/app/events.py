@@ -14,6 +14,7 @@ from sandbox.app.words.language import say
 from sandbox.app.workspace import Workspace
 from sandbox.editing.recovery import Recoverable
 from sandbox.model.errors import SandboxError
+from sandbox.model.files import without_links
 
 _MOUSE = (pygame.MOUSEBUTTONDOWN, pygame.MOUSEBUTTONUP, pygame.MOUSEMOTION)
 
@@ -101,7 +102,7 @@ class Events:
         """Pass an event to the list, the controls, the side panel, or the stage."""
         space = self._space
         if path := space.panels.wanted(event):
-            space.open_file(path.resolve())
+            space.open_file(without_links(path))
         elif space.panels.accepts(event):
             space.run_as_advised()
         elif chosen := space.panels.pressed(event):

@@ -27,6 +27,7 @@ from sandbox.app.words import language, level_words
 from sandbox.app.words.language import later, say
 from sandbox.model import catalog
 from sandbox.model.errors import SandboxError
+from sandbox.model.files import without_links
 from sandbox.model.level import Level, Stepping
 from sandbox.model.loading import choose, load
 from sandbox.physics.measuring.recording import leans
@@ -134,7 +135,7 @@ class Workspace:
     ) -> None:
         """Open a level by its name or path, with options as for `open_file`; show any error."""
         try:
-            path = catalog.find(level).resolve()
+            path = without_links(catalog.find(level))
         except SandboxError as error:
             self._refuse(None, error)
             return

@@ -9,7 +9,7 @@ from sandbox.cli import argument_parsing
 from sandbox.model import catalog, templates
 from sandbox.model.did_you_mean import suggestion
 from sandbox.model.errors import LevelError, brief
-from sandbox.model.files import check_writable, write_atomically
+from sandbox.model.files import check_writable, without_links, write_atomically
 from sandbox.model.loading import parse, read
 from sandbox.model.writing import with_schema
 
@@ -60,7 +60,7 @@ def _source(template: str) -> Path:
 
 def _schema(target: Path) -> str:
     """Return the path of the schema as seen from a level's file: relative within a checkout."""
-    schema, folder = catalog.root() / catalog.SCHEMA, target.resolve().parent
+    schema, folder = catalog.root() / catalog.SCHEMA, without_links(target).parent
     if folder.is_relative_to(schema.parent.parent):
         return Path(os.path.relpath(schema, folder)).as_posix()
     return schema.as_uri()

@@ -9,6 +9,7 @@ from sandbox.model import catalog
 from sandbox.model.did_you_mean import suggestion
 from sandbox.model.document import refuse
 from sandbox.model.errors import LevelError, brief
+from sandbox.model.files import without_links
 from sandbox.model.level_parts import Fault
 from sandbox.model.loading import load
 from sandbox.model.message import Message
@@ -65,6 +66,6 @@ def _level(experiment: Experiment, folder: Path) -> tuple[str, Path]:
     """Return the name and file of the level, whose path may be relative to the experiment's."""
     beside = folder / experiment.level
     path = beside if beside.is_file() else catalog.find(experiment.level)
-    if path.resolve().parent.parent == catalog.root():
+    if without_links(path).parent.parent == catalog.root():
         return f"{path.parent.name}/{path.stem}", path
     return experiment.level, path

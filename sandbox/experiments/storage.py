@@ -17,7 +17,13 @@ from typing import TYPE_CHECKING
 from sandbox.experiments.plan import Plan
 from sandbox.experiments.table import Cell, schema
 from sandbox.model.errors import SandboxError, brief
-from sandbox.model.files import folder_of_files, make_folder, read_ordinary, write_atomically
+from sandbox.model.files import (
+    folder_of_files,
+    make_folder,
+    read_ordinary,
+    without_links,
+    write_atomically,
+)
 from sandbox.model.message import Message
 from sandbox.version import __version__
 
@@ -54,7 +60,7 @@ class Store:
             write_atomically(place, text)
             return
         try:
-            there = read_ordinary(place.resolve(), LARGEST)
+            there = read_ordinary(without_links(place), LARGEST)
         except OSError as error:
             raise SandboxError(
                 Message("cannot read {place}: {error}", place=place, error=str(error))

@@ -96,7 +96,7 @@ def find(level: str) -> Path:
     if name in known:
         return root() / f"{name}.json"
     if level.endswith(".json"):
-        if os.path.exists(level):  # such as a folder, which the reader refuses
+        if os.path.lexists(level):  # such as a folder or a broken link, which the reader refuses
             return Path(level)
         hint = meant(Path(level).stem, _endings(known))
         refuse(brief(level), Message("there is no such file{hint}", hint=hint))

@@ -104,6 +104,14 @@ def _link(made: Path, place: Path) -> None:
         made.unlink()
 
 
+def without_links(path: Path) -> Path:
+    """Return a path with its links followed, as far as they lead anywhere.
+
+    `Path.resolve` raises an error if they lead in a circle.
+    """
+    return Path(os.path.realpath(path))
+
+
 def read_ordinary(path: Path, largest: int) -> bytes | None:
     """Return the content of a file; None if it is a link, a pipe or a device, or too large.
 

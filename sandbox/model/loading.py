@@ -1,9 +1,11 @@
 """Loading a level from a file: complete and frozen, or a `LevelError` with every mistake."""
 
 import codecs
+import gc
 import hashlib
 import json
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from functools import reduce
 from math import isfinite
 from operator import getitem
@@ -40,6 +42,12 @@ LONGEST_NAME = 31
 MAX_FORMULAS = 300_000
 """The most characters in all different formulas together: parsing these takes two seconds."""
 
+MOST_VALUES = 300_000
+"""The most values in a level, about: the most bodies have some 13 each, which take two seconds."""
+
+MANY = 10 * MAX_MISTAKES
+"""The most of pydantic's errors that are looked at: among them are enough to be listed."""
+
 _MENDED = ("expression", "float_type", "int_type", "missing", "greater_than", "finite_number")
 """The types of pydantic's errors that replacing the value by 1 usually mends."""
 
@@ -69,7 +77,8 @@ def content(path: Path) -> bytes:
     try:
         return _content(path, source)
     except (FileNotFoundError, NotADirectoryError):
-        refuse(source, Message("there is no such file"))
+        link = Message("is a link to a file that does not exist")
+        refuse(source, link if path.is_symlink() else Message("there is no such file"))
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or str(error)
         refuse(source, Message("cannot be read: {reason}", reason=reason))
@@ -85,7 +94,9 @@ def decoded(held: bytes, source: str) -> str:
         return content.decode()
     except UnicodeDecodeError as error:
         before = content[: error.start].decode()
-        rule = Message("is not UTF-8 text: this byte is not part of a character")
+        rule = Message(
+            "is not UTF-8 text: this byte is not part of a character; save the file as UTF-8"
+        )
         refuse(source, rule, position(before, len(before)))
 
 
@@ -95,7 +106,7 @@ def parse(text: str, source: str = "<text>") -> Level:
     Raises `LevelError` if the level has mistakes.
     """
     try:
-        with np.errstate(all="ignore"):  # values that are not finite are reported by name
+        with np.errstate(all="ignore"), _uncollected():  # what is not finite is reported by name
             return _parsed(text, source)
     except LevelError:
         raise
@@ -109,7 +120,23 @@ def parse(text: str, source: str = "<text>") -> Level:
         raise LevelError((Mistake(source, None, None, "", rule),)) from error
 
 
+@contextmanager
+def _uncollected() -> Iterator[None]:
+    """Let no garbage be collected within this, which takes a third of the time for a large level.
+
+    Only parts that refer to each other wait for it; all others are freed as ever.
+    """
+    before = gc.isenabled()
+    gc.disable()
+    try:
+        yield
+    finally:
+        if before:
+            gc.enable()
+
+
 def _parsed(text: str, source: str) -> Level:
+    _limit_values(text, source)
     document = Document(text, source)
     typed = document.read()
     try:
@@ -126,11 +153,12 @@ def _parsed(text: str, source: str) -> Level:
             most=MAX_FORMULAS,
         )
         refuse(source, rule)
+    whole = without_comments(text) if data is typed else json.dumps(data)
+    _limit_values(whole, source)
     try:
-        whole = without_comments(text) if data is typed else json.dumps(data)
         level = Level.model_validate_json(whole)
     except ValidationError as error:
-        details = error.errors(include_url=False)
+        details = error.errors(include_url=False)[:MANY]
         if details[0]["type"] == "json_invalid":  # the two JSON parsers differ in details
             _refuse_json(document, details[0]["ctx"]["error"], typed=whole is text)
         document.refuse(_faults(document, data, details))
@@ -138,6 +166,12 @@ def _parsed(text: str, source: str) -> Level:
         document.refuse(made.hinted(fault, typed) for fault in found)
     level.read_from(Origin(text, source, made.place))
     return level
+
+
+def _limit_values(text: str, source: str) -> None:
+    """Refuse a text with too many values: each comes after a comma or in a bracket of its own."""
+    if text.count(",") + text.count("{") + text.count("[") > MOST_VALUES:
+        refuse(source, Message("has more than {most:,} values, the most allowed", most=MOST_VALUES))
 
 
 def _formulas_length(data: object) -> int:
@@ -248,7 +282,7 @@ def _faults(document: Document, data: Any, details: list[ErrorDetails]) -> Itera
     ordered = sorted(placed, key=lambda pair: document.start(pair[0]))
     for path, detail in ordered[: MAX_MISTAKES + 1]:
         yield Fault(path, parse_messages.rule(detail))
-    mended = _mend(document, data, details)
+    mended = _mend(document, data, details) if len(details) < MANY else None
     if mended is not None:
         yield from dangling(mended)
 

@@ -1,6 +1,7 @@
 """The errors of the JSON parser and of pydantic, in the words of the level format."""
 
 import re
+import unicodedata
 from collections.abc import Callable, Mapping, Sequence
 from json import JSONDecodeError
 from math import isnan
@@ -27,15 +28,23 @@ _SYNTAX: Mapping[str, Message] = {
     "Expecting ':' delimiter": Message("a colon is missing before this"),
     "Extra data": Message("the level ends before this; there is one bracket too many"),
     "Unterminated string starting at": Message("the double quotes that end this text are missing"),
-    "Invalid control character at": Message("a text must not run over the end of a line"),
+    "Unexpected UTF-8 BOM (decode using utf-8-sig)": Message(
+        "the byte order mark at the beginning of the file must be removed"
+    ),
     "Illegal trailing comma before end of object": Message("this comma is one too many"),
     "Illegal trailing comma before end of array": Message("this comma is one too many"),
-    "Invalid \\uXXXX escape": Message("Invalid \\uXXXX escape"),
+    "Invalid \\escape": Message("a backslash in a text is written \\\\"),
+    "Invalid \\uXXXX escape": Message("\\u must be followed by four hexadecimal digits"),
 }
 
 _SLIPS = (
     (re.compile(""), re.compile("//|/\\*|#"), Message('comments are keys: "//": "..."')),
     (re.compile(""), re.compile("'"), Message("text needs double quotes, not single ones")),
+    (
+        re.compile(""),
+        re.compile(r"[+.]"),
+        Message("a number begins with a digit, or with - and a digit"),
+    ),
     (
         re.compile(r"\d,$"),
         re.compile(r"\d"),
@@ -43,15 +52,18 @@ _SLIPS = (
     ),
 )
 """What often stands before and behind an error of JSON's syntax, and what to write instead."""
+_LINE_END = Message("a text must not run over the end of a line")
+_CONTROL = Message("the control character {code} must be removed")
 
 _OBJECT = Message("must be an object, {...}")
 
 _TYPES: Mapping[str, Message] = {
-    "bool_type": Message("input should be a valid boolean"),
+    "bool_type": Message("must be true or false"),
     "dict_type": _OBJECT,
     "finite_number": Message("must be a finite number"),
     "float_type": Message("must be a number"),
     "int_from_float": Message("must be a whole number"),
+    "int_parsing_size": Message("is too large a number"),
     "int_type": Message("must be a whole number"),
     "mapping_type": _OBJECT,
     "model_attributes_type": _OBJECT,
@@ -82,6 +94,11 @@ def syntax(error: JSONDecodeError) -> Message:
     before, behind = error.doc[: error.pos], error.doc[error.pos :]
     slips = (slip for first, then, slip in _SLIPS if first.search(before) and then.match(behind))
     reason = next(slips, _SYNTAX.get(error.msg, error.msg))
+    found = behind[:1]
+    if found in ("\r", "\n") and error.msg.startswith("Invalid control"):
+        reason = _LINE_END
+    elif found and unicodedata.category(found) == "Cc":
+        reason = _CONTROL.filled(code=f"U+{ord(found):04X}")
     return Message("is not JSON: {reason}", reason=reason)
 
 

@@ -9,6 +9,7 @@ from collections.abc import Callable, Iterator
 
 import pytest
 
+from sandbox import interrupts
 from sandbox.app.background import Background
 from tests.app import work
 from tests.elsewhere import limited
@@ -123,6 +124,15 @@ def test_the_work_gives_way_to_the_window(background: Background) -> None:
     background.start(work.priority)
 
     assert findings(background) == [min(os.nice(0) + 5, 19)]
+
+
+@pytest.mark.sweep
+@pytest.mark.skipif(not hasattr(signal, "pthread_sigmask"), reason="all hear signals there")
+def test_the_work_hears_no_signal_that_is_for_the_window(background: Background) -> None:
+    """It would print a traceback at Ctrl-C."""
+    background.start(work.deaf_to)
+
+    assert findings(background) == [set(interrupts.SIGNALS)]
 
 
 @pytest.mark.sweep

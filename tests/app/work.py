@@ -45,6 +45,11 @@ def priority() -> Iterator[int]:
     yield os.nice(0)
 
 
+def deaf_to() -> Iterator[set[int]]:
+    """Yield the signals that the process does not hear."""
+    yield set(signal.pthread_sigmask(signal.SIG_BLOCK, ()))
+
+
 def short_study(level: Level, values: Values) -> Iterator[study.Finding]:
     """Study a level, with less time for each scheme."""
     study.REFINING = 0.1  # in a process of its own

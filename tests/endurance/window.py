@@ -154,6 +154,8 @@ def _reading(window: Window) -> float:
     pygame.event.post(pygame.Event(pygame.VIDEORESIZE, size=SIZES[0], w=SIZES[0][0], h=SIZES[0][1]))
     window.comfort.choose(**Preferences().model_dump())
     window.panels.show(PAGES[0].command)
+    window.panels.list_all()
+    window.panels._hidden.clear()
     if window.panels.home.open:
         window.go_home()
     looks = []

@@ -1,5 +1,6 @@
 """The contract of every level of the catalog; a new file joins by being there."""
 
+import os
 import sys
 from collections.abc import Iterator, Mapping
 from itertools import chain
@@ -72,7 +73,10 @@ def played(level: Level) -> Played:
 
 @pytest.fixture(scope="session")
 def elsewhere() -> Iterator[Popen[str]]:
-    """Another process: given the name of a level, it returns the fingerprint of its run."""
+    """Another process: given the name of a level, it returns the fingerprint of its run.
+
+    Sets and dictionaries have another order there.
+    """
     code = (
         "import faulthandler, sys\n"
         "from validation.case import textbook\n"
@@ -83,7 +87,8 @@ def elsewhere() -> Iterator[Popen[str]]:
         "    faulthandler.cancel_dump_traceback_later()"
     )
     command = [sys.executable, "-c", code]
-    with Popen(command, stdin=PIPE, stdout=PIPE, text=True, cwd=ROOT) as process:
+    environment = {**os.environ, "PYTHONHASHSEED": "1"}
+    with Popen(command, stdin=PIPE, stdout=PIPE, text=True, cwd=ROOT, env=environment) as process:
         yield process
 
 

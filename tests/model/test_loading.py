@@ -1,6 +1,7 @@
 # ruff: noqa: E501 (a table is read by its rows)
 """Any file is a level, or gives a list of its mistakes."""
 
+import gc
 import json
 import os
 import time
@@ -82,6 +83,17 @@ def test_a_missing_file_is_told(tmp_path: Path) -> None:
         load(tmp_path / "none" / "none.json")
 
 
+@pytest.mark.skipif(os.name == "nt", reason="not everybody may make links there")
+def test_a_link_that_leads_nowhere_is_told(tmp_path: Path) -> None:
+    (tmp_path / "link.json").symlink_to("none.json")
+    (tmp_path / "circle.json").symlink_to("circle.json")
+
+    with refused("is a link to a file that does not exist"):
+        load(catalog.find(str(tmp_path / "link.json")))
+    with refused("Too many levels of symbolic links"):
+        load(catalog.find(str(tmp_path / "circle.json")))
+
+
 def test_a_folder_is_told(tmp_path: Path) -> None:
     with refused("is a folder"):
         load(tmp_path)
@@ -148,6 +160,18 @@ def test_a_byte_that_is_not_utf_8_is_located(tmp_path: Path) -> None:
         ('{"a": }', "a value is missing here"),
         ('{"a": "b}', "double quotes that end this text"),
         ('{"a": "b\n"}', "must not run over the end of a line"),
+        ('{"a": "b\0"}', "<text>:1:9: is not JSON: the control character U+0000 must be removed"),
+        ("\0\0", "<text>:1:1: is not JSON: the control character U+0000"),
+        ("\ufeff{}", "<text>:1:1: is not JSON: the byte order mark"),
+        ("// a ball\n{}", "<text>:1:1: is not JSON: comments are keys"),
+        ('{"a": 1} # b', "<text>:1:10: is not JSON: comments are keys"),
+        ('{"a": +1}', "<text>:1:7: is not JSON: a number begins with a digit"),
+        ('{"a": .5}', "<text>:1:7: is not JSON: a number begins with a digit"),
+        ('{"a": "\\x"}', "<text>:1:8: is not JSON: a backslash in a text is written"),
+        ('{"a": "\\u12"}', "is not JSON: \\u must be followed by four hexadecimal digits"),
+        (f'{{"format": {10**40}}}', "format: is too large a number"),
+        (f"[{'0,' * 300_000}0]", "has more than 300,000 values"),
+        (f"[{'{},' * 150_000}0]", "has more than 300,000 values"),
         ("{}}", "one bracket too many"),
         ("{", "<text>:1:2"),
         ("[]", "<text>:1:1: must be an object"),
@@ -336,6 +360,19 @@ def test_a_message_shows_neither_a_long_value_nor_an_unprintable_one(path: str, 
             parse(text)
 
 
+@pytest.mark.parametrize("collects", [True, False])
+def test_the_garbage_collector_is_left_as_it_was(collects: bool) -> None:
+    before = gc.isenabled()
+    (gc.enable if collects else gc.disable)()
+    try:
+        mistakes_in("{}")
+        parse(json.dumps(bare()))
+
+        assert gc.isenabled() == collects
+    finally:
+        (gc.enable if before else gc.disable)()
+
+
 def test_one_mistake_is_not_told_twice() -> None:
     found = said(mistakes(bare(), setting("bodies.ball.position", [])))
 
@@ -348,10 +385,11 @@ def test_one_mistake_is_not_told_twice() -> None:
     [
         json.dumps({"bodies": {f"b{i}": {} for i in range(20_000)}}),
         json.dumps({"bodies": {f"b{i}": {"mas": -1} for i in range(20_000)}}),
+        json.dumps({f"k{i}": 0 for i in range(290_000)}),
         changed(bare(), setting("ghosts", {f"g{i}": ["q", "1/0"] for i in range(5000)})),
         changed(bare(), setting("checks", 200 * [{**bare()["checks"][0], "quantity": "x"}])),
     ],
-    ids=["missing", "unknown", "ghosts", "checks"],
+    ids=["missing", "unknown", "keys", "ghosts", "checks"],
 )
 def test_thousands_of_mistakes_are_told_briefly_and_soon(text: str) -> None:
     started = time.process_time()

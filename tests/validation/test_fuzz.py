@@ -16,6 +16,7 @@ from sandbox.model.effects import Effects
 from sandbox.model.errors import SandboxError
 from sandbox.model.joints import Joint
 from sandbox.model.level import Level
+from tests.elsewhere import python
 from tests.model.levels import bare, hanging
 from validation.cli import app
 from validation.fuzz import command, trial
@@ -107,6 +108,25 @@ def test_a_process_that_ends_is_told_and_another_begins() -> None:
     assert tried.run(json.dumps(bare())).kind == ENDED
     assert tried.run("{}").kind == REFUSED
     tried.close()
+
+
+@pytest.mark.sweep
+def test_the_time_to_import_libraries_is_not_part_of_an_answer() -> None:
+    code = (
+        "import sys\n"
+        "from sandbox.model import catalog\n"
+        "from validation.fuzz import trial\n"
+        "trial.load_libraries()\n"
+        "before = set(sys.modules)\n"
+        "trial.attempt(catalog.find('machines/trebuchet').read_text())\n"
+        "trial.attempt(catalog.find('momentum/cradle').read_text())\n"
+        "print(*(set(sys.modules) - before))"
+    )
+
+    done = python("-c", code)
+
+    libraries = [name for name in done.stdout.split() if not name.startswith("sandbox.")]
+    assert libraries == []
 
 
 @pytest.mark.sweep

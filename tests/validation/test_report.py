@@ -3,6 +3,7 @@
 import json
 import os
 import re
+import tempfile
 from collections.abc import Iterator
 from html.parser import HTMLParser
 from itertools import pairwise
@@ -12,10 +13,13 @@ from typing import Any
 import pytest
 from typer.testing import CliRunner, Result
 
+import validation.output
+from sandbox.model import files
+from sandbox.model.errors import SandboxError
 from tests.elsewhere import python
 from validation.cli import app
 from validation.effects import costs, growth
-from validation.report import parts
+from validation.report import command, parts
 
 pytestmark = pytest.mark.sweep  # the page takes half a minute to be made
 
@@ -179,6 +183,50 @@ def test_a_report_is_drawn_anew_from_its_own_figures(
     stamp = re.compile(r"on [-\d]+ at [\d:]+ UTC|<svg.*?</svg>", re.S)  # the layout may shift
     again = (tmp_path / "report.html").read_text(encoding="utf-8")
     assert stamp.sub("", again) == stamp.sub("", text)
+
+
+@pytest.mark.parametrize("full_from", ["stability.json", "report.html"])
+def test_what_was_measured_is_kept_if_the_disk_gets_full(
+    folder: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, full_from: str
+) -> None:
+    output, elsewhere = tmp_path / "out", tmp_path / "elsewhere"
+    elsewhere.mkdir()
+    monkeypatch.setattr(tempfile, "tempdir", str(elsewhere))
+    begun: list[str] = []
+
+    def write_atomically(path: Path, data: str | bytes) -> None:
+        begun.append(path.name)
+        if full_from in begun and path.parent == output:
+            raise SandboxError("cannot write {path}: no space", path=path)
+        files.write_atomically(path, data)
+
+    for module in (command, validation.output):
+        monkeypatch.setattr(module, "write_atomically", write_atomically)
+
+    done = write("--quick", "--from", folder, "--output", output)
+
+    (kept,) = elsewhere.iterdir()
+    measured = begun[: begun.index(full_from) + 1]
+    assert done.exit_code == 1
+    assert f"{full_from}: no space; what was measured is in {kept}" in done.stderr
+    assert {path.name for path in kept.iterdir()} == {*measured} - {"report.html"}
+    assert {path.name for path in output.iterdir()} == {*measured} - {full_from}
+    assert all((kept / name).read_bytes() == (folder / name).read_bytes() for name in measured[:2])
+
+
+def test_a_file_that_cannot_be_written_is_refused_before_anything_is_measured(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def measure(_: bool) -> parts.Content:
+        pytest.fail("measured for nothing")
+
+    monkeypatch.setattr(parts, "PARTS", [parts.Part(p.command, measure) for p in parts.PARTS])
+    (tmp_path / "effects.json").mkdir()
+
+    done = write("--quick", "--output", tmp_path)
+
+    assert done.exit_code == 2
+    assert "it is a folder" in done.stderr
 
 
 @pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="pipes as on Unix")

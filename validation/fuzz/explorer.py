@@ -47,7 +47,7 @@ def main() -> None:
         from validation.fuzz.grammar import Grammar
         from validation.fuzz.mutation import mutated
         from validation.fuzz.repair import answered
-    trial.attempt("{}")
+    trial.load_libraries()
     numbers = count()
 
     def attempt(number: int, text: str) -> trial.Outcome:

@@ -1,13 +1,15 @@
 """`python -m validation report`."""
 
-from collections.abc import Mapping
+import tempfile
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from pathlib import Path
 
 import typer
 from rich.console import Console
 
 from sandbox.model.errors import MisuseError, SandboxError
-from sandbox.model.files import folder_of_files, write_atomically
+from sandbox.model.files import check_writable, folder_of_files, write_atomically
 from sandbox.model.message import Message
 from sandbox.reporting import plots
 from validation.output import save
@@ -16,23 +18,29 @@ from validation.report import page, parts
 PAGE = "report.html"
 FIGURES = "figures"
 
+Contents = dict[str, parts.Content | SandboxError]
+"""What each part has measured so far, or why it could not."""
+
 
 def write(output: Path, source: Path | None, *, quick: bool, figures: bool) -> bool:
     """Measure or read every part, write the page, and return whether everything passed.
 
-    The folder of the page is made if missing; the figures of the page are stored there as JSON, and
-    with `figures` the diagrams as separate files. A `source` has files of other commands, which are
-    read instead of measuring again. If `quick`, only a few cases, levels and repetitions are
-    measured. Raises `SandboxError` if the folder cannot be written, or there is nothing to read.
+    The folder of the page is made if missing; what each part has measured is stored there as JSON
+    as soon as it is measured, and with `figures` the diagrams as separate files. A `source` has
+    files of other commands, which are read instead of measuring again. If `quick`, only a few
+    cases, levels and repetitions are measured. Raises `SandboxError` if the folder cannot be
+    written, or there is nothing to read; what was measured is then stored elsewhere.
     """
     if source and not source.is_dir():
         raise MisuseError(Message("cannot read {source}: there is no such folder", source=source))
-    with folder_of_files(output):
-        contents = {part.command: _collected(part, source, quick=quick) for part in parts.PARTS}
+    contents: Contents = {}
+    with folder_of_files(output), _rescued(contents):
+        for name in (PAGE, *(f"{part.command}.json" for part in parts.PARTS)):
+            check_writable(output / name)  # not only after all has been measured
+        for part in parts.PARTS:
+            contents[part.command] = content = _collected(part, source, quick=quick)
+            _store(part.command, content, output)
         found = page.report(contents, quick=quick)
-        for command, content in contents.items():
-            if isinstance(content, Mapping):
-                save(content, output / f"{command}.json")
         if figures:
             _draw(found, output / FIGURES)
         write_atomically(output / PAGE, page.html(found))
@@ -51,6 +59,32 @@ def _collected(
         return parts.collect(part, source, quick=quick)
     except SandboxError as error:
         return error
+
+
+def _store(command: str, content: parts.Content | SandboxError, folder: Path) -> None:
+    if isinstance(content, Mapping):
+        save(content, folder / f"{command}.json")
+
+
+@contextmanager
+def _rescued(contents: Contents) -> Iterator[None]:
+    """Store what was measured in a temporary folder if something cannot be written within this."""
+    try:
+        yield
+    except SandboxError as error:
+        if not contents:
+            raise
+        try:
+            folder = Path(tempfile.mkdtemp(prefix="report-"))
+            for command, content in contents.items():
+                _store(command, content, folder)
+        except (OSError, SandboxError):  # there is no room either
+            raise error from None
+        raise SandboxError(
+            "{error}; what was measured is in {folder}, and `report --from {folder}` reads it",
+            error=error.message,
+            folder=folder,
+        ) from error
 
 
 def _draw(found: page.Report, folder: Path) -> None:

@@ -11,7 +11,7 @@ from pydantic import TypeAdapter, ValidationError
 
 from sandbox.model import catalog
 from sandbox.model.errors import SandboxError
-from sandbox.model.files import read_ordinary
+from sandbox.model.files import read_ordinary, without_links
 from validation import suite
 from validation.case import Case, Outcome
 from validation.case_tables import read
@@ -111,7 +111,7 @@ def collect(part: Part, source: Path | None, *, quick: bool) -> Content:
     if file is None or not file.exists():
         return part.measure(quick)
     try:
-        text = read_ordinary(file.resolve(), LARGEST)
+        text = read_ordinary(without_links(file), LARGEST)
         content = None if text is None else json.loads(text)
     except (OSError, ValueError, RecursionError) as error:
         raise SandboxError("cannot read {file}: {error}", file=file, error=str(error)) from error

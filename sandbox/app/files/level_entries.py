@@ -2,11 +2,16 @@
 
 import json
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from sandbox.app.drawing.text import legible
 from sandbox.app.words import level_words
 from sandbox.app.words.language import say
+from sandbox.model import loading
+from sandbox.model.errors import LevelError
+
+LONGEST = 1000
+"""The most characters of a text that are shown and searched."""
 
 
 class Texts(NamedTuple):
@@ -39,12 +44,18 @@ class Entry(NamedTuple):
 def entry(path: Path, chapter: str) -> Entry:
     """Return the entry of a file, even one that cannot be read."""
     try:
-        data = json.loads(path.read_text(encoding="utf-8"))
-        title = legible(str(data["title"])).strip() or path.stem
-        texts = Texts(title, *(str(data.get(k, "")) for k in ("summary", "reference")))
-    except (OSError, ValueError, KeyError, TypeError, AttributeError, RecursionError):
+        data = json.loads(loading.read(path))
+        title, summary, reference = (_text(data, name) for name in Texts._fields)
+        texts = Texts(title or path.stem, summary, reference)
+    except (LevelError, ValueError, AttributeError, RecursionError):
         texts = Texts(path.stem)  # the reason is shown when the file is opened
     return _entry(path, chapter, texts)
+
+
+def _text(data: dict[str, Any], name: str) -> str:
+    """Return a text of a level's file; empty if there is none."""
+    found = data.get(name)
+    return legible(found[:LONGEST]).strip() if isinstance(found, str) else ""
 
 
 def _entry(path: Path, chapter: str, texts: Texts) -> Entry:

@@ -20,7 +20,7 @@ from sandbox.app.runs.session import Session
 from sandbox.app.stage.stage import Stage
 from sandbox.app.words import language
 from sandbox.model.errors import SandboxError
-from sandbox.model.files import read_ordinary, write_atomically
+from sandbox.model.files import read_ordinary, without_links, write_atomically
 from sandbox.model.loading import MAX_BYTES, load
 from sandbox.version import __version__
 
@@ -59,7 +59,7 @@ def key(path: Path) -> str:
 
     Raises `OSError` if the file cannot be read, or is larger than a level may be.
     """
-    content = read_ordinary(path.resolve(), MAX_BYTES)
+    content = read_ordinary(without_links(path), MAX_BYTES)
     if content is None:
         raise OSError("not an ordinary file")
     spoken = language.used() if b'"labels"' in content else ""  # the picture contains text

@@ -7,8 +7,7 @@ side. Points of the plane are complex numbers here.
 """
 
 from collections.abc import Iterator
-from dataclasses import dataclass
-from functools import lru_cache
+from weakref import WeakKeyDictionary
 
 import numpy as np
 
@@ -30,32 +29,19 @@ DEEP = 0.5
 a contact."""
 
 
+_COURSES: WeakKeyDictionary[Curve, tuple[tuple[float, ...], Course]] = WeakKeyDictionary()
+"""The last course of each curve of the levels that are in use, and the values of its parameters: a
+scene needs each several times, and each takes some 0.5 MB."""
+
+
 def course_of(curve: Curve, values: Values) -> Course:
     """Return the course of a curve, in the axes of its body."""
-    names = sorted(names_in(curve) - {"s"})
-    return _course(_Chosen(curve, tuple((name, values[name]) for name in names)))
-
-
-@dataclass(frozen=True, slots=True)
-class _Chosen:
-    """A key for a cache: a curve, compared by identity, and the values of its parameters."""
-
-    curve: Curve
-    values: tuple[tuple[str, float], ...]
-
-    def __hash__(self) -> int:
-        return hash((id(self.curve), self.values))
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, _Chosen):
-            return NotImplemented
-        return self.curve is other.curve and self.values == other.values
-
-
-@lru_cache(maxsize=64)
-def _course(chosen: _Chosen) -> Course:
-    """Return a course from the cache, as a scene needs each several times."""
-    return Course(along(chosen.curve, dict(chosen.values)))
+    chosen = tuple(values[name] for name in sorted(names_in(curve) - {"s"}))
+    before, course = _COURSES.get(curve, (None, None))
+    if course is None or chosen != before:
+        course = Course(along(curve, values))
+        _COURSES[curve] = chosen, course
+    return course
 
 
 def verdict(one: Piece, other: Piece, at: Placed, there: Placed) -> Verdict:

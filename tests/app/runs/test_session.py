@@ -58,6 +58,22 @@ def test_stepping_by_hand_ends_in_the_same_state_as_playing() -> None:
     assert state(played) == state(stepped)
 
 
+@pytest.mark.parametrize("name", ["newton/atwood", "momentum/cradle", "machines/car-over-bumps"])
+def test_a_run_that_is_restarted_is_the_same_to_the_last_bit(name: str) -> None:
+    session = Session(load(catalog.find(name)))
+    headless = build(session.level)
+    for steps in (40, 25, 60):
+        session.restart()
+        for _ in range(steps):
+            session.step()
+
+    headless.advance(60)
+
+    assert session.world.steps == headless.steps
+    assert np.array_equal(session.world.snapshot.position, headless.snapshot.position)
+    assert np.array_equal(session.world.snapshot.velocity, headless.snapshot.velocity)
+
+
 def test_a_frame_takes_whole_steps_and_owes_the_rest() -> None:
     session = Session(scenes.level())
     session.toggle()

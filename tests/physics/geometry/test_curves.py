@@ -1,13 +1,17 @@
 """Curves are touched where they run, from both sides, by what is round and by what has corners."""
 
+import gc
+import json
 from math import asin, cos, hypot, pi, sin, sqrt
 from typing import Any
+from weakref import ref
 
 import numpy as np
 import pytest
 from scipy.special import ellipk
 
 from sandbox.model.errors import LevelError
+from sandbox.model.shapes import Curve
 from sandbox.physics.contacts.direct import gap_functions
 from sandbox.physics.contacts.direct.hollow_pairs import HollowPairs
 from sandbox.physics.contacts.direct.solver import Direct
@@ -407,3 +411,17 @@ def test_what_is_far_from_a_stretch_does_not_touch_it(
             found = curves.verdict(piece, other, (0j, 1 + 0j), place)
             assert not (found and told[-1])
     assert sum(told) > len(told) / 2
+
+
+def test_a_course_is_shared_by_a_scene_and_goes_with_its_level() -> None:
+    """A window that opens many levels keeps no courses of those before: 0.5 MB each."""
+    shape = Curve.model_validate_json(json.dumps(curve("p*s", "s**2", -1, 1)))
+
+    course = curves.course_of(shape, {"p": 1.0})
+
+    assert curves.course_of(shape, {"p": 1.0, "q": 2.0}) is course
+    assert curves.course_of(shape, {"p": 2.0}) is not course
+    kept = ref(curves.course_of(shape, {"p": 3.0}))
+    del shape, course
+    gc.collect()
+    assert kept() is None

@@ -1,6 +1,7 @@
 """Worlds: the same bits however they are run, a hand in them, and how they end."""
 
 import hashlib
+import os
 from collections.abc import Callable
 
 import numpy as np
@@ -96,9 +97,10 @@ print(digest(run(build(pile()), 90)))
 
 
 @pytest.mark.sweep
-def test_another_process_runs_alike_to_the_last_bit() -> None:
+@pytest.mark.parametrize("seed", ["0", "1", "random"])
+def test_another_process_runs_alike_to_the_last_bit(seed: str) -> None:
     """Contact forces too, which are sums in an order that pymunk takes from addresses."""
-    done = python("-c", SCRIPT)
+    done = python("-c", SCRIPT, environment={**os.environ, "PYTHONHASHSEED": seed})
 
     assert done.stdout.strip() == digest(run(build(pile()), 90)), done.stderr
 
