@@ -9,6 +9,7 @@ another.
 
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
+from itertools import product
 
 import numpy as np
 import pymunk
@@ -18,11 +19,11 @@ from sandbox.physics.contacts.collision_filter import meets
 from sandbox.physics.contacts.contact_queries import Query, pairs_of
 from sandbox.physics.contacts.direct.convex_parts import Pair, Placed, Shapes
 from sandbox.physics.contacts.direct.corner_contacts import LEAST
-from sandbox.physics.contacts.direct.hollow_pairs import HollowPairs
+from sandbox.physics.contacts.direct.hollow_pairs import HollowCorner, HollowPairs
 from sandbox.physics.contacts.direct.linear_systems import most
 from sandbox.physics.contacts.direct.row_layout import Surfaces
-from sandbox.physics.contacts.direct.separation import Separation
-from sandbox.physics.contacts.time_of_impact import Hit, Path, meet, nearest
+from sandbox.physics.contacts.direct.separation import Separation, spread
+from sandbox.physics.contacts.time_of_impact import Hit, Path, meet, nearest, touching
 from sandbox.physics.engine.batch import Booleans, Contacts, Integers
 from sandbox.physics.geometry.distance import Outline, outlines
 from sandbox.physics.joints.exact.constraints import Coordinates, planes
@@ -140,6 +141,25 @@ class ApproachingPairs:
             if not self._hollows.pairs[a, b]:
                 for first, second in separation.unsure((a, b)):
                     yield self._outline(a)[first], self._outline(b)[second]
+
+    def touching(
+        self, path: Path, soon: float, pairs: Iterable[Pair]
+    ) -> tuple[list[HollowCorner], list[Hit]]:
+        """Return the contacts of pairs of bodies at the start of a path.
+
+        Those with arcs and curves are those there `soon`: at their ends rounding would decide [s].
+        """
+        corners: list[HollowCorner] = []
+        hits: list[Hit] = []
+        here, later = spread(path.place), spread(path.place_at(soon))
+        for a, b in pairs:
+            if self._hollows.pairs[a, b]:
+                corners += self._hollows.touching((a, b), here, later)
+                continue
+            for one, other in product(self._outline(a), self._outline(b)):
+                if hit := touching(path, one, other, 0.0):
+                    hits.append(hit)
+        return corners, hits
 
     def _outline(self, body: int) -> list[Outline]:
         """Return the outlines of a body's shapes, in the order of its parts."""

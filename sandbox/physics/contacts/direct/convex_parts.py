@@ -182,6 +182,8 @@ class Shapes:
 
     Attributes
     ----------
+    parts
+        The parts of each body, along its axes.
     sided, single
         (n,), whether all parts of a body have sides, and whether it has only one part.
     reach
@@ -189,7 +191,7 @@ class Shapes:
     """
 
     def __init__(self, bodies: Sequence[pymunk.Body]) -> None:
-        self._parts = parts = [parts_of(list(body.shapes)) for body in bodies]
+        self.parts = parts = [parts_of(list(body.shapes)) for body in bodies]
         self._middle = [np.array([part.middle for part in own]) for own in parts]
         self._radius = [np.array([part.radius for part in own]) for own in parts]
         sided = [bool(own) and all(part.normals for part in own) for own in parts]
@@ -202,7 +204,7 @@ class Shapes:
         """Return the parts with the bodies at some positions; the last placements are reused."""
         where = place.values.tobytes()
         if (known := self._placed.pop(where, None)) is None:
-            known = Placed(self._parts, place)
+            known = Placed(self.parts, place)
         self._placed[where] = known
         if len(self._placed) > PLACES:
             del self._placed[next(iter(self._placed))]
@@ -220,7 +222,7 @@ class Shapes:
 
     def pairs(self, pair: Pair) -> Iterator[Pair]:
         """Yield all pairs of parts of two bodies."""
-        one, other = (range(len(self._parts[body])) for body in pair)
+        one, other = (range(len(self.parts[body])) for body in pair)
         return product(one, other)
 
     def gap(self, pair: Pair, here: Placed, *, beside: bool = False) -> float:

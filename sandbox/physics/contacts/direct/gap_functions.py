@@ -170,6 +170,9 @@ def features(
     back = turned.conj()
     owns = _owners(touching, out * back)
     curved = tuple(on_curves(figures, bodies, n, surfaces, (place.plane, place.turned)))
+    if (ends := touching.ends) is not None:
+        is_round = is_round & ~ends
+        curved = tuple(one for one in curved if not ends[int(one.sign < 0), one.point])
     is_round, center = _with_curves(curved, place, is_round, center, owns)
     corners, corner = _corners(outlines, is_round, owns)
     bends = _bends(outlines, is_round, owns, corner)
@@ -208,6 +211,8 @@ def _owners(touching: Touching, out: Plane) -> Booleans:
         (2, k), the direction from each body to the other, along its axes.
     """
     owns = touching.outlines.faces(out)
+    if touching.ends is not None:
+        owns &= ~touching.ends
     if touching.outlines.sided:
         owns[0] &= ~(owns[1] & touching.yields)
         owns[1] &= ~owns[0]

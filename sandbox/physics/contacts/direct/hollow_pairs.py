@@ -14,7 +14,7 @@ import numpy as np
 import pymunk
 
 from sandbox.model.expressions import Array
-from sandbox.physics.contacts.direct.convex_parts import Pair
+from sandbox.physics.contacts.direct.convex_parts import TOUCHING, Pair
 from sandbox.physics.contacts.direct.corner_contacts import LEAST
 from sandbox.physics.contacts.hollow_contacts import Hollows
 from sandbox.physics.contacts.time_of_impact import TOUCH, Hit, Motion, Path, meet
@@ -211,6 +211,13 @@ class HollowPairs:
         start, end = placed(pair, here), placed(pair, there)
         for corner in (*self._outside(pair, end), *(c for c, _ in self._contacts(pair, end))):
             if corner.spot(end).gap < -LEAST and corner.spot(start).gap > 0:
+                yield corner
+
+    def touching(self, pair: Pair, here: Coordinates, soon: Coordinates) -> Iterator[HollowCorner]:
+        """Yield the points of two bodies that touch here, and still do a little later."""
+        start, later = placed(pair, here), placed(pair, soon)
+        for corner in (*self._outside(pair, later), *(c for c, _ in self._contacts(pair, later))):
+            if abs(corner.spot(start).gap) < TOUCHING:
                 yield corner
 
     def _outside(self, pair: Pair, places: Places) -> Iterator[HollowCorner]:

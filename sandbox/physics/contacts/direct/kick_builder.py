@@ -150,7 +150,18 @@ class KickBuilder:
         lengths = kick.before, kick.after
         return Kick.at(kick.place, self._joints, contacts, layout, running, lengths, closes)
 
-    def anew(self, place: Coordinates, contacts: Contacts, lengths: tuple[Array, Array]) -> Kick:
-        """Return the system of contacts at given positions, between lengths of the joints."""
+    def anew(
+        self,
+        place: Coordinates,
+        contacts: Contacts,
+        lengths: tuple[Array, Array],
+        ends: Booleans | None = None,
+    ) -> Kick:
+        """Return the system of contacts at given positions, between lengths of the joints.
+
+        `ends` tells which of the bodies of the last contacts, (2, c), touch with the end of a side.
+        """
         layout, running = self._layouts.anew(contacts), self._surfaces.running
+        if ends is not None and ends.any():
+            layout = layout.at_ends(ends)
         return Kick.at(place, self._joints, contacts, layout, running, lengths)

@@ -1,5 +1,6 @@
 """The system of equations of a kick, before it is solved."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -114,8 +115,8 @@ class Kick:
         closing, *others = np.stack((moved, laws, laws + pulls)) @ jacobian.T
         return bool((closing < -np.maximum(*np.abs(others)) * self.joints.drift).any())
 
-    def contacts_at(self, place: Coordinates) -> Contacts:
-        """Return the contacts that are still closed at other positions.
+    def contacts_at(self, place: Coordinates, without: Sequence[int] = ()) -> Contacts:
+        """Return the contacts that are still closed at other positions, `without` some.
 
         Contact points move with their corner or disc, and along their side.
         """
@@ -141,7 +142,7 @@ class Kick:
         moved = there.contacts._replace(
             points=np.stack((points.real, points.imag), 2), depths=depths
         )
-        return _shut(moved, len(moved.bodies) - self.closes)
+        return _shut(moved, len(moved.bodies) - self.closes, without)
 
     def between(self, place: Coordinates, before: Array, after: Array) -> "Kick":
         """Return the system at other positions, for a drift between other lengths of the joints."""
@@ -262,14 +263,15 @@ class Kick:
         )
 
 
-def _shut(contacts: Contacts, count: int) -> Contacts:
-    """Return the first `count` contacts, with those of their points that are closed."""
+def _shut(contacts: Contacts, count: int, without: Sequence[int]) -> Contacts:
+    """Return the first `count` contacts, `without` some, and only with points that are closed."""
     shut = (contacts.depths > -PROUD) & (np.arange(2) < contacts.touches[:, None])
     second = ~shut[:, 0]
     points, depths = contacts.points.copy(), contacts.depths.copy()
     points[second, 0], depths[second, 0] = points[second, 1], depths[second, 1]
     left = contacts._replace(touches=shut.sum(axis=1), points=points, depths=depths)
-    stay = shut[:count].any(axis=1)
+    stay: Booleans = np.asarray(shut[:count].any(axis=1))
+    stay[[one for one in without if one < count]] = False
     return Contacts._make(field[:count][stay] for field in left)
 
 

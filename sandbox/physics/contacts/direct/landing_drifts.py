@@ -7,14 +7,15 @@ another drift, in which what has met touches, or is on its way back. Thus nothin
 it has come down, or lifted out of what it has come down on. A corner that comes down beside another
 that touches already lands in the same way, if it does so faster than what acts in a step makes it.
 
+A drift is also cut where a contact passes the end of a side: a disc that rolls off a table falls
+from there, and not from where the step ends; see `support_ends`. Nothing is struck there, but other
+contacts act from there on.
+
 Bodies that take no part in a landing go on as they were.
 """
 
 from collections.abc import Sequence
 from dataclasses import replace
-from functools import partial
-from math import inf
-from typing import NamedTuple
 
 import numpy as np
 
@@ -24,6 +25,7 @@ from sandbox.physics.contacts.direct.closing_gaps import closed
 from sandbox.physics.contacts.direct.constraint_impulses import hold
 from sandbox.physics.contacts.direct.constraint_rows import Active
 from sandbox.physics.contacts.direct.convex_parts import Pair
+from sandbox.physics.contacts.direct.drift_meetings import SOON, TOGETHER, Meetings, Met
 from sandbox.physics.contacts.direct.drift_parts import Part, concerned
 from sandbox.physics.contacts.direct.kick_builder import KickBuilder
 from sandbox.physics.contacts.direct.kick_parts import Stage
@@ -31,14 +33,11 @@ from sandbox.physics.contacts.direct.kick_system import Kick
 from sandbox.physics.contacts.direct.landing_record import LandingRecord
 from sandbox.physics.contacts.direct.speculative_contacts import (
     LOOKS,
-    AnyCorner,
     SpeculativeContacts,
 )
 from sandbox.physics.contacts.direct.warm_start import recalled
-from sandbox.physics.contacts.time_of_impact import TOUCH, Hit, Path
 from sandbox.physics.engine.batch import Booleans
-from sandbox.physics.geometry.roots import root
-from sandbox.physics.joints.exact.constraints import Coordinates, order
+from sandbox.physics.joints.exact.constraints import order
 from sandbox.physics.state.errors import JointFailure, NoForces
 
 SHORT = 0.1
@@ -52,38 +51,8 @@ its impact is at its end."""
 AGAIN = 4
 """The most times that a drift is followed anew, since more bodies take part in its landings."""
 
-SOON = 1e-6
-"""The share of a drift at its start for which no kick is solved, and at its end in which no landing
-is located: that waits for the next drift."""
-
-TOGETHER = 1e-9
-"""The share of a drift within which landings coincide, and the tolerance of their time."""
-
 REFINED = 6
 """The most refinements of a landing's time: the forces of joints depend on it."""
-
-
-class Met(NamedTuple):
-    """The first landing of a drift.
-
-    Attributes
-    ----------
-    time
-        The time after the start of the drift [s].
-    hits
-        The impacts of bodies that did not touch before.
-    corners
-        The corners that land on a side of a body which theirs already touches.
-    """
-
-    time: float
-    hits: Sequence[Hit]
-    corners: Sequence[AnyCorner]
-
-    @property
-    def pairs(self) -> list[Pair]:
-        """The pairs of bodies that did not touch before."""
-        return sorted({hit.bodies for hit in self.hits})
 
 
 class Landings:
@@ -121,6 +90,7 @@ class Landings:
     ) -> None:
         self._speculative, self._build = speculative, build
         self._laws, self._until, self._driven = laws, until, driven
+        self._meetings = Meetings(speculative, laws)
         count = len(laws) // 3 - 1
         self._order, self._whole = order(count), 0.0
         self._begin(np.zeros(count, dtype=bool))
@@ -201,19 +171,19 @@ class Landings:
         """Return a part up to its first landing, and the rest of it; None if nothing lands."""
         kick, known = part.kick, self.reached
         kick.joints.time(part.drift, part.drift)
-        approaching = self._speculative.approaching
-        near = approaching.near(kick.contacts, kick.place, part.drift * part.moved)
-        corners = self._speculative.corners(kick, part.moved)
-        met = self._meet(part, part.drift, near, corners) if near or corners else None
+        ahead = self._meetings.ahead(part)
+        met = self._meetings.first(part, part.drift, ahead) if any(ahead) else None
         if met is None:
             return None
-        pairs = [*met.pairs, *(corner.pair for corner in met.corners)]
-        self.reached = known | self._around(kick, pairs)
+        self.reached = known | self._around(kick, met.pairs)
         try:
             shorter, met = self._until_it_meets(part, met)
             if self._early is None:
                 self._early = self.reached
-            return shorter, self._land(shorter, part.drift - shorter.drift, met)
+            left = part.drift - shorter.drift
+            if met.passing:
+                return shorter, self._pass(shorter, left, met, ahead.pairs)
+            return shorter, self._land(shorter, left, met)
         except (JointFailure, NoForces):
             self.reached = known  # it is found where the drift ends
             return None
@@ -227,38 +197,13 @@ class Landings:
         shorter, known = part, (part.drift, part.drift - met.time)
         for _ in range(REFINED):
             shorter = self._shortened(part, met.time, shorter)
-            again = self._meet(shorter, part.drift, met.pairs, met.corners)
+            again = self._meetings.first(shorter, part.drift, met.again)
             if again is None or abs(again.time - met.time) <= TOGETHER * part.drift:
                 break
             tried = met.time, met.time - again.time
             met = again._replace(time=_secant(known, tried, again.time, part.drift))
             known = tried
         return shorter, met
-
-    def _meet(
-        self,
-        part: Part,
-        longest: float,
-        pairs: Sequence[Pair],
-        corners: Sequence[AnyCorner],
-    ) -> Met | None:
-        """Return the first landing on the parabolas of a part within a time `longest` [s]."""
-        total = self._laws + part.pulls
-        begun, place = part.moved - total * (part.drift / 2), part.kick.place.values
-
-        def height(corner: AnyCorner, t: float) -> float:
-            there = Coordinates(place + t * (begun + total * (t / 2)))
-            return self._speculative.height(corner, there) - TOUCH
-
-        path = Path(place[self._order], begun[self._order], total[self._order])
-        hits = self._speculative.approaching.meet(path, longest, pairs)
-        times = [root(partial(height, corner), longest) for corner in corners]
-        first = min((*(hit.time for hit in hits), *times), default=inf)
-        if first > longest * (1 - SOON):
-            return None
-        last = first + TOGETHER * longest
-        down = [corner for corner, time in zip(corners, times, strict=True) if time <= last]
-        return Met(first, [hit for hit in hits if hit.time <= last], down)
 
     def _around(self, kick: Kick, pairs: Sequence[Pair]) -> Booleans:
         """Return which bodies are in the islands of some pairs: (n,)."""
@@ -294,20 +239,41 @@ class Landings:
         after = part._replace(left=left, drift=left, begun=begun, before=stages, moved=begun)
         return self._closed(self._solved(after, left, left / 2))
 
-    def _struck(self, part: Part, struck: Booleans) -> tuple[Array, tuple[Stage, ...]]:
-        """Return the velocities after the impact at the end of a part, and its stages.
+    def _pass(self, shorter: Part, left: float, met: Met, near: Sequence[Pair]) -> Part:
+        """Return the part after contacts pass the ends of sides, of length `left` [s]."""
+        place, joints, ends = shorter.end, shorter.kick.joints, self._speculative.ends
+        joints.time(left, left)
+        lengths = joints.lengths(self._until - left), joints.lengths(self._until)
+        ended = shorter._replace(kick=shorter.kick.between(place, *lengths))
+        _, begun, stage = self._arrived(ended, np.zeros(len(ended.kick.ahead), dtype=bool))
+        beside = self._meetings.beside(ended, begun, met, near)
+        after, at_ends = ends.after(ended.kick, met.passing, begun)
+        known = shorter.kick.contacts_at(place, [one.contact for one in met.passing])
+        kick = self._build.anew(place, known.and_(beside).and_(after), lengths, at_ends)
+        self.reached = self.reached | self._around(kick, beside.bodies.tolist())
+        forces, active = recalled(shorter.kick, shorter.forces, shorter.active, kick)
+        part = Part(kick, left, left, begun, left / 2, forces, active, begun, (stage,))
+        return self._closed(self._solved(part, left, left / 2))
 
-        The part already has the rows there; `struck` tells which of its gaps land, (k,).
+    def _arrived(self, part: Part, struck: Booleans) -> tuple[Kick, Array, Stage]:
+        """Return the velocities at the end of a part, before any impact, and the stage up to there.
+
+        See `_struck`; also the rows of bodies that are `reached`.
         """
         mine, others, drive = self._others(part)
         some = replace(part.kick, layout=part.kick.layout.around(mine))
         half = part.drift / 2
         came, to_it = impacts.come(some, part.moved + half * drive, struck, part.active)
+        return some, came, Stage.of(part.kick, half, came[self._order], to_it + half * others)
+
+    def _struck(self, part: Part, struck: Booleans) -> tuple[Array, tuple[Stage, ...]]:
+        """Return the velocities after the impact at the end of a part, and its stages.
+
+        The part already has the rows there; `struck` tells which of its gaps land, (k,).
+        """
+        some, came, before = self._arrived(part, struck)
         begun, pushes, pairs = impacts.bounce(some, came, struck, part.active)
-        stages = (
-            Stage.of(part.kick, half, came[self._order], to_it + half * others),
-            Stage.of(part.kick, 0.0, begun[self._order], pushes),
-        )
+        stages = before, Stage.of(part.kick, 0.0, begun[self._order], pushes)
         landed = part.kick.layout.touching.pair[struck]
         self.record.note(pairs, self._whole - part.left + part.drift, stages[1].contacts, landed)
         return begun, stages

@@ -149,6 +149,13 @@ class Layout:
         """All other islands."""
         return [one for one in self.islands if not _is_alone(one)]
 
+    def at_ends(self, ends: Booleans) -> "Layout":
+        """Return the same rows, where the last contacts, (2, c), touch with ends of sides."""
+        first = int(self.touching.pair.max()) + 1 - ends.shape[1]
+        known = np.concatenate((np.zeros((2, first), dtype=bool), ends), axis=1)
+        touching = self.touching._replace(ends=known[:, self.touching.pair])
+        return replace(self, touching=touching)
+
     def around(self, some: Booleans) -> "Layout":
         """Return the same rows with only the islands that contain some of them, (r,)."""
         found = [one for one in self.islands if np.count_nonzero(some.take(one.rows))]

@@ -48,7 +48,7 @@ class Separation:
 
     def __init__(self, shapes: Shapes, path: Path, lasts: float) -> None:
         self._shapes, self._path, self._lasts = shapes, path, lasts
-        self._here, self._there = (shapes.at(_spread(path.place_at(t))) for t in (0.0, lasts))
+        self._here, self._there = (shapes.at(spread(path.place_at(t))) for t in (0.0, lasts))
         self._known: dict[int, _Motion] = {}
 
     def unsure(self, pair: Pair) -> list[Pair]:
@@ -90,7 +90,7 @@ class Separation:
         return curve * self._lasts * self._lasts / 8 + CLEAR
 
 
-def _spread(place: Array) -> Coordinates:
+def spread(place: Array) -> Coordinates:
     """Return places of bodies, (n, 3), as coordinates, with the plane."""
     values = np.zeros((len(place) + 1, 3))
     values[:-1] = place

@@ -282,9 +282,11 @@ class Direct:
         """Locate the landings in the drift after a kick, which ends at a time [s]."""
         if not self._locates:
             return None
-        place, motion = self._taken.coordinates if self._taken else self._joints.coordinates()
-        strikes, way = self._taken is not None and self._taken.strikes, self._dt * motion.values
-        if not (strikes or self._speculative.approaching.near(self._build.contacts, place, way)):
+        taken, look = self._taken, self._speculative
+        place, motion = taken.coordinates if taken else self._joints.coordinates()
+        way = self._dt * motion.values
+        ends = taken and (taken.strikes or look.ends.passing(taken.kick, way, taken.forces))
+        if not (ends or look.approaching.near(self._build.contacts, place, way)):
             return None
         whole, (laws,) = self._whole(place, motion.values), self._spread(self._acceleration)
         landings = Landings(self._speculative, self._build, laws, until, driven=self._driven())

@@ -24,8 +24,9 @@ from sandbox.physics.contacts.direct.corner_contacts import ALIKE, LEAST, Spot, 
 from sandbox.physics.contacts.direct.hollow_pairs import HollowCorner, HollowPairs, placed
 from sandbox.physics.contacts.direct.kick_system import Kick
 from sandbox.physics.contacts.direct.row_layout import Surfaces
+from sandbox.physics.contacts.direct.support_ends import SupportEnds
 from sandbox.physics.contacts.time_of_impact import Hit, Path
-from sandbox.physics.engine.batch import Booleans, Contacts
+from sandbox.physics.engine.batch import NO_CONTACTS, Booleans, Contacts
 from sandbox.physics.joints.exact.constraints import Coordinates, angles, order, planes
 
 LOOKS = 30
@@ -73,6 +74,8 @@ class SpeculativeContacts:
     ----------
     approaching
         The pairs of bodies that do not touch, but might.
+    ends
+        The contacts that pass the ends of sides.
     """
 
     def __init__(self, query: Query, surfaces: Surfaces, moves: Booleans) -> None:
@@ -88,6 +91,7 @@ class SpeculativeContacts:
         self._found: list[AnyCorner] = []  # what came of it
         beside = several & ~self._looks
         self.approaching = ApproachingPairs(query, shapes, surfaces, moves, self._hollows, beside)
+        self.ends = SupportEnds(shapes, surfaces, query.hollows, self._hollows.reach(shapes.reach))
 
     def corners(self, kick: Kick, motion: Array) -> list[AnyCorner]:
         """Return the corners that come down within the drift after a kick and are new to it.
@@ -168,7 +172,7 @@ class SpeculativeContacts:
             both = [(point + origin, point + origin + normal * gap) for point in points]
             touched = Touched(self._bodies[pair[1]], normal, both, -gap)
             found.setdefault(pair, []).append(touched)
-        return contacts_of(found)
+        return contacts_of(found) if found else NO_CONTACTS
 
     def _spot(self, corner: AnyCorner, place: Coordinates) -> Spot:
         if isinstance(corner, HollowCorner):

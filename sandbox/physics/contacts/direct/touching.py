@@ -38,6 +38,8 @@ class Touching(NamedTuple):
     yields
         (k,), whether the first body moves and the second does not: where two sides face each other,
         the side of the second is then the reference.
+    ends
+        (2, k), where they touch with the end of a side, though with its normal; None if nowhere.
     """
 
     bodies: Integers
@@ -51,6 +53,7 @@ class Touching(NamedTuple):
     figures: Figures
     outlines: Outlines
     yields: Booleans
+    ends: Booleans | None = None
 
     @classmethod
     def between(
