@@ -93,10 +93,10 @@ class Lying(NamedTuple):
         """Return the points of a kick."""
         features, turned, plane = kick.features, kick.place.turned, kick.place.plane
         bodies, each = kick.layout.touching.bodies, np.arange(len(kick.layout.touching.pair))
-        own = np.where(features.side == bodies[0], 0, 1)
+        own = np.where(features.side[each] == bodies[0], 0, 1)
         side, other = bodies[own, each], bodies[1 - own, each]
         point = features.points[1 - own, each]
-        out = features.normal * (1 - 2 * own)
+        out = features.normal[each] * (1 - 2 * own)
         on, _ = sides.facing(side, out, features.points[own, each])
         lies, along = sides.facing(other, -out * turned[side] / turned[other], point)
         way = (plane[other] + point * turned[other] - plane[side]) / turned[side]

@@ -256,5 +256,6 @@ class SupportEnds:
 def _tips(kick: Kick) -> Plane:
     """Return the contact points of the bodies opposite to sides, along their axes: (k,) [m]."""
     touching, features = kick.layout.touching, kick.features
-    first, second = features.points[:, : len(touching.pair)]
-    return np.where(features.side == touching.bodies[0], second, first)
+    count = len(touching.pair)
+    first, second = features.points[:, :count]
+    return np.where(features.side[:count] == touching.bodies[0], second, first)
