@@ -147,7 +147,7 @@ class ApproachingPairs:
     ) -> tuple[list[HollowCorner], list[Hit]]:
         """Return the contacts of pairs of bodies at the start of a path.
 
-        Those with arcs and curves are those there `soon`: at their ends rounding would decide [s].
+        They are those that will be there `soon`: at the ends of lines rounding would decide [s].
         """
         corners: list[HollowCorner] = []
         hits: list[Hit] = []
@@ -157,8 +157,8 @@ class ApproachingPairs:
                 corners += self._hollows.touching((a, b), here, later)
                 continue
             for one, other in product(self._outline(a), self._outline(b)):
-                if hit := touching(path, one, other, 0.0):
-                    hits.append(hit)
+                if touching(path, one, other, soon):
+                    hits.append(nearest(path, one, other, 0.0))
         return corners, hits
 
     def _outline(self, body: int) -> list[Outline]:

@@ -24,6 +24,10 @@ SOON = 1e-6
 """The share of a drift at its start for which no kick is solved, and at its end in which no landing
 is located: that waits for the next drift."""
 
+BEYOND = 0.01
+"""The share of the rest of a drift after which it is seen what carries on a body that passes the
+end of a side: at the end itself, lines that continue each other leave it to each other."""
+
 TOGETHER = 1e-9
 """The share of a drift within which landings coincide, and the tolerance of their time."""
 
@@ -151,7 +155,7 @@ class Meetings:
         some = [pair for pair in pairs if guests & {*pair}]
         path = Path(*(rates[self._order] for rates in (place.values, begun, self._laws)))
         left = ended.left - ended.drift
-        corners, hits = look.approaching.touching(path, SOON * left, some)
+        corners, hits = look.approaching.touching(path, BEYOND * left, some)
         gives = left * np.abs(path.acceleration[:, :2]).max()
         rests = [hit for hit in hits if hit.parting >= -gives]
         return look.contacts(corners, place, ended.kick.joints.origin, rests)
