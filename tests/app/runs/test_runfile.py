@@ -79,7 +79,7 @@ RUN = b'{"format": 1, "level": {}, "parameters": {}, "state": "", %s}'
     [
         (b"", "is not the file of a run"),
         (b"{}", "format: 'format' is missing"),
-        (b"[]", "the file: must be an object, {...}"),
+        (b"[]", "the file: must be an object, {"),
         (b'{"format": 2}', "format: must be 1"),
         (b'{"format": 1,\n "level": }', "2:11: is not JSON: "),
         (RUN % b'"steps": 1000000000000', "steps: must be at most 1e+07"),
