@@ -1,6 +1,8 @@
 """How the tests are run."""
 
 import gc
+import signal
+from collections.abc import Iterator
 from math import inf
 
 import pytest
@@ -14,6 +16,16 @@ from sandbox.model.expressions import Expression
 settings.register_profile("repeatable", deadline=None, derandomize=True)
 settings.register_profile("searching", deadline=None)
 settings.load_profile("repeatable")
+
+
+@pytest.fixture
+def hangups() -> Iterator[None]:
+    """Let processes hear that their terminal is closed, even where `nohup` runs the tests."""
+    number = getattr(signal, "SIGHUP", signal.SIGTERM)
+    before = signal.getsignal(number)
+    signal.signal(number, signal.SIG_DFL)
+    yield
+    signal.signal(number, before)
 
 
 @pytest.fixture

@@ -15,7 +15,7 @@ PATIENCE = 60.0  # s
 
 
 @pytest.fixture(autouse=True)
-def _handler() -> Iterator[None]:
+def _handler(hangups: None) -> Iterator[None]:  # noqa: ARG001 (it comes first)
     before = [signal.getsignal(number) for number in interrupts.SIGNALS]
     hook = sys.unraisablehook
     interrupts.install()

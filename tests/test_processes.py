@@ -16,7 +16,10 @@ from sandbox.processes import METHOD, spread
 from tests.elsewhere import PATIENCE, ROOT, python
 from tests.patience import alive
 
-pytestmark = pytest.mark.skipif(os.name == "nt", reason="signals as on Unix")
+pytestmark = [
+    pytest.mark.skipif(os.name == "nt", reason="signals as on Unix"),
+    pytest.mark.usefixtures("hangups"),
+]
 
 
 def until(holds: Callable[[], bool]) -> bool:

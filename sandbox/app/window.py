@@ -141,6 +141,5 @@ class Window(Workspace):
         self.load.drew(perf_counter() - begun)
 
     def close(self) -> None:
-        """Stop all background work, and let go of what `look_through` froze."""
+        """Stop all background work."""
         self.cancel()
-        gc.unfreeze()
