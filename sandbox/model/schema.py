@@ -2,6 +2,7 @@
 
 import json
 import sys
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -21,6 +22,9 @@ from sandbox.model.schema_examples import add_examples
 from sandbox.model.shorthand.schema import Each, Typed, with_repeats
 
 DIALECT = "https://json-schema.org/draft/2020-12/schema"
+
+Object = dict[str, Any]
+"""An object of JSON."""
 
 
 class _Generate(GenerateJsonSchema):
@@ -68,7 +72,7 @@ def of(model: type[Model]) -> dict[str, Any]:
 
 
 def _described(made: dict[str, Any]) -> dict[str, Any]:
-    explained: dict[str, Any] = _explain({"$schema": DIALECT, **made})
+    explained: dict[str, Any] = _everywhere({"$schema": DIALECT, **made}, _explain)
     return explained
 
 
@@ -77,7 +81,7 @@ def text() -> str:
     made = schema()
     levels = (read(catalog.find(name)) for name in catalog.names())
     add_examples(made, map(json.loads, levels))
-    return json.dumps(_with_comments(made), indent=2, ensure_ascii=False) + "\n"
+    return json.dumps(_everywhere(made, _with_comments), indent=2, ensure_ascii=False) + "\n"
 
 
 def write() -> Path:
@@ -97,13 +101,17 @@ def _source(default: object) -> float | str:
     raise TypeError(f"{default!r} cannot be written as JSON")
 
 
-def _explain(part: Any) -> Any:  # noqa: ANN401 (whatever JSON holds)
-    """Move the comment of an expression to the end of its field's description."""
+def _everywhere(part: Any, change: Callable[[Object], Object]) -> Any:  # noqa: ANN401 (any JSON)
+    """Return a part with a change made to each of its objects, the innermost first."""
     if isinstance(part, list):
-        return [_explain(item) for item in part]
+        return [_everywhere(item, change) for item in part]
     if not isinstance(part, dict):
         return part
-    made = {key: _explain(value) for key, value in part.items()}
+    return change({key: _everywhere(value, change) for key, value in part.items()})
+
+
+def _explain(made: Object) -> Object:
+    """Move the comment of an expression to the end of its field's description."""
     if isinstance(made.get(NAMES), str):  # unknown to editors
         del made[NAMES]
     if isinstance(said := made.get("description"), str):
@@ -113,13 +121,8 @@ def _explain(part: Any) -> Any:  # noqa: ANN401 (whatever JSON holds)
     return made
 
 
-def _with_comments(part: Any) -> Any:  # noqa: ANN401 (whatever JSON holds)
-    """Allow comments in every object whose keys are known."""
-    if isinstance(part, list):
-        return [_with_comments(item) for item in part]
-    if not isinstance(part, dict):
-        return part
-    made = {key: _with_comments(value) for key, value in part.items()}
+def _with_comments(made: Object) -> Object:
+    """Allow comments in an object whose keys are known."""
     if made.get("additionalProperties") is False:
         made["patternProperties"] = {**made.get("patternProperties", {}), f"^{SIGN}": {}}
     return made

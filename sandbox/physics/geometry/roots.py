@@ -1,4 +1,4 @@
-"""Finds a root of a function of one number."""
+"""Finds roots of functions of one number."""
 
 from collections.abc import Callable
 from math import inf
@@ -30,3 +30,14 @@ def root(function: Callable[[float], float], until: float) -> float:
         else:
             high, below, above = middle, now, above / 2
     return high
+
+
+def secant(
+    first: tuple[float, float], second: tuple[float, float], other: float, most: float
+) -> float:
+    """Return where a line through two points (x, y) is 0; `other` if not between 0 and `most`."""
+    (start, before), (end, after) = first, second
+    if after == before:
+        return other
+    zero = end - after * (end - start) / (after - before)
+    return zero if 0 < zero < most else other

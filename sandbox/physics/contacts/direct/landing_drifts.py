@@ -38,6 +38,7 @@ from sandbox.physics.contacts.direct.speculative_contacts import (
 )
 from sandbox.physics.contacts.direct.warm_start import recalled
 from sandbox.physics.engine.batch import Booleans
+from sandbox.physics.geometry.roots import secant
 from sandbox.physics.joints.exact.constraints import order
 from sandbox.physics.state.errors import JointFailure, NoForces
 
@@ -212,7 +213,7 @@ class Landings:
             if again is None or abs(again.time - met.time) <= TOGETHER * part.drift:
                 break
             tried = met.time, met.time - again.time
-            met = again._replace(time=_secant(known, tried, again.time, part.drift))
+            met = again._replace(time=secant(known, tried, again.time, part.drift))
             known = tried
         return shorter, met
 
@@ -343,14 +344,3 @@ class Landings:
         forces, active = recalled(part.kick, part.forces, part.active, kick)
         more = part._replace(kick=kick, forces=forces, active=active)
         return self._solved(more, part.drift, part.lasts)
-
-
-def _secant(
-    first: tuple[float, float], second: tuple[float, float], other: float, most: float
-) -> float:
-    """Return the zero of a line through two points, (time, value); else another time if outside."""
-    (earlier, before), (later, after) = first, second
-    if after == before:
-        return other
-    zero = later - after * (later - earlier) / (after - before)
-    return zero if 0 < zero < most else other

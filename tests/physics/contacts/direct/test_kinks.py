@@ -4,9 +4,7 @@ import numpy as np
 import pytest
 
 from sandbox.model.level import Level
-from sandbox.physics.energy.ledger import Ledger
-from sandbox.physics.run import build
-from sandbox.physics.state.snapshot import Snapshot
+from tests.physics.contacts.direct.courses import course
 from tests.physics.scenes import GRAVITY, Spec, box, disc, fixed, level
 
 DIRECT: Spec = {**GRAVITY, "contact": {"solver": "direct"}, "friction": {}, "rotation": {}}
@@ -34,18 +32,6 @@ def coming(what: str, ground: dict[str, Spec], rate: float, e: float | None = No
         return level(bodies, DIRECT, stepping={"rate": rate})
     bounces = {name: {**body, "restitution": e**0.5} for name, body in bodies.items()}
     return level(bounces, {**DIRECT, "restitution": {}}, stepping={"rate": rate})
-
-
-def course(scene: Level, duration: float) -> tuple[Snapshot, float, float]:
-    """Return the last state, and the largest unexplained energy and momentum of a run."""
-    world = build(scene)
-    ledger, energy, momentum = Ledger(world), 0.0, 0.0
-    for _ in range(round(duration * world.stepping.rate)):
-        world.advance()
-        ledger.note()
-        energy = max(energy, abs(ledger.balance.unexplained))
-        momentum = max(momentum, float(np.abs(ledger.balance.unexplained_impulse).max()))
-    return world.snapshot, energy, momentum
 
 
 @pytest.mark.parametrize("e", [None, 0.5])

@@ -12,9 +12,8 @@ from sandbox.model.level import Level
 from sandbox.physics.contacts.direct.kick_system import Kick
 from sandbox.physics.contacts.direct.passing_contacts import Passing
 from sandbox.physics.contacts.direct.support_ends import SupportEnds
-from sandbox.physics.energy.ledger import Ledger
 from sandbox.physics.run import build
-from sandbox.physics.state.snapshot import Snapshot
+from tests.physics.contacts.direct.courses import course
 from tests.physics.scenes import GRAVITY, G, Spec, box, disc, fixed, level
 
 DIRECT: Spec = {**GRAVITY, "contact": {"solver": "direct"}, "friction": {}, "rotation": {}}
@@ -38,18 +37,6 @@ def disc_on(ground: Spec, speed: float, *, rolls: bool = False, away: float = AW
         "ground": ground,
         "disc": disc((-away, R), radius=R, velocity=[speed, 0], angular_velocity=spin),
     }
-
-
-def course(made: Level, duration: float) -> tuple[Snapshot, float, float]:
-    """Return the last state, and the largest unexplained energy and momentum of a run."""
-    world = build(made)
-    ledger, energy, momentum = Ledger(world), 0.0, 0.0
-    for _ in range(round(duration * world.stepping.rate)):
-        world.advance()
-        ledger.note()
-        energy = max(energy, abs(ledger.balance.unexplained))
-        momentum = max(momentum, float(np.abs(ledger.balance.unexplained_impulse).max()))
-    return world.snapshot, energy, momentum
 
 
 def place(made: Level, duration: float) -> Array:
