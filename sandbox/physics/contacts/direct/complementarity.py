@@ -38,7 +38,7 @@ from sandbox.physics.state.cancellation import cancellation_point
 TOLERANCE = 1e-11
 """The tolerance of each condition, as a share of the largest impulse or rate."""
 
-GUESSES = 15
+GUESSES = 8
 """The most updates of the active set before another method is tried."""
 
 GIVES = 1e-9
@@ -162,10 +162,6 @@ class _Scaled:
         impulse, found = self.mend(active)
         if found is None:
             impulse, found = self.mend(self._resting())
-        if found is None:
-            _, soft = self._softer().mend(active)
-            if soft is not None:
-                impulse, found = self.mend(soft)
         return (impulse, found) if found is not None else self._by_corners()
 
     def _resting(self) -> Active:
@@ -177,11 +173,6 @@ class _Scaled:
         on = self._problem.free | self._problem.pushes
         on[self._row] = True
         return Active(on, np.zeros(len(self._row), dtype=np.intp))
-
-    def _softer(self) -> "_Scaled":
-        """Return the same problem with a compliance."""
-        problem, size, blur = self._problem, self._size, self._blur
-        return _Scaled(problem, self._delassus, self._rate, size, blur, self._lets, GIVES)
 
     def _by_corners(self) -> tuple[Array, Active]:
         """Return the solution by Lemke's method."""

@@ -91,11 +91,11 @@ def _ratio(table: Array, place: int, basis: Integers, artificial: int) -> int | 
     some = np.flatnonzero(column > NOTHING * np.abs(column).max(initial=0.0))
     if not len(some):
         return None
-    ratio = value[some] / column[some]
-    least = ratio.min()
+    ratio, slack = value[some] / column[some], TIE * value.max() / column[some]
+    least = (ratio + slack).min()
     if not np.isfinite(least):
         return None
-    tied = some[ratio <= least + TIE * max(ratio.max(), 1e-300)]
+    tied = some[ratio <= least]
     if (basis[tied] == artificial).any():
         return int(tied[basis[tied] == artificial][0])
     return int(tied[np.argmax(column[tied])])
