@@ -38,7 +38,7 @@ from sandbox.physics.state.cancellation import cancellation_point
 TOLERANCE = 1e-11
 """The tolerance of each condition, as a share of the largest impulse or rate."""
 
-GUESSES = 8
+GUESSES = 5
 """The most updates of the active set before another method is tried."""
 
 GIVES = 1e-9

@@ -70,14 +70,6 @@ class Part(NamedTuple):
         return self.forces if self.lasting is None else self.lasting
 
     @property
-    def closing(self) -> "Part":
-        """The same; the forces that close gaps within it do not last."""
-        lasting, layout, ahead = self.forces.copy(), self.kick.layout, self.kick.ahead
-        lasting[layout.gaps][ahead] = 0.0
-        lasting[layout.slips][ahead[layout.touching.rubs]] = 0.0
-        return self._replace(lasting=lasting)
-
-    @property
     def end(self) -> Coordinates:
         """The positions at its end."""
         return Coordinates(self.kick.place.values + self.drift * self.moved)

@@ -26,16 +26,14 @@ from sandbox.physics.contacts.direct.closing_gaps import closed
 from sandbox.physics.contacts.direct.constraint_impulses import hold
 from sandbox.physics.contacts.direct.constraint_rows import Active
 from sandbox.physics.contacts.direct.convex_parts import Pair
+from sandbox.physics.contacts.direct.crowds import crowd
 from sandbox.physics.contacts.direct.drift_meetings import SOON, TOGETHER, Meetings, Met, goes_on
 from sandbox.physics.contacts.direct.drift_parts import Part, concerned
 from sandbox.physics.contacts.direct.kick_builder import KickBuilder
 from sandbox.physics.contacts.direct.kick_parts import Stage
 from sandbox.physics.contacts.direct.kick_system import Kick
 from sandbox.physics.contacts.direct.landing_record import LandingRecord
-from sandbox.physics.contacts.direct.speculative_contacts import (
-    LOOKS,
-    SpeculativeContacts,
-)
+from sandbox.physics.contacts.direct.speculative_contacts import SpeculativeContacts
 from sandbox.physics.contacts.direct.warm_start import recalled
 from sandbox.physics.engine.batch import Booleans
 from sandbox.physics.geometry.roots import secant
@@ -50,8 +48,7 @@ SHORT = 0.1
 a short part follow from small differences of positions, and their rounding is traced far back."""
 
 MOST = 8
-"""The most landings of one drift that are located. What would land later comes to touch in it, and
-its impact is at its end."""
+"""The most landings of one drift that are located; with more of them it is a crowd."""
 
 AGAIN = 4
 """The most times that a drift is followed anew, since more bodies take part in its landings."""
@@ -75,11 +72,15 @@ class Landings:
         The time at the end of the drift [s].
     driven
         Whether running surfaces or kinematic bodies may add energy.
+    crowds
+        Whether crowds are left out.
 
     Attributes
     ----------
     reached
         (n,), which bodies take part in landings.
+    crowd
+        (n,), which bodies are in a crowd: then nothing is located.
     record
         What collided in them, and how hard.
     """
@@ -92,12 +93,15 @@ class Landings:
         until: float,
         *,
         driven: bool,
+        crowds: bool,
     ) -> None:
         self._speculative, self._build = speculative, build
-        self._laws, self._until, self._driven = laws, until, driven
+        self._laws, self._until = laws, until
+        self._driven, self._crowds = driven, crowds
         self._meetings = Meetings(speculative, laws)
         count = len(laws) // 3 - 1
         self._order, self._whole = order(count), 0.0
+        self.crowd: Booleans = np.zeros(count, dtype=bool)
         self._begin(np.zeros(count, dtype=bool))
 
     def follow(self, whole: Part) -> list[Part]:
@@ -138,26 +142,10 @@ class Landings:
         while len(parts) <= MOST and (found := self._cut(parts[-1])):
             parts[-1:] = found
         if len(parts) > MOST:
-            parts[-1] = self._stopped(parts[-1])
+            self.crowd, parts = self.reached, [whole]
         elif len(parts) > 1:
             parts[-1] = self._lasting(parts[-1], whole.drift)
         return parts
-
-    def _stopped(self, part: Part) -> Part:
-        """Return a part in which what would still land comes to touch, and goes no further."""
-        part.kick.joints.time(part.drift, part.drift)
-        for _ in range(LOOKS):
-            part = self._closed(part, locates=False)
-            ahead = self._speculative.meeting(part.kick, part.moved)
-            if not len(ahead.bodies):
-                break
-            more = self._build.with_ahead(part.kick, ahead)
-            self.reached = self.reached | self._around(more, ahead.bodies.tolist())
-            try:
-                part = self._again(part, more)
-            except (JointFailure, NoForces):
-                break  # at the end of the drift it will be found as an overlap
-        return part.closing if part.kick.closes else part
 
     def _lasting(self, last: Part, drift: float) -> Part:
         """Return the last part with forces that last for a whole drift [s].
@@ -179,7 +167,7 @@ class Landings:
         kick.joints.time(part.drift, part.drift)
         ahead = self._meetings.ahead(part, self._carried)
         met = self._meetings.first(part, part.drift, ahead) if any(ahead) else None
-        if met is None:
+        if met is None or self._is_crowd(part, met):
             return None
         self.reached = early = known | self._around(kick, met.pairs)
         try:
@@ -199,6 +187,17 @@ class Landings:
         if self._early is None:
             self._early = early
         return shorter, after
+
+    def _is_crowd(self, part: Part, met: Met) -> bool:
+        """Return whether so many bodies land from the start of the drift on that they are a crowd.
+
+        They are then left to `crowds.stopped`.
+        """
+        if part.left < self._whole or not self._crowds:
+            return False
+        dull = self._speculative.dull
+        self.crowd = crowd(part.kick, [pair for pair in met.landings if dull[pair]])
+        return bool(self.crowd.any())
 
     def _until_it_meets(self, part: Part, met: Met) -> tuple[Part, Met]:
         """Return a part that ends with its first landing, and that landing.
@@ -334,10 +333,9 @@ class Landings:
             moved=moved,
         )
 
-    def _closed(self, part: Part, *, locates: bool = True) -> Part:
+    def _closed(self, part: Part) -> Part:
         """Return a part in which corners have come down; see `closed`."""
-        look, build = self._speculative, self._build
-        return closed(part, look, build, self._laws, self._again, locates=locates)[0]
+        return closed(part, self._speculative, self._build, self._laws, self._again)[0]
 
     def _again(self, part: Part, kick: Kick) -> Part:
         """Return a part, solved with more rows."""

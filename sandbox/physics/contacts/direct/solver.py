@@ -25,6 +25,7 @@ from sandbox.model.expressions import Array
 from sandbox.physics.contacts.contact_queries import Query
 from sandbox.physics.contacts.direct.closing_gaps import closed
 from sandbox.physics.contacts.direct.constraint_rows import Active
+from sandbox.physics.contacts.direct.crowds import stopped
 from sandbox.physics.contacts.direct.drift_parts import Landed, Part
 from sandbox.physics.contacts.direct.drift_subdivision import through
 from sandbox.physics.contacts.direct.drifts import Drifts
@@ -159,8 +160,11 @@ class Direct:
             self._solved = None
             self._solve_joints(until)
         divided = self.drifts.divided
-        after = divided.left if divided else self._batch.velocity()
         landed = None if divided else self._land(until)
+        if landed:
+            after = landed.whole.moved[self._order]
+        else:
+            after = divided.left if divided else self._batch.velocity()
         self._change = (after - self._begun) * (self._dt / self._joints.kick)
         if self.last is not self._calm:
             struck = self.last.struck[:, None]
@@ -230,6 +234,10 @@ class Direct:
             self._divide(kick, start)
             return
         taken = self._closed(taken, start)
+        self._keep(taken, start)
+
+    def _keep(self, taken: Taken, start: Beginning) -> None:
+        """Set the velocities after a kick, and remember it."""
         leaning = taken.kick.leaning(taken.moved, taken.forces)
         if leaning is not None:
             taken = take(leaning, start, self._known)
@@ -278,8 +286,11 @@ class Direct:
         self._known.note(first.kick, first.forces, first.active)
         self._report(first.kick, found.whole, first.active)
 
-    def _land(self, until: float) -> Landed | None:
-        """Locate the landings in the drift after a kick, which ends at a time [s]."""
+    def _land(self, until: float, *, crowds: bool = True) -> Landed | None:
+        """Locate the landings in the drift after a kick, which ends at a time [s].
+
+        First, those of `crowds` are stopped.
+        """
         if not self._locates:
             return None
         taken, look = self._taken, self._speculative
@@ -289,8 +300,12 @@ class Direct:
         if not (ends or look.approaching.near(self._build.contacts, place, way)):
             return None
         whole, (laws,) = self._whole(place, motion.values), self._spread(self._acceleration)
-        landings = Landings(self._speculative, self._build, laws, until, driven=self._driven())
+        driven = self._driven()
+        landings = Landings(look, self._build, laws, until, driven=driven, crowds=crowds)
         parts = landings.follow(whole)
+        if crowds and landings.crowd.any():
+            self._stop(whole.kick, landings.crowd)
+            return self._land(until, crowds=False)
         if len(parts) == 1:
             return None
         last, start = parts[-1], self._batch.state()[:, :3]
@@ -303,6 +318,13 @@ class Direct:
         self._batch.set_velocity(mean)
         self._known.note(last.kick, last.steady, last.active)
         return landed
+
+    def _stop(self, kick: Kick, crowded: Booleans) -> None:
+        """Let what would land in a crowd, (n,), come to touch after a kick, and go no further."""
+        start = self._beginning()
+        again = partial(take, start=start, known=self._known)
+        taken = self._taken or again(kick)
+        self._keep(stopped(taken, crowded, self._speculative, self._build, again), start)
 
     def _whole(self, place: Coordinates, moved: Array) -> Part:
         """Return the drift after a kick as one part, with velocities (3 N,)."""

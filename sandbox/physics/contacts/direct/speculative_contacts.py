@@ -33,6 +33,9 @@ LOOKS = 30
 """The most times that a drift is followed to its end: in a rocking stack each time finds one more
 box."""
 
+LITTLE = 0.1
+"""The share of its energy that a rebound keeps at most if it may be left out."""
+
 
 class Corner(NamedTuple):
     """A corner of one body that meets a side of another, which it already touches elsewhere.
@@ -74,6 +77,8 @@ class SpeculativeContacts:
     ----------
     approaching
         The pairs of bodies that do not touch, but might.
+    dull
+        (n, n), which pairs lose nearly all their energy in an impact.
     ends
         The contacts that pass the ends of sides.
     """
@@ -84,6 +89,7 @@ class SpeculativeContacts:
         looks = shapes.sided[:, None] & shapes.sided | self._hollows.pairs
         self._looks = looks & ((surfaces.restitution == 0) | surfaces.lands)
         self._looks &= moves[:, None] | moves
+        self.dull: Booleans = surfaces.restitution**2 < LITTLE
         self._any = bool(self._looks.any())
         several = ~(shapes.single[:, None] & shapes.single)
         self._slides = several | self._hollows.pairs  # where corners may meet without any rotation
@@ -136,10 +142,10 @@ class SpeculativeContacts:
                 if on_side(here.both(pair, parts), *down).gap > 0:
                     yield Corner(pair, parts, *down)
 
-    def meeting(self, kick: Kick, motion: Array) -> Contacts:
-        """Return contacts of bodies that meet in the drift after a kick, at its start.
+    def ahead(self, kick: Kick, motion: Array, some: Booleans) -> Contacts:
+        """Return contacts of some bodies, (n,), that meet in the drift after a kick, at its start.
 
-        Hollow bodies are left out.
+        Hollow bodies are left out, but for their corners.
 
         Parameters
         ----------
@@ -149,8 +155,9 @@ class SpeculativeContacts:
         drift, places = kick.joints.drift, order(len(kick.place.values) // 3 - 1)
         near = self.approaching.near(kick.contacts, kick.place, drift * motion)
         path = Path(kick.place.values[places], motion[places], np.zeros(places.shape))
-        hits = self.approaching.ahead(path, drift, near)
-        return self.contacts((), kick.place, kick.joints.origin, hits)
+        hits = self.approaching.ahead(path, drift, [pair for pair in near if some[[*pair]].any()])
+        corners = [one for one in self.corners(kick, motion) if some[[*one.pair]].any()]
+        return self.contacts(corners, kick.place, kick.joints.origin, hits)
 
     def height(self, corner: AnyCorner, place: Coordinates) -> float:
         """Return the distance of a corner from its side at given positions [m]."""
