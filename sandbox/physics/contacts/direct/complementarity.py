@@ -39,11 +39,8 @@ TOLERANCE = 1e-11
 """The tolerance of each condition, as a share of the largest impulse or rate."""
 
 GUESSES = 5
-"""The most updates of the active set before another method is tried."""
-
-GIVES = 1e-9
-"""The compliance, as a share of each row's own inverse mass, that is tried where several active
-sets are possible: the problem then has a unique solution, close to the smallest impulses."""
+"""The most updates of the active set before another method is tried. Where the first guess is
+wrong in a pile, later ones rarely come right, and each takes as long as several pivots."""
 
 MISSED = 1e-7
 """The tolerance of a solution by Lemke's method, as a share of the largest rate. Its many pivots
@@ -128,7 +125,7 @@ def _sizes(delassus: Array, alike: Integers | None) -> Array:
 
 
 class _Scaled:
-    """The problem, scaled to inverse masses of the rows near one, with a compliance `give`."""
+    """The problem, scaled to inverse masses of the rows near one."""
 
     def __init__(
         self,
@@ -138,11 +135,10 @@ class _Scaled:
         size: Array,
         blur: Array,
         lets: float,
-        give: float = 0.0,
     ) -> None:
         self._problem, self._rate, self._size, self._blur = problem, rate, size, blur
         self._lets = lets
-        self._delassus = delassus + give * np.eye(len(rate)) if give else delassus
+        self._delassus = delassus
         self._friction = FrictionBounds(problem.friction, size)
         self._row = problem.friction.row
         self._pushing: list[int] = problem.pushes.nonzero()[0].tolist()

@@ -27,9 +27,14 @@ MANY = 3
 """The most landings of one island in a drift that do not make a crowd."""
 
 
+def moving(kick: Kick) -> Booleans:
+    """Return which bodies impulses can move: (n,)."""
+    return np.asarray(kick.joints.inverse[order(len(kick.place.values) // 3 - 1)].any(axis=1))
+
+
 def crowd(kick: Kick, landings: Sequence[Pair]) -> Booleans:
     """Return which bodies are in a crowd, (n,), from the pairs that land in a drift."""
-    moves = kick.joints.inverse[order(len(kick.place.values) // 3 - 1)].any(axis=1)
+    moves = moving(kick)
     crowded = np.zeros(len(moves), dtype=bool)
     if len(landings) <= MANY:
         return crowded

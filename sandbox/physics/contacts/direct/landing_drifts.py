@@ -26,7 +26,7 @@ from sandbox.physics.contacts.direct.closing_gaps import closed
 from sandbox.physics.contacts.direct.constraint_impulses import hold
 from sandbox.physics.contacts.direct.constraint_rows import Active
 from sandbox.physics.contacts.direct.convex_parts import Pair
-from sandbox.physics.contacts.direct.crowds import crowd
+from sandbox.physics.contacts.direct.crowds import crowd, moving
 from sandbox.physics.contacts.direct.drift_meetings import SOON, TOGETHER, Meetings, Met, goes_on
 from sandbox.physics.contacts.direct.drift_parts import Part, concerned
 from sandbox.physics.contacts.direct.kick_builder import KickBuilder
@@ -47,8 +47,8 @@ SHORT = 0.1
 """The share of a drift below which the forces of its last part are solved for a whole one: those of
 a short part follow from small differences of positions, and their rounding is traced far back."""
 
-MOST = 8
-"""The most landings of one drift that are located; with more of them it is a crowd."""
+MOST = 16
+"""The most landings of one drift that are located. With more of them all bodies are a crowd."""
 
 AGAIN = 4
 """The most times that a drift is followed anew, since more bodies take part in its landings."""
@@ -142,7 +142,7 @@ class Landings:
         while len(parts) <= MOST and (found := self._cut(parts[-1])):
             parts[-1:] = found
         if len(parts) > MOST:
-            self.crowd, parts = self.reached, [whole]
+            self.crowd, parts = moving(whole.kick), [whole]
         elif len(parts) > 1:
             parts[-1] = self._lasting(parts[-1], whole.drift)
         return parts
@@ -220,7 +220,7 @@ class Landings:
         """Return which bodies are in the islands of some pairs: (n,)."""
         reached = np.zeros(len(self.reached), dtype=bool)
         reached[[body for pair in pairs for body in pair]] = True
-        reached &= kick.joints.inverse[self._order].any(axis=1)
+        reached &= moving(kick)
         for rows, _, _ in kick.layout.islands:
             bodies = kick.acts[rows].any(axis=0)
             if (bodies & reached).any():

@@ -303,9 +303,9 @@ class Direct:
         driven = self._driven()
         landings = Landings(look, self._build, laws, until, driven=driven, crowds=crowds)
         parts = landings.follow(whole)
-        if crowds and landings.crowd.any():
+        if landings.crowd.any():
             self._stop(whole.kick, landings.crowd)
-            return self._land(until, crowds=False)
+            return self._land(until, crowds=False) if crowds else None
         if len(parts) == 1:
             return None
         last, start = parts[-1], self._batch.state()[:, :3]
