@@ -12,7 +12,6 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
-from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.convex_parts import Pair
 from sandbox.physics.contacts.direct.islands import islands
 from sandbox.physics.contacts.direct.kick_builder import KickBuilder
@@ -38,7 +37,7 @@ def crowd(kick: Kick, landings: Sequence[Pair]) -> Booleans:
     crowded = np.zeros(len(moves), dtype=bool)
     if len(landings) <= MANY:
         return crowded
-    groups = [kick.acts[rows].any(axis=0).nonzero()[0] for rows, _, _ in kick.layout.islands]
+    groups = [np.flatnonzero(kick.acts[rows].any(axis=0)) for rows, _, _ in kick.layout.islands]
     whole = [*groups, *(np.array(pair) for pair in landings)]
     for numbers in islands(whole, moves):
         if np.count_nonzero(numbers >= len(groups)) > MANY:

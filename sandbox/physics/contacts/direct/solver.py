@@ -47,20 +47,9 @@ from sandbox.physics.state.errors import JointFailure, NoForces
 class Direct:
     """Solves contacts and exact joints together; n bodies.
 
-    Parameters
-    ----------
-    batch
-        Reads and writes the bodies.
-    joints
-        The exact joints, if any.
-    surfaces
-        The contact properties of the bodies.
-    inertia
-        (n, 3), masses twice and moments; 0 for bodies that do not move or turn [kg, kg m²].
-    dt
-        The time step [s].
-    query
-        Finds the contacts of bodies that were moved.
+    `batch` reads and writes the bodies, and `query` finds the contacts of those that were moved.
+    `inertia`, (n, 3), has masses twice and moments, 0 for bodies that do not move or turn [kg,
+    kg m²]; `dt` is the time step [s].
 
     Attributes
     ----------
@@ -116,12 +105,8 @@ class Direct:
     def begin(self, acceleration: Array, *, start: bool) -> None:
         """Record the velocities before a kick, and the accelerations in it.
 
-        Parameters
-        ----------
-        acceleration
-            (n, 3), the accelerations by gravity and force laws [m/s², rad/s²].
-        start
-            Whether this is the first kick, which begins at its step.
+        `acceleration`, (n, 3), is by gravity and force laws [m/s², rad/s²]; `start` tells whether
+        this is the first kick, which begins at its step.
         """
         if start and self._starts:  # it is repeated
             self.drifts.forget()
@@ -137,15 +122,8 @@ class Direct:
     def solve(self, until: float) -> None:
         """Find the impulses of a kick, and set the velocities after it.
 
-        Parameters
-        ----------
-        until
-            The time at the end of the drift that follows [s].
-
-        Raises
-        ------
-        JointFailure, NoForces
-            If there are no such impulses.
+        The drift that follows ends at the time `until` [s]. Raises `JointFailure` or `NoForces` if
+        there are no such impulses.
         """
         self._build.find_contacts(self._moved)
         self._pushed, self._until = None, until
@@ -186,10 +164,7 @@ class Direct:
     def standing(self, lengths: tuple[Array, Array]) -> Kick:
         """Return the system of all contacts and joints at present, between two steps.
 
-        Parameters
-        ----------
-        lengths
-            The lengths that joints keep before and after a drift from there, (m,) each [m, rad].
+        `lengths` are what joints keep before and after a drift from there, (m,) each [m, rad].
         """
         self.relay()
         return self._build.standing(lengths)

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from sandbox.model.expressions import Array
-from sandbox.physics.contacts.direct.lemke import lemke
+from sandbox.physics.contacts.direct.lemke import _ratio, lemke
 
 FASTEST = 4.0  # m/s, at which surfaces slide where one of them is struck
 
@@ -60,3 +60,11 @@ def test_what_slides_and_just_touches_where_it_is_not_struck_has_a_solution(coun
         w = matrix @ z + offset
         assert min(z.min(), w.min()) >= -1e-9
         assert abs(float(w @ z)) <= 1e-9
+
+
+def test_one_huge_ratio_ties_none_of_the_others() -> None:
+    """Ties counted as a share of the largest ratio, 1e14 here: then the second row won, by its
+    pivot, and the first became negative. A pile of 28 boxes that a car had hit had no forces."""
+    column, value = np.array([1.0, 3.0, 1e-9]), np.array([1.0, 150.0, 1e5])
+
+    assert _ratio(np.column_stack((column, value)), 0, np.arange(3), 6) == 0
