@@ -25,7 +25,9 @@ def test_more_bodies_than_a_step_can_go_through_do_not_attract_each_other(
 ) -> None:
     data = {**BASE, "bodies": crowd(count), "effects": {"gravitation": {"constant": 1}}}
 
-    rule = f"{count:,} bodies attract each other; a step can take at most 2,000"
+    rule = (
+        f"'gravitation' acts between every two of {count:,} bodies; a step can take at most 2,000"
+    )
     assert told(data) == ([("effects.gravitation", rule)] if refused else [])
 
 

@@ -60,7 +60,13 @@ class Effect:
     account: str = ""
     """The account of its energy; its name if left out."""
     inside: bool = False
-    """Whether it acts only between bodies, so that it does not change their total momentum."""
+    """Whether it acts only between bodies, and between every two of those that it acts on, so that
+    it does not change their total momentum. Their number is limited by the cost of a step."""
+    singular: bool = False
+    """Whether the force between two bodies at the same position is infinite, so that bodies that
+    start there are refused."""
+    softening: str = ""
+    """The field that keeps such a force finite if it is positive; optional."""
     strength: tuple[str, ...] = ()
     """The fields that give it strength: if all of them are zero, a remark says so."""
     needs: tuple[str, ...] = ()

@@ -69,6 +69,7 @@ _TOGETHER: tuple[Rule, ...] = (
     surfaces.arcs_fit,
     surfaces.curves_fit,
     effects.laws_act,
+    effects.partners_exist,
     effects.liquid_fits,
     effects.landscape_fits,
     joints.constant_masses,

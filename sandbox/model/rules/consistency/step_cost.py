@@ -5,10 +5,10 @@ from collections.abc import Iterator
 from sandbox.model.level import Level
 from sandbox.model.level_parts import Fault
 from sandbox.model.message import Message
+from sandbox.model.rules.consistency.mentions import bodies_of_effect
 
 MOST_PULLS = 4_000_000
-"""The most attractions per step, between bodies and from centres: these take a quarter of a
-second."""
+"""The most forces per step, between bodies and from centres: these take a quarter of a second."""
 
 MOST_STICKING = 20_000
 """The most pairs with static above kinetic friction: pymunk looks up the callback of each in 50
@@ -16,20 +16,20 @@ MOST_STICKING = 20_000
 
 
 def not_too_many_pulls(level: Level) -> Iterator[Fault]:
-    """Attractions between bodies and to centres can be computed in a step."""
-    effects = level.effects
-    dynamic = sum(body.type == "dynamic" for body in level.bodies.values())
-    if mutual := effects.gravitation:
-        count = dynamic if mutual.bodies is None else len(mutual.bodies)
+    """Those between bodies and those to centres can be computed in a step."""
+    for effect, place, said in level.effects.said:
+        count = len(bodies_of_effect(level, said)) if effect.inside else 0
         if count**2 > MOST_PULLS:
-            most = int(MOST_PULLS**0.5)
             message = Message(
-                "{count:,} bodies attract each other; a step can take at most {most:,}",
+                "'{effect}' acts between every two of {count:,} bodies; a step can take at most"
+                " {most:,}",
+                effect=effect.name,
                 count=count,
-                most=most,
+                most=int(MOST_PULLS**0.5),
             )
-            yield Fault(("effects", "gravitation"), message)
-    centres = len(effects.attraction or ())
+            yield Fault(place, message)
+    dynamic = sum(body.type == "dynamic" for body in level.bodies.values())
+    centres = len(level.effects.attraction or ())
     if centres * dynamic > MOST_PULLS:
         message = Message(
             "{centres:,} centres attract {dynamic:,} bodies: {pulls:,} forces, but a step can"
