@@ -118,7 +118,7 @@ SAID: Mapping[language.Domain, Callable[[], "Catalog"]] = {
 def merged(path: Path, name: str, template: "Catalog") -> "Catalog":
     """Return a catalogue with all messages of a template, and their existing translations.
 
-    A new message that resembles a removed one gets its translation, marked as `fuzzy`.
+    A new message that resembles another one gets its translation, marked as `fuzzy`.
     """
     from babel.messages.catalog import Catalog
     from babel.messages.pofile import read_po
