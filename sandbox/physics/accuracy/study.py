@@ -146,10 +146,7 @@ def seek(level: Level, values: Values, target: float, seconds: float = SEARCH) -
 def trusted(level: Level, values: Values, names: Iterable[str]) -> tuple[Trust, ...]:
     """Return how far quantities of a level's own run can be trusted.
 
-    Raises
-    ------
-    SimulationError
-        If it does not run at its own step, or at half of that.
+    Raises `SimulationError` if it does not run at its own step, or at half of that.
     """
     items = [Watched(name) for name in names]
     return tuple(trusts(list(_halved(level, values, items)), items))

@@ -37,19 +37,9 @@ class Measured(Protocol):
 
 
 class Meter:
-    """Measures quantities of a world, from one snapshot or from a stack of them.
+    """Measures quantities of a run, such as a world, from one snapshot or from a stack of them.
 
-    Parameters
-    ----------
-    run
-        The run with the masses, moments and force laws, such as a world.
-    names
-        The quantities to measure, such as `ball.position.x`.
-
-    Raises
-    ------
-    QuantityError
-        If the level has no such quantity, or only a ledger knows it.
+    Raises `QuantityError` if the level has no such quantity, or only a ledger knows it.
     """
 
     def __init__(self, run: Measured, names: Iterable[str]) -> None:

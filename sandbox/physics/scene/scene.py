@@ -83,10 +83,8 @@ class Scene:
 def make_scene(level: Level, values: Values, stepping: Stepping) -> Scene:
     """Make the pymunk objects of a level for the given parameters.
 
-    Raises
-    ------
-    SimulationError
-        If springs or drags are too strong for the rate, or bodies overlap that must not.
+    Raises `SimulationError` if springs or drags are too strong for the rate, or bodies overlap that
+    must not.
     """
     space, bodies = _make_space(level, values, stepping)
     pairs = _touching(space, bodies, level, values, stepping)

@@ -137,17 +137,10 @@ class Kicks:
     ) -> Array:
         """Kick the held bodies until convergence, and return their velocities: (n, 3).
 
-        Parameters
-        ----------
-        ahead
-            The time since the last step, in steps.
-        start
-            (n, 3), the velocities before the kick [m/s, rad/s].
-        length, drift
-            The lengths of the kick and of the drift that would follow [s].
-        at_step
-            Whether the velocities before the kick are those at its time, as at a step, and not half
-            a kick old. They are if `ahead` is 0.
+        `ahead` is the time since the last step, in steps, and `start`, (n, 3), are the velocities
+        before the kick [m/s, rad/s]; `length` and `drift` are the lengths of the kick and of the
+        drift that would follow [s]. The velocities are those at the time of the kick if `at_step`
+        or if `ahead` is 0, else half a kick old.
         """
         ends, at_step = drift / self.clock.dt, at_step or ahead == 0
         kick = Kick(self.clock, ahead, length, drift, ends, start=start, at_step=at_step)
