@@ -50,10 +50,7 @@ class Draft:
 
     @classmethod
     def open(cls, path: Path) -> "Draft":
-        """Return a draft of a file.
-
-        Raises `LevelError` if the file cannot be read, or is not text.
-        """
+        """Return a draft of a file; raise `LevelError` if it cannot be read, or is not text."""
         held = content(path)
         return cls(decoded(held, str(path)), path, held)
 

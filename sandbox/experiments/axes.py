@@ -155,10 +155,7 @@ Range = TypeVar("Range", Grid, Uniform)
 
 
 def parse(text: str) -> Axis:
-    """Return the numeric axis that a text describes.
-
-    Raises `AxisError` if the text describes none.
-    """
+    """Return the numeric axis that a text describes; raise `AxisError` if it describes none."""
     text = text.strip()
     for sign in ("±", "+-"):
         if sign in text:

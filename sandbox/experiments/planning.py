@@ -25,10 +25,7 @@ MOST_RUNS = 10**9
 
 
 def make(experiment: Experiment, source: str, level: Level) -> tuple[Plan, list[Fault]]:
-    """Return the plan of an experiment, and all its mistakes.
-
-    A plan with mistakes must not be run.
-    """
+    """Return the plan of an experiment, and all its mistakes, with which it must not be run."""
     plan = Plan(experiment, source, level)
     faults = [*_faulty_axes(plan), *_faulty_settings(plan), *_faulty_measures(plan)]
     return plan, faults or list(_faulty_runs(plan))

@@ -100,10 +100,7 @@ class Store:
             yield begin, self._plan.runs
 
     def add(self, start: int, stop: int, columns: Sequence[Sequence[Cell]]) -> None:
-        """Store the results of some rows, column by column.
-
-        Raises `SandboxError` if there is not enough space.
-        """
+        """Store the columns of some rows; raise `SandboxError` if there is not enough space."""
         import pyarrow as pa
         import pyarrow.parquet as pq
 

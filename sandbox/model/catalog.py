@@ -41,10 +41,7 @@ def root() -> Path:
 
 
 def sources() -> Path:
-    """Return the folder of the project's sources.
-
-    Raises `MisuseError` if the package is installed without them.
-    """
+    """Return the folder of the project's sources; raise `MisuseError` if they are not installed."""
     folder = Path(__file__).resolve().parents[2]
     if not (folder / "pyproject.toml").is_file():
         package = Path(__file__).resolve().parents[1]

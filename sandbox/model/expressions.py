@@ -83,10 +83,7 @@ class Expression:
         return self
 
     def __call__(self, values: Values) -> float:
-        """Return the value for given parameters.
-
-        Raises `ExpressionError` if the value is not finite or breaks the expression's rule.
-        """
+        """Return the value; raise `ExpressionError` if it is not finite or breaks the rule."""
         if self._constant is not None:
             return self._constant
         return self._finite(self._evaluate(values))

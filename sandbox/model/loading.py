@@ -53,26 +53,17 @@ _MENDED = ("expression", "float_type", "int_type", "missing", "greater_than", "f
 
 
 def load(path: Path) -> Level:
-    """Read a level from a JSON file.
-
-    Raises `LevelError` if the file cannot be read, or the level has mistakes.
-    """
+    """Read a level from a JSON file; raise `LevelError` if it cannot be read, or has mistakes."""
     return parse(read(path), str(path))
 
 
 def read(path: Path) -> str:
-    """Return the text of a level's file, whatever it says.
-
-    Raises `LevelError` if the file cannot be read, is too large, or is not text.
-    """
+    """Return the text of a file; raise `LevelError` if it is unreadable, too large, or not text."""
     return decoded(content(path), str(path))
 
 
 def content(path: Path) -> bytes:
-    """Return the content of a level's file, byte for byte.
-
-    Raises `LevelError` if the file cannot be read, or is too large.
-    """
+    """Return the bytes of a level's file; raise `LevelError` if it is unreadable or too large."""
     source = str(path)
     try:
         return _content(path, source)
@@ -85,10 +76,7 @@ def content(path: Path) -> bytes:
 
 
 def decoded(held: bytes, source: str) -> str:
-    """Return the text of a file's content, without a byte order mark.
-
-    Raises `LevelError` if it is not text.
-    """
+    """Return a file's text, without a byte order mark; raise `LevelError` if it is not text."""
     content = held.removeprefix(codecs.BOM_UTF8)
     try:
         return content.decode()
@@ -101,10 +89,7 @@ def decoded(held: bytes, source: str) -> str:
 
 
 def parse(text: str, source: str = "<text>") -> Level:
-    """Make a level from JSON text; messages name its source.
-
-    Raises `LevelError` if the level has mistakes.
-    """
+    """Make a level from the JSON text of a source; raise `LevelError` if it has mistakes."""
     try:
         with np.errstate(all="ignore"), _uncollected():  # what is not finite is reported by name
             return _parsed(text, source)

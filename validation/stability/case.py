@@ -97,10 +97,7 @@ class Frontier:
 
 
 def watch(level: Level, world: World, duration: float, *, every_step: bool = False) -> Run:
-    """Run a world, sample it at intervals, and return the samples.
-
-    Raises `SimulationError` if the run had to stop.
-    """
+    """Run a world, and return samples; raise `SimulationError` if the run had to stop."""
     steps = count_steps(world, duration)
     stride = 1 if every_step else max(1, steps // LOOKS)
     first, start = world.snapshot, process_time()

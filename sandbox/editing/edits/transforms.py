@@ -89,10 +89,7 @@ def distribute(
     names: Sequence[str],
     axis: Literal["x", "y"],
 ) -> str:
-    """Return a level in which neighbouring bodies have equal gaps along an axis.
-
-    The outermost bodies stay.
-    """
+    """Return a level with equal gaps between bodies along an axis; the outermost bodies stay."""
     where = chosen(level, names)
     unit = 1 + 0j if axis == "x" else 1j
     spans = {name: tuple(dot(end, unit) for end in body.bounds) for name, body in where.items()}

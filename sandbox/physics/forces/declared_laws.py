@@ -77,10 +77,7 @@ def missing(effects: Iterable[Effect]) -> Iterator[str]:
 
 
 def part_of(effect: Effect, function: str) -> Callable[..., Iterable[Any]]:
-    """Return a function of an effect's own module.
-
-    Raises `IncompleteError` if the module does not have it.
-    """
+    """Return a function of an effect's own module; raise `IncompleteError` if it has none."""
     module = import_module(f"{_ROOM}.{effect.name}")
     if not hasattr(module, function):
         raise IncompleteError(_message(effect, f"add a function '{function}' to {_file(effect)}"))
