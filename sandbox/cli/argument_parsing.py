@@ -22,7 +22,7 @@ class UsageError(MisuseError):
 
 
 def open_level(argument: str) -> tuple[str, Level]:
-    """Return a level and its name or path; raise `LevelError` if there is none, or it has mistakes."""
+    """Return a level and its name or path; raise `LevelError` if it cannot be used."""
     path = catalog.find(argument)
     level = load(path)
     if path.parent.parent == catalog.root():

@@ -7,7 +7,6 @@ from typing import Any, NamedTuple
 from sandbox.model.body import MAX_BODIES
 from sandbox.model.did_you_mean import suggestion
 from sandbox.model.errors import MisuseError, brief
-from sandbox.model.message import Message
 
 Document = dict[str, Any]
 """The content of a level's file."""
@@ -172,19 +171,15 @@ def crowd(kind: str, bodies: int) -> Document:
     """
     if kind not in CROWDS:
         raise CrowdError(
-            Message(
-                "there is no scene '{kind}'{hint}", kind=brief(kind), hint=suggestion(kind, CROWDS)
-            )
+            "there is no scene '{kind}'{hint}", kind=brief(kind), hint=suggestion(kind, CROWDS)
         )
     make, most, least = CROWDS[kind]
     if not least <= bodies <= most:
         raise CrowdError(
-            Message(
-                "a {kind} must have between {least} and {most} bodies, not {bodies}",
-                kind=kind,
-                bodies=bodies,
-                least=least,
-                most=most,
-            )
+            "a {kind} must have between {least} and {most} bodies, not {bodies}",
+            kind=kind,
+            bodies=bodies,
+            least=least,
+            most=most,
         )
     return make(bodies)

@@ -72,7 +72,7 @@ def content(path: Path) -> bytes:
         refuse(source, link if path.is_symlink() else Message("there is no such file"))
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or str(error)
-        refuse(source, Message("cannot be read: {reason}", reason=reason))
+        refuse(source, "cannot be read: {reason}", reason=reason)
 
 
 def decoded(held: bytes, source: str) -> str:
@@ -85,7 +85,7 @@ def decoded(held: bytes, source: str) -> str:
         rule = Message(
             "is not UTF-8 text: this byte is not part of a character; save the file as UTF-8"
         )
-        refuse(source, rule, position(before, len(before)))
+        refuse(source, rule, position=position(before, len(before)))
 
 
 def parse(text: str, source: str = "<text>") -> Level:
@@ -132,12 +132,12 @@ def _parsed(text: str, source: str) -> Level:
         document.refuse(made.faults)
     document.typed = made.place
     if (length := _formulas_length(data)) > MAX_FORMULAS:
-        rule = Message(
+        refuse(
+            source,
             "has formulas of {length:,} characters in all; at most {most:,} are allowed",
             length=length,
             most=MAX_FORMULAS,
         )
-        refuse(source, rule)
     whole = without_comments(text) if data is typed else json.dumps(data)
     _limit_values(whole, source)
     try:
@@ -156,7 +156,7 @@ def _parsed(text: str, source: str) -> Level:
 def _limit_values(text: str, source: str) -> None:
     """Refuse a text with too many values: each comes after a comma or in a bracket of its own."""
     if text.count(",") + text.count("{") + text.count("[") > MOST_VALUES:
-        refuse(source, Message("has more than {most:,} values, the most allowed", most=MOST_VALUES))
+        refuse(source, "has more than {most:,} values, the most allowed", most=MOST_VALUES)
 
 
 def _formulas_length(data: object) -> int:
@@ -240,11 +240,11 @@ def _range(parameter: Parameter) -> Message:
 
 def _content(path: Path, source: str) -> bytes:
     if path.is_dir():
-        refuse(source, Message("is a folder, not a file"))
+        refuse(source, "is a folder, not a file")
     if path.exists() and not path.is_file():
-        refuse(source, Message("is not an ordinary file"))  # reading a device might never end
+        refuse(source, "is not an ordinary file")  # reading a device might never end
     if path.stat().st_size > MAX_BYTES:
-        refuse(source, Message("the file is larger than {most} kB", most=MAX_BYTES // 1000))
+        refuse(source, "the file is larger than {most} kB", most=MAX_BYTES // 1000)
     return path.read_bytes()
 
 
@@ -253,7 +253,7 @@ def _refuse_json(document: Document, what: str, *, typed: bool) -> NoReturn:
     if "recursion" in what:
         document.refuse_depth()
     rule, place = parse_messages.refused(what)
-    refuse(document.source, rule, place if typed else None)
+    refuse(document.source, rule, position=place if typed else None)
 
 
 def _faults(document: Document, data: Any, details: list[ErrorDetails]) -> Iterator[Fault]:  # noqa: ANN401 (whatever JSON holds)

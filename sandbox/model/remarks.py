@@ -50,9 +50,7 @@ def _without_strength(level: Level) -> Iterator[Fault]:
             yield Fault((*place, effect.strength[0]), rule)
         coefficients = tuple(getattr(body, name, None) for body in level.bodies.values())
         if effect.coefficient and _is_nothing((*coefficients, said)):
-            yield Fault(
-                place, Message("'{name}' has no strength: every coefficient is 0", name=name)
-            )
+            yield Fault(place, "'{name}' has no strength: every coefficient is 0", name=name)
 
 
 def _is_nothing(part: object) -> bool:

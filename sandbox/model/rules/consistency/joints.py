@@ -40,17 +40,15 @@ def something_to_hold(level: Level) -> Iterator[Fault]:
         moves = any(body.type == "dynamic" for body in held)
         if isinstance(joint, Wire):
             if not moves:
-                yield Fault(("joints", name, "bead"), Message("the bead must be a dynamic body"))
+                yield Fault(("joints", name, "bead"), "the bead must be a dynamic body")
         elif same := _twice(joint):
             yield Fault(
                 path,
-                Message(
-                    "'{same}' is connected to itself; two different bodies are needed",
-                    same=brief(same),
-                ),
+                "'{same}' is connected to itself; two different bodies are needed",
+                same=brief(same),
             )
         elif not moves:
-            yield Fault(path, Message("at least one end must be a dynamic body"))
+            yield Fault(path, "at least one end must be a dynamic body")
     wires, curves = _wires_and_curves(level)
     if "s" in level.parameters and (wires or curves):
         what = Message("wires") if wires else Message("curves")
@@ -69,9 +67,7 @@ def own_apart(level: Level) -> Iterator[Fault]:
             continue
         path = ("joints", name, "exact")
         if "t" in names_in(joint):
-            yield Fault(
-                path, Message("only an exact joint can change with the time 't'; leave out 'exact'")
-            )
+            yield Fault(path, "only an exact joint can change with the time 't'; leave out 'exact'")
         for body in moving.intersection(bodies_of(joint)) & exact:
             rule = Message(
                 "'{body}' is also held exactly; what holds a body must be all exact, or all"
@@ -80,7 +76,7 @@ def own_apart(level: Level) -> Iterator[Fault]:
             )
             yield Fault(path, rule)
         if level.effects.in_sequence:
-            yield Fault(path, Message("impacts in 'sequence' need exact joints; leave out 'exact'"))
+            yield Fault(path, "impacts in 'sequence' need exact joints; leave out 'exact'")
 
 
 def ties_fit(level: Level) -> Iterator[Fault]:

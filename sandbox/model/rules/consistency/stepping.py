@@ -18,8 +18,7 @@ def accuracy_alone(level: Level) -> Iterator[Fault]:
     """Refuse settings that are given in addition to an accuracy."""
     if level.stepping.accuracy is not None:
         for name in sorted(level.stepping.model_fields_set - {"accuracy"}):
-            rule = Message("cannot be combined with 'accuracy'; leave out one")
-            yield Fault(("stepping", name), rule)
+            yield Fault(("stepping", name), "cannot be combined with 'accuracy'; leave out one")
 
 
 def accuracy_within_reach(level: Level) -> Iterator[Fault]:
