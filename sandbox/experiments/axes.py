@@ -27,7 +27,7 @@ SPELT = 20
 
 FORMS = Message(
     "must be FROM:TO:COUNT, FROM:TO:COUNT:log, a list with commas, LOW..HIGH, LOW..HIGH:log or"
-    " MEAN±SD",
+    " MEAN±SD"
 )
 
 Scale = Literal["linear", "log"]

@@ -169,9 +169,7 @@ class Expression:
             return source
         if isinstance(source, bool) or not isinstance(source, int | float | str):
             raise PydanticCustomError(
-                "expression",
-                "{reason}",
-                {"reason": Message("must be a number or an expression")},
+                "expression", "{reason}", {"reason": Message("must be a number or an expression")}
             )
         try:
             return cls(source)

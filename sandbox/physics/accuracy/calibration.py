@@ -106,9 +106,7 @@ def _require_above_rounding(target: float) -> None:
 
 def _judged_by_energy(chaos: Message, until: Message) -> Message:
     return Message(
-        "its energy, since it is chaotic: {chaos}; positions are {until}",
-        chaos=chaos,
-        until=until,
+        "its energy, since it is chaotic: {chaos}; positions are {until}", chaos=chaos, until=until
     )
 
 

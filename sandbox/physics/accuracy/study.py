@@ -18,14 +18,7 @@ from sandbox.model.message import Message
 from sandbox.model.quantities import momentary
 from sandbox.physics.accuracy.calibration import Setting, calibrate
 from sandbox.physics.accuracy.cheapest_setting import with_scales
-from sandbox.physics.accuracy.compared_runs import (
-    Watched,
-    by_check,
-    never,
-    record,
-    scaled,
-    watched,
-)
+from sandbox.physics.accuracy.compared_runs import Watched, by_check, never, record, scaled, watched
 from sandbox.physics.accuracy.refinement import (
     Refinement,
     foot,

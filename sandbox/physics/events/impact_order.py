@@ -18,7 +18,7 @@ INSTANT = 1e-9
 
 CRAMPED = Message(
     "{body} would have more than {most} impacts in one step: it is too fast for its room; give"
-    " it more, or increase the 'rate'",
+    " it more, or increase the 'rate'"
 )
 
 Restitution = Callable[[Hit], float]

@@ -26,13 +26,7 @@ class Audit:
     oscillation by oscillation.
     """
 
-    def __init__(
-        self,
-        run: Recorded,
-        least: float,
-        swing: float,
-        always: bool,
-    ) -> None:
+    def __init__(self, run: Recorded, least: float, swing: float, always: bool) -> None:
         self._run, self._least, self._swing, self._always = run, least, swing, always
         self._kinetic, self._most = 0.0, least
         self._books: Ledger | None = None

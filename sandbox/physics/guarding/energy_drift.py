@@ -44,12 +44,7 @@ class Gains:
     """
 
     def __init__(
-        self,
-        scene: Scene,
-        start: Snapshot,
-        thickness: Array,
-        swing: float,
-        rate: float,
+        self, scene: Scene, start: Snapshot, thickness: Array, swing: float, rate: float
     ) -> None:
         self._scene, self._swing, self._dt = scene, swing, 1 / rate
         self._laws = (*([scene.gravity] if scene.gravity else []), *scene.laws)

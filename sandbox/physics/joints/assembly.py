@@ -34,9 +34,7 @@ from sandbox.model.level import Level, is_alone
 from sandbox.model.message import Message
 from sandbox.model.shapes import evaluate
 from sandbox.physics.engine.batch import Batch
-from sandbox.physics.joints.exact.angles import (
-    where,
-)
+from sandbox.physics.joints.exact.angles import where
 from sandbox.physics.joints.exact.constraints import Coordinates, Equation
 from sandbox.physics.joints.exact.distances import Row
 from sandbox.physics.joints.exact.equation_limit import refuse_too_many

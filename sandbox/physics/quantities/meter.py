@@ -63,8 +63,7 @@ class Meter:
     def _bind(self, quantity: Quantity) -> Measurement:
         if quantity.booked or quantity.between or quantity.over_time:
             rule = Message(
-                "'{name}' is known only in a recording of the whole run",
-                name=quantity.name,
+                "'{name}' is known only in a recording of the whole run", name=quantity.name
             )
             raise QuantityError(rule)
         match quantity.owner:
@@ -161,10 +160,7 @@ class Meter:
     @property
     def _vectors_of_system(self) -> Mapping[str, Measurement]:
         """The vectors of all dynamic bodies together: (..., 2)."""
-        return {
-            "center": self._center,
-            "momentum": lambda s: self._momentum(s).sum(axis=-2),
-        }
+        return {"center": self._center, "momentum": lambda s: self._momentum(s).sum(axis=-2)}
 
     @property
     def _scalars_of_system(self) -> Mapping[str, Measurement]:

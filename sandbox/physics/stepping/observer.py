@@ -143,12 +143,7 @@ class Observer:
         velocity[hit] = after[hit] - onwards * (dt / 2)
 
     def snapshot(
-        self,
-        state: Array,
-        velocity: Array,
-        acceleration: Array,
-        contacts: Contacts,
-        kick: float,
+        self, state: Array, velocity: Array, acceleration: Array, contacts: Contacts, kick: float
     ) -> Snapshot:
         """Return the state at the present step.
 

@@ -4,17 +4,7 @@ from collections.abc import Iterator
 
 from sandbox.model.acting_events import bouncing, tied
 from sandbox.model.errors import brief
-from sandbox.model.joints import (
-    Joint,
-    Own,
-    Rod,
-    Spring,
-    Wire,
-    bodies_of,
-    body_of,
-    is_exact,
-    points,
-)
+from sandbox.model.joints import Joint, Own, Rod, Spring, Wire, bodies_of, body_of, is_exact, points
 from sandbox.model.level import Level, is_direct
 from sandbox.model.level_parts import Fault, names_in
 from sandbox.model.message import Message

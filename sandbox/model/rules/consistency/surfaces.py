@@ -197,8 +197,7 @@ def impacts_of_constant_masses(level: Level) -> Iterator[Fault]:
         yield Fault(("effects", "restitution", "impacts"), rule)
     if contact and contact.located:
         rule = Message(
-            "the mass of '{effect}' changes; located impacts need constant masses",
-            effect=effect,
+            "the mass of '{effect}' changes; located impacts need constant masses", effect=effect
         )
         yield Fault(("effects", "contact", "located"), rule)
 
