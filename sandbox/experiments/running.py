@@ -76,8 +76,7 @@ def pack(plan: Plan) -> bytes:
 
 @lru_cache(maxsize=1)
 def _unpacked(plan: bytes) -> Plan:
-    found: Plan = pickle.loads(plan)
-    return found
+    return pickle.loads(plan)
 
 
 def run(task: Task) -> Done:

@@ -34,8 +34,7 @@ class SandboxError(Exception):
     @property
     def message(self) -> Message:
         """The message, which can be translated."""
-        message: Message = self.args[0]
-        return message
+        return self.args[0]
 
 
 @dataclass(frozen=True, slots=True)

@@ -81,8 +81,7 @@ def part_of(effect: Effect, function: str) -> Callable[..., Iterable[Any]]:
     module = import_module(f"{_ROOM}.{effect.name}")
     if not hasattr(module, function):
         raise IncompleteError(_message(effect, f"add a function '{function}' to {_file(effect)}"))
-    found: Callable[..., Iterable[Any]] = getattr(module, function)
-    return found
+    return getattr(module, function)
 
 
 def _require(effect: Effect, law: Law | Turn) -> None:

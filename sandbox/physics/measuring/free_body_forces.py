@@ -196,8 +196,7 @@ def _rates(step: StepRecord, row: int, *, held: bool) -> Array:
     if step.after is None or (step.composed and held):
         now = step.snapshot
         return np.append(now.acceleration[row], now.angular_acceleration[row])
-    rates: Array = (step.after[row] - step.begun[row]) / step.parts[-1].kick
-    return rates
+    return (step.after[row] - step.begun[row]) / step.parts[-1].kick
 
 
 def _turned(point: XY, kick: _Kick) -> XY:
