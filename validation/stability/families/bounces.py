@@ -10,7 +10,6 @@ from validation.stability.scene import G
 
 DROP = 5.0  # m, of the balls in all levels here
 RADIUS = 0.1  # m
-FLOOR_HALF = 8.0  # m
 
 
 def mean_square(run: Run) -> float:
