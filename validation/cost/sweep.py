@@ -59,7 +59,6 @@ class Point:
     seconds_per_second: float
     """The computing time per second of the scene [s]."""
     steps: int
-    """The number of steps."""
     callbacks: int
     """The number of Python calls in these steps."""
     failure: str | None = None
@@ -76,7 +75,6 @@ class Sweep:
     """The points of a level; the costs are NaN until they are timed."""
 
     level: str
-    """The name of the level."""
     judged_by: str
     quantities: tuple[str, ...]
     """The reference of the errors, and the quantities that have them."""
