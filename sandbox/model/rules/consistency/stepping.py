@@ -1,4 +1,4 @@
-"""The stepping fits the simulated scene."""
+"""The stepping fits the simulated scene, and no step is too expensive."""
 
 from collections.abc import Iterator
 
@@ -31,3 +31,57 @@ def accuracy_within_reach(level: Level) -> Iterator[Fault]:
             finest=FINEST,
         )
         yield Fault(("stepping", "accuracy"), rule)
+
+
+MOST_PULLS = 4_000_000
+"""The most attractions per step, between bodies and from centres: these take a quarter of a
+second."""
+
+MOST_STICKING = 20_000
+"""The most pairs with static above kinetic friction: pymunk looks up the callback of each in 50
+µs."""
+
+
+def not_too_many_pulls(level: Level) -> Iterator[Fault]:
+    """Attractions between bodies and to centres can be computed in a step."""
+    effects = level.effects
+    dynamic = sum(body.type == "dynamic" for body in level.bodies.values())
+    if mutual := effects.gravitation:
+        count = dynamic if mutual.bodies is None else len(mutual.bodies)
+        if count**2 > MOST_PULLS:
+            most = int(MOST_PULLS**0.5)
+            message = Message(
+                "{count:,} bodies attract each other; a step can take at most {most:,}",
+                count=count,
+                most=most,
+            )
+            yield Fault(("effects", "gravitation"), message)
+    centres = len(effects.attraction or ())
+    if centres * dynamic > MOST_PULLS:
+        message = Message(
+            "{centres:,} centres attract {dynamic:,} bodies: {pulls:,} forces, but a step can"
+            " take at most {most:,}",
+            centres=centres,
+            dynamic=dynamic,
+            pulls=centres * dynamic,
+            most=MOST_PULLS,
+        )
+        yield Fault(("effects", "attraction"), message)
+
+
+def not_too_many_sticking(level: Level) -> Iterator[Fault]:
+    """Pairs with static above kinetic friction are not too many to be watched."""
+    if level.effects.friction is None:
+        return
+    rub = [body for body in level.bodies.values() if body.friction is not None]
+    stick = sum(body.static_friction is not None for body in rub)
+    pairs = stick * (stick - 1) // 2 + stick * (len(rub) - stick)
+    if pairs > MOST_STICKING:
+        message = Message(
+            "{stick:,} bodies have a 'static_friction', which makes {pairs:,} pairs of bodies;"
+            " at most {most:,} are allowed, so leave it out where it is not needed",
+            stick=stick,
+            pairs=pairs,
+            most=MOST_STICKING,
+        )
+        yield Fault(("bodies",), message)
