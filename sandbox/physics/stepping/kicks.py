@@ -25,31 +25,13 @@ if TYPE_CHECKING:
 
 
 class Kicks:
-    """Takes the drifts and kicks of a scene; n bodies.
+    """Takes the drifts and kicks of a scene in steps of dt [s]; n bodies.
 
-    Parameters
-    ----------
-    scene, forces
-        The bodies, and the forces on them.
-    dt
-        The time step [s].
-    touching
-        Whether the level has contacts.
-
-    Attributes
-    ----------
-    clock
-        Counts the steps; the caller counts a step before taking it.
-    forces
-        The forces on the scene.
-    take
-        Takes the last drift of a step and its kick.
-    parts
-        The drifts and kicks of a step; see `compose`.
-    trail
-        Positions and velocities after each part but the last: (n, 6) each; None unless kept.
-    settling
-        Repeats kicks of held bodies until contacts converge; None without contacts.
+    `touching` tells whether the level has contacts. `clock` counts the steps; the caller counts a
+    step before taking it. `take` takes the last drift of a step and its kick; `parts` are all its
+    drifts and kicks, see `compose`. `trail` has positions and velocities after each part but the
+    last, (n, 6) each; None unless kept. `settling` repeats kicks of held bodies until contacts
+    converge; None without contacts.
     """
 
     def __init__(self, scene: Scene, forces: Forces, dt: float, *, touching: bool) -> None:
