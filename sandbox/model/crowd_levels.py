@@ -14,8 +14,7 @@ Document = dict[str, Any]
 RADIUS = 0.05  # m
 G = 9.81  # m/s²
 GOLDEN = 0.6180339887498949
-"""The inverse golden ratio: the fractional parts of its multiples are evenly spread, but look
-random."""
+"""The inverse golden ratio: fractional parts of its multiples are spread evenly."""
 
 FILLED = 0.2
 """The share of the plane that a gas fills."""

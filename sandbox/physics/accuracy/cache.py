@@ -31,8 +31,7 @@ from sandbox.physics.state.errors import SchemeError
 
 _SETTING = TypeAdapter(Setting)
 _ENTRY = TypeAdapter(tuple[str, str, Setting])
-"""A hash, a key and the setting found for it. The hash covers both, so that an edited entry is
-ignored."""
+"""A hash, a key and its setting; the hash covers both, so that an edited entry is ignored."""
 
 _unkept: dict[str, Setting] = {}
 """The entries that could not be written, for as long as this process lives."""

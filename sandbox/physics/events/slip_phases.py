@@ -106,8 +106,7 @@ class Stop(NamedTuple):
     acceleration [J]: on the parabola, the energy due to a force F is higher by F a dt²/8 than in
     the middle of the chord."""
     given: Array
-    """(3,), the momentum and angular momentum beyond those from the two halves [kg m/s, kg m²/s].
-    """
+    """(3,), the momentum and angular momentum beyond the two halves [kg m/s, kg m²/s]."""
 
 
 def booked(

@@ -34,12 +34,10 @@ def accuracy_within_reach(level: Level) -> Iterator[Fault]:
 
 
 MOST_PULLS = 4_000_000
-"""The most attractions per step, between bodies and from centres: these take a quarter of a
-second."""
+"""The most attractions per step, between bodies and from centres: a quarter of a second."""
 
 MOST_STICKING = 20_000
-"""The most pairs with static above kinetic friction: pymunk looks up the callback of each in 50
-µs."""
+"""The most pairs with static above kinetic friction: pymunk takes 50 µs to look up each."""
 
 
 def not_too_many_pulls(level: Level) -> Iterator[Fault]:
