@@ -8,6 +8,7 @@ from importlib import import_module
 from importlib.util import find_spec
 from typing import Any
 
+from sandbox.model.base import Model
 from sandbox.model.effects import EFFECTS, Effects
 from sandbox.model.effects.contract import Effect, IncompleteError
 from sandbox.model.expressions import Array, Values
@@ -16,8 +17,6 @@ from sandbox.model.shapes import evaluate
 from sandbox.physics.forces.gravity import Gravity
 from sandbox.physics.forces.law import Given, Law, Turn
 from sandbox.physics.forces.variable_mass import Flow, MassFlows, Share, steady
-
-__all__ = ["Gravity", "Law", "Turn", "any_law", "gravity", "laws", "mass_share", "part_of"]
 
 _ROOM = __name__.rpartition(".")[0]
 
@@ -52,6 +51,16 @@ def _laws_of(effect: Effect, said: Any, given: Given) -> Iterable[Any]:  # noqa:
     from sandbox.physics.forces.switched_laws import switched_laws
 
     return switched_laws(make, said, effect.name, given)
+
+
+def one_by_one(effects: Effects, given: Given) -> Iterator[tuple[Model, Law]]:
+    """Yield each force with its settings; if these are a list, one law for each entry."""
+    for effect in effects.declarations:
+        if effect.is_law and not effect.turns:
+            said = getattr(effects, effect.name)
+            for entry in said if isinstance(said, tuple) else (said,):
+                part = (entry,) if isinstance(said, tuple) else entry
+                yield from ((entry, law) for law in _laws_of(effect, part, given))
 
 
 def mass_share(effects: Effects, values: Values, names: Sequence[str], mass: Array) -> Share:

@@ -15,8 +15,9 @@ from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level, Stepping, is_direct
 from sandbox.physics.engine.batch import Batch
 from sandbox.physics.engine.bodies import make_body
-from sandbox.physics.forces.declared_laws import Gravity, Law, Turn, gravity, laws, mass_share
-from sandbox.physics.forces.law import Given
+from sandbox.physics.forces.declared_laws import gravity, laws, mass_share
+from sandbox.physics.forces.gravity import Gravity
+from sandbox.physics.forces.law import Given, Law, Turn
 from sandbox.physics.forces.variable_mass import Share
 from sandbox.physics.joints.joints import Joints
 from sandbox.physics.scene.build_context import Made, Pairs
