@@ -32,7 +32,15 @@ FOLDER = Path("sandbox") / "app"
 UNSAID = frozenset({"cli", "reporting"})
 """The packages whose messages never appear in the window."""
 
-KEYWORDS = {"say": None, "later": None, "plural": (1, 2), "say_in": ((1, "c"), 2), "Message": None}
+KEYWORDS = {
+    "say": None,
+    "later": None,
+    "plural": (1, 2),
+    "say_in": ((1, "c"), 2),
+    "Message": None,
+    "Fault": (2,),
+    "refuse": (2,),
+}
 """The functions that take a message, with the positions of the message arguments."""
 
 _ERROR = re.compile(r"\b([A-Z]\w+Error)\(\s*\"[^\"]")

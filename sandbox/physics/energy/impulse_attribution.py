@@ -25,21 +25,9 @@ if TYPE_CHECKING:
 
 
 class Attribution:
-    """Books the share of each cause in a kick; n bodies.
+    """Books the share of each cause in the kicks of a run, in accounts; n bodies.
 
-    Parameters
-    ----------
-    run
-        The run with the kicks.
-    laws
-        The forces that act in them.
-    entries
-        The accounts in which they are booked.
-
-    Attributes
-    ----------
-    elastic
-        Whether no impact may take energy; a loss is then left unexplained.
+    If no impact may take energy, `elastic`, a loss is left unexplained.
     """
 
     def __init__(self, run: Recorded, laws: tuple[Law, ...], entries: Entries) -> None:

@@ -89,8 +89,7 @@ def _middles(contacts: Contacts) -> Array:
     """Return the middle of each contact: (k, 2) [m]."""
     second = np.where(contacts.touches == 2, 1, 0)
     both = contacts.points[np.arange(len(second)), second]
-    middles: Array = (contacts.points[:, 0] + both) / 2
-    return middles
+    return (contacts.points[:, 0] + both) / 2
 
 
 def _parts(contacts: Contacts, pair: int, scale: float, arm: Array) -> tuple[Array, Array]:

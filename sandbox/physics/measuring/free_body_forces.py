@@ -31,8 +31,8 @@ from sandbox.model.joints import bodies_of, is_exact
 from sandbox.model.shapes import XY, evaluate
 from sandbox.physics.energy.step_record import StepRecord
 from sandbox.physics.engine.batch import Contacts
+from sandbox.physics.forces.declared_laws import one_by_one
 from sandbox.physics.forces.law import Given, Law
-from sandbox.physics.forces.laws_by_effect import one_by_one
 from sandbox.physics.joints.joint_forces import pulls_on
 from sandbox.physics.measuring.contact_forces import Press, presses, settled
 from sandbox.physics.measuring.free_body import HAND, IMPACT, Acting, FreeBody
@@ -196,8 +196,7 @@ def _rates(step: StepRecord, row: int, *, held: bool) -> Array:
     if step.after is None or (step.composed and held):
         now = step.snapshot
         return np.append(now.acceleration[row], now.angular_acceleration[row])
-    rates: Array = (step.after[row] - step.begun[row]) / step.parts[-1].kick
-    return rates
+    return (step.after[row] - step.begun[row]) / step.parts[-1].kick
 
 
 def _turned(point: XY, kick: _Kick) -> XY:

@@ -27,14 +27,11 @@ def laws_act(level: Level) -> Iterator[Fault]:
     for path, name in acted_on(level):
         if (kind := level.bodies[name].type) != "dynamic":
             yield Fault(
-                path,
-                Message(
-                    "'{name}' is {kind}, so no force moves it", name=brief(name), kind=word(kind)
-                ),
+                path, "'{name}' is {kind}, so no force moves it", name=brief(name), kind=word(kind)
             )
     for path, bodies in lists_of_bodies(level):
         if len(set(bodies)) < len(bodies):
-            yield Fault(path, Message("a body is named twice"))
+            yield Fault(path, "a body is named twice")
 
 
 def partners_exist(level: Level) -> Iterator[Fault]:
@@ -54,9 +51,7 @@ def effects_used(level: Level) -> Iterator[Fault]:
     """Effects that are declared have bodies to act on."""
     dynamic = any(body.type == "dynamic" for body in level.bodies.values())
     for name in () if dynamic else level.effects.declared:
-        yield Fault(
-            ("effects", name), Message("'{name}' is declared but no body is dynamic", name=name)
-        )
+        yield Fault(("effects", name), "'{name}' is declared but no body is dynamic", name=name)
     touching = sum(not body.sensor for body in level.bodies.values())
     if level.effects.contact and dynamic and touching < 2:
         rule = Message("'contact' is declared but there is only one body that can touch another")
