@@ -405,6 +405,19 @@ def test_in_the_smallest_window_the_clock_can_be_read(player: Person) -> None:
     assert controls._clock.right < controls.button("help").rect.left
 
 
+def test_with_large_letters_the_time_has_room_beside_the_buttons(player: Person) -> None:
+    """In German at 150 % it was cut off after a digit, beside a time bar of 40 px."""
+    player.window.comfort.choose(language="de", size=150)
+    player.resize((900, 600))
+    player.wait(0.1)
+    controls = player.window.panels.controls
+
+    assert isinstance(controls, Controls)
+    assert controls._clock.width > player.window.pen.write("t = 10.00 s", 15, bold=True).width
+    rects = [controls.button(name).rect for name in ("play", "restart", "slower", "faster", "help")]
+    assert all(len(rect.collidelistall([*rects, controls._clock])) == 1 for rect in rects)
+
+
 @pytest.mark.parametrize("language", ["en", "de"])
 def test_in_a_narrow_window_the_time_can_be_scrubbed_and_home_be_reached(
     player: Person, language: Name

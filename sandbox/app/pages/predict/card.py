@@ -38,16 +38,23 @@ def intro(pen: Pen, width: int, session: Session, *, possible: bool) -> pygame.S
 
 
 def asked(
-    pen: Pen, width: int, question: Check, title: str, unit: str, *, open_: bool
+    pen: Pen, width: int, question: Check, title: str, unit: str, since: float | None
 ) -> pygame.Surface:
-    """Draw a question by its title; while it is open, with the possible forms of an answer."""
+    """Draw a question by its title.
+
+    While it is open, `since` is the time at which the run waits [s], and the possible forms of an
+    answer are told.
+    """
     card = Card(pen, width)
     card.heading(say("Your prediction"))
     card.text(title, 15, bold=True)
     name = f"{question.quantity} {when(question.at)}" if question.label else when(question.at)
     card.text(name, 13, theme.DIM)
-    if open_:
+    if since is not None:
         card.y += GAP
+        if since:
+            time = formatting.seconds(since)
+            card.text(say("The run waits at t = {time}.", time=time), 12, theme.DIM)
         units = say(" or ").join([unit, *FACTORS.get(unit, {})]) or say("no unit")
         message = say("A number or a formula, such as 2*9.81; in {units}:", units=units)
         card.text(message, 12, theme.DIM)
