@@ -16,11 +16,12 @@ from sandbox.app.pages.predict import card, neglected
 from sandbox.app.pages.predict.judging import Outcome, judged
 from sandbox.app.pages.predict.panel import PredictPage
 from sandbox.app.pages.predict.predicting import Predicting
-from sandbox.app.pages.predict.questions import questions, read, when
+from sandbox.app.pages.predict.questions import questions, when
 from sandbox.app.runs import playback
 from sandbox.app.runs.session import Session
 from sandbox.app.words.formatting import seconds
 from sandbox.app.words.language import say
+from sandbox.app.words.typed_numbers import read
 from sandbox.model.arithmetic import ExpressionError
 from sandbox.model.effect_variants import Variation
 from sandbox.physics.run import simulate
@@ -163,6 +164,7 @@ def test_a_run_that_has_branched_goes_back_to_its_start(asked: Person) -> None:
     until_tried(asked)
     outcome = predicting(asked).outcome
     assert outcome is not None
+    assert outcome.t is not None
     assert outcome.simulated == pytest.approx(4 * outcome.t)
 
 

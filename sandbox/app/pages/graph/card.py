@@ -162,8 +162,11 @@ def _values(
 
 
 def _at(column: Array, row: int) -> float:
-    """Return a value of a quantity, without a rounding error relative to its largest value."""
-    largest = np.abs(column[np.isfinite(column)]).max(initial=0.0)
+    """Return a value of a quantity, or 0 if it is a rounding error where the graph is drawn as one.
+
+    That is relative to the largest value, or to 1 if that is larger.
+    """
+    largest = np.abs(column[np.isfinite(column)]).max(initial=1.0)
     return formatting.without_rounding(float(column[row]), float(largest))
 
 

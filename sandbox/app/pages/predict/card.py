@@ -10,10 +10,11 @@ from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.pages.predict.judging import LIMITS, Outcome
 from sandbox.app.pages.predict.neglected import Trial, Trying
-from sandbox.app.pages.predict.questions import FACTORS, when
+from sandbox.app.pages.predict.questions import when
 from sandbox.app.runs.session import Session
 from sandbox.app.words import formatting
 from sandbox.app.words.language import later, say
+from sandbox.app.words.typed_numbers import FACTORS
 from sandbox.model.level import Check
 
 NOTHING = later("This level states no closed form to predict.")

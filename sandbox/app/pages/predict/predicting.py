@@ -6,9 +6,10 @@ from sandbox.app.background import Errand
 from sandbox.app.observing.grading import Ration
 from sandbox.app.pages.predict.judging import Outcome, judged
 from sandbox.app.pages.predict.neglected import Trial, Trying, trials
-from sandbox.app.pages.predict.questions import questions, read, unit_of
+from sandbox.app.pages.predict.questions import questions, unit_of
 from sandbox.app.runs.session import Session
 from sandbox.app.words.language import later, say
+from sandbox.app.words.typed_numbers import read
 from sandbox.model.arithmetic import ExpressionError
 from sandbox.model.level import Check
 from sandbox.model.message import NOTHING, Message
