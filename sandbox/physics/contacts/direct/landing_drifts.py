@@ -16,7 +16,6 @@ Bodies that take no part in a landing go on as they were.
 
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -26,7 +25,7 @@ from sandbox.physics.contacts.direct.closing_gaps import closed
 from sandbox.physics.contacts.direct.constraint_impulses import hold
 from sandbox.physics.contacts.direct.constraint_rows import Active
 from sandbox.physics.contacts.direct.convex_parts import Pair
-from sandbox.physics.contacts.direct.drift_meetings import SOON, TOGETHER, Meetings, Met, goes_on
+from sandbox.physics.contacts.direct.drift_meetings import SOON, TOGETHER, Meetings, Met
 from sandbox.physics.contacts.direct.drift_parts import Part, concerned
 from sandbox.physics.contacts.direct.kick_builder import KickBuilder
 from sandbox.physics.contacts.direct.kick_parts import Stage
@@ -41,9 +40,6 @@ from sandbox.physics.engine.batch import Booleans
 from sandbox.physics.geometry.roots import secant
 from sandbox.physics.joints.exact.constraints import order
 from sandbox.physics.state.errors import JointFailure, NoForces
-
-if TYPE_CHECKING:
-    from sandbox.physics.contacts.direct.passing_contacts import Passing
 
 SHORT = 0.1
 """The share of a drift below which the forces of its last part are solved for a whole one: those of
@@ -122,7 +118,6 @@ class Landings:
         """Begin a drift in whose landings some bodies, (n,), are known to take part."""
         self.reached = reached
         self._early: Booleans | None = None  # who takes part from the first landing on
-        self._carried: list[Passing] = []  # those at the ends of curves that go on
         self.record = LandingRecord(len(reached))
 
     def _is_late(self, whole: Part) -> bool:
@@ -177,28 +172,22 @@ class Landings:
         """Return a part up to its first landing, and the rest of it; None if nothing lands."""
         kick, known = part.kick, self.reached
         kick.joints.time(part.drift, part.drift)
-        ahead = self._meetings.ahead(part, self._carried)
+        ahead = self._meetings.ahead(part)
         met = self._meetings.first(part, part.drift, ahead) if any(ahead) else None
         if met is None:
             return None
-        self.reached = early = known | self._around(kick, met.pairs)
+        self.reached = known | self._around(kick, met.pairs)
         try:
             shorter, met = self._until_it_meets(part, met)
+            if self._early is None:
+                self._early = self.reached
             left = part.drift - shorter.drift
             if met.passing:
-                after = self._pass(shorter, left, met, ahead.pairs)
-            else:
-                after = self._land(shorter, left, met)
+                return shorter, self._pass(shorter, left, met, ahead.pairs)
+            return shorter, self._land(shorter, left, met)
         except (JointFailure, NoForces):
             self.reached = known  # it is found where the drift ends
             return None
-        if after is None:
-            self._carried += met.passing
-            self.reached = known
-            return self._cut(part)
-        if self._early is None:
-            self._early = early
-        return shorter, after
 
     def _until_it_meets(self, part: Part, met: Met) -> tuple[Part, Met]:
         """Return a part that ends with its first landing, and that landing.
@@ -251,19 +240,14 @@ class Landings:
         after = part._replace(left=left, drift=left, begun=begun, before=stages, moved=begun)
         return self._closed(self._solved(after, left, left / 2))
 
-    def _pass(self, shorter: Part, left: float, met: Met, near: Sequence[Pair]) -> Part | None:
-        """Return the part after contacts pass the ends of sides, of length `left` [s].
-
-        None where a curve goes on as another body; see `goes_on`.
-        """
+    def _pass(self, shorter: Part, left: float, met: Met, near: Sequence[Pair]) -> Part:
+        """Return the part after contacts pass the ends of sides, of length `left` [s]."""
         place, joints, ends = shorter.end, shorter.kick.joints, self._speculative.ends
         joints.time(left, left)
         lengths = joints.lengths(self._until - left), joints.lengths(self._until)
         ended = shorter._replace(kick=shorter.kick.between(place, *lengths))
         _, begun, stage = self._arrived(ended, np.zeros(len(ended.kick.ahead), dtype=bool))
         beside = self._meetings.beside(ended, begun, met, near)
-        if goes_on(ended.kick, met.passing, beside):
-            return None
         after, at_ends = ends.after(ended.kick, met.passing, begun)
         known = shorter.kick.contacts_at(place, [one.contact for one in met.passing])
         kick = self._build.anew(place, known.and_(beside).and_(after), lengths, at_ends)
