@@ -12,7 +12,6 @@ from sandbox.model.document import refuse
 from sandbox.model.level import Level, Stepping
 from sandbox.model.loading import choose, parse
 from sandbox.model.loading import load as load_file
-from sandbox.model.message import Message
 from sandbox.physics import run
 from sandbox.physics.measuring.grading import grade as grade
 from sandbox.physics.measuring.recording import Trace
@@ -45,7 +44,7 @@ def make(document: Mapping[str, Any]) -> Level:
     try:
         text = json.dumps(document, indent=1, default=_plain)
     except (TypeError, ValueError, RecursionError) as error:
-        refuse(source, Message("cannot be written as JSON: {error}", error=str(error)))
+        refuse(source, "cannot be written as JSON: {error}", error=str(error))
     return parse(text, source)
 
 

@@ -14,7 +14,6 @@ from typing import TYPE_CHECKING
 
 from sandbox.model.errors import SandboxError
 from sandbox.model.level import Level
-from sandbox.model.message import Message
 from sandbox.model.quantities import headed
 from sandbox.physics.measuring.recording import Trace
 
@@ -62,7 +61,7 @@ def animation(trace: Trace) -> Animation:
         path = Path(folder) / "run.gif"
         *_, outcome = film(whole, path, "gif")
         if not path.exists():
-            raise SandboxError(Message("{outcome}", outcome=outcome))
+            raise SandboxError("{outcome}", outcome=outcome)
         return Animation(path.read_bytes())
 
 

@@ -4,7 +4,6 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 
 from sandbox.model.errors import MisuseError
-from sandbox.model.message import Message
 
 
 @contextmanager
@@ -18,11 +17,9 @@ def needed_for(what: str, extra: str = "report") -> Iterator[None]:
         yield
     except ModuleNotFoundError as error:
         raise MisuseError(
-            Message(
-                "{what} needs the library {name!r}, which is not installed: python -m pip install"
-                " 'mechanics-sandbox[{extra}]' (in a checkout: -e '.[{extra}]')",
-                what=what,
-                name=error.name,
-                extra=extra,
-            )
+            "{what} needs the library {name!r}, which is not installed: python -m pip install"
+            " 'mechanics-sandbox[{extra}]' (in a checkout: -e '.[{extra}]')",
+            what=what,
+            name=error.name,
+            extra=extra,
         ) from error

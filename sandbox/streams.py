@@ -9,8 +9,7 @@ from typing import NoReturn
 
 FAILED = 1
 UNHEARD = 141
-"""The exit status if the reader of the output has gone, as shells have it: 128 and the number of
-SIGPIPE."""
+"""The exit status if the reader has gone, as in shells: 128 and the number of SIGPIPE."""
 
 
 class Output(io.TextIOWrapper):

@@ -77,6 +77,18 @@ def _two_bodies(found: Part) -> Part:
     return dict(zip(named[1:], BODIES[1:], strict=False))
 
 
+def _of_others(said: Any, shift: int) -> Any:  # noqa: ANN401 (whatever JSON holds)
+    """Return what is said of some bodies, said of those that follow them.
+
+    Entries of a list are of different bodies: two charges of one body exert no force.
+    """
+    if isinstance(said, dict):
+        return {key: _of_others(value, shift) for key, value in said.items()}
+    if isinstance(said, list):
+        return [_of_others(value, shift) for value in said]
+    return BODIES[(BODIES.index(said) + shift) % len(BODIES)] if said in BODIES else said
+
+
 def _value(part: Part, number: float, *, full: bool) -> Any:  # noqa: ANN401 (whatever JSON holds)
     """Return a value that a part of the schema allows."""
     part = resolved(part)
@@ -92,7 +104,7 @@ def _value(part: Part, number: float, *, full: bool) -> Any:  # noqa: ANN401 (wh
         if part.get(NAMES) in ("bodies", "couple"):
             return list(BODIES[: max(part.get("minItems", 1), 1)])
         items = part.get("prefixItems") or [part["items"]] * part.get("minItems", 0)
-        return [_value(item, number, full=full) for item in items]
+        return [_of_others(_value(item, number, full=full), i) for i, item in enumerate(items)]
     if part["type"] == "boolean" or "pattern" in part:
         return "named" if "pattern" in part else False
     if number and "over the parameters and x, y." in part.get("$comment", ""):

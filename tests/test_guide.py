@@ -66,6 +66,7 @@ def test_its_challenge_begins_unsolved_and_is_solved_by_the_values_that_the_page
     assert level.challenge is not None
 
     assert played(level, {}).stars == 0
+    assert played(level, {"speed": 11, "angle": 20}).stars == 0, "straight through the ring"
     assert shown == dict(level.challenge.solution)
     solved = played(level, shown)
     assert solved.stars == solved.most == 2

@@ -71,8 +71,7 @@ def save(content: object, file: Path) -> None:
 
 def finite(figures: Mapping[str, object]) -> dict[str, object]:
     """Return figures as JSON content: those that are infinite or NaN are null."""
-    return {name: _finite(value) for name, value in figures.items()}
-
-
-def _finite(value: object) -> object:
-    return None if isinstance(value, float) and not isfinite(value) else value
+    return {
+        name: None if isinstance(value, float) and not isfinite(value) else value
+        for name, value in figures.items()
+    }

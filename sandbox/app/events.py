@@ -78,7 +78,7 @@ class Events:
 
     def _key(self, event: pygame.event.Event) -> None:
         space, panels = self._space, self._space.panels
-        typing = panels.typing or self._answers(event)
+        typing = not self._plays(event) and (panels.typing or self._answers(event))
         if panels.focus.key(panels.manager, panels.layout, event):
             return
         if not typing and self._at_home(event):
@@ -91,6 +91,11 @@ class Events:
             self._commands.do(chosen)
         else:
             space.panels.manager.process_events(event)
+
+    def _plays(self, event: pygame.event.Event) -> bool:
+        """Whether a key is Space after the number of a parameter, which begins no other number."""
+        side = self._space.panels.side
+        return event.key == pygame.K_SPACE and side is not None and side.parameters.selected
 
     def _answers(self, event: pygame.event.Event) -> bool:
         """Let a key begin the answer to a question of the page, and return whether it does."""
@@ -165,7 +170,7 @@ class Events:
         assert session is not None
         assert side is not None
         if change.value is None:
-            banner.tell(say("'{typed}' is not a number", typed=change.typed))
+            banner.tell(say(change.refusal))
         elif change.value != session.chosen[change.name]:
             try:
                 session.change({change.name: change.value}, otherwise=change.shifted)

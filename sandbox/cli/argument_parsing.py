@@ -22,10 +22,7 @@ class UsageError(MisuseError):
 
 
 def open_level(argument: str) -> tuple[str, Level]:
-    """Return a level and its name: its name in the catalog, or its path.
-
-    Raises `LevelError` if there is no such level, or it has mistakes.
-    """
+    """Return a level and its name or path; raise `LevelError` if it cannot be used."""
     path = catalog.find(argument)
     level = load(path)
     if path.parent.parent == catalog.root():

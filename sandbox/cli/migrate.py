@@ -38,13 +38,12 @@ def _version(argument: str) -> int:
     document = Document(read(path), str(path))
     data = document.read()
     if not isinstance(data, dict):
-        refuse(str(path), Message("is no level, which is an object, {...}"))
+        refuse(str(path), "is no level, which is an object, {...}")
     if "format" not in data:
         refuse(
             str(path),
-            Message(
-                "has no 'format', the version of the format: \"format\": {newest}", newest=NEWEST
-            ),
+            "has no 'format', the version of the format: \"format\": {newest}",
+            newest=NEWEST,
         )
     version = data["format"]
     if type(version) is not int or version < 1:  # True equals 1
@@ -52,7 +51,8 @@ def _version(argument: str) -> int:
             [
                 Fault(
                     ("format",),
-                    Message("must be a whole number from 1; the newest is {newest}", newest=NEWEST),
+                    "must be a whole number from 1; the newest is {newest}",
+                    newest=NEWEST,
                 )
             ]
         )

@@ -109,10 +109,7 @@ def _compare(varied: Varied, found: Sequence[Difference], cost: float) -> None:
 
 
 def chosen(level: Level, record: Sequence[str]) -> list[str]:
-    """Return the names of the quantities to write.
-
-    Raises `QuantityError` if the level has no such quantity.
-    """
+    """Return the quantities to write; raise `QuantityError` if the level has no such quantity."""
     if record:
         each = [quantity(name, level).name for name in record if name != "all"]
         names = [found.name for found in quantities(level)] if "all" in record else each

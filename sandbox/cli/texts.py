@@ -32,7 +32,15 @@ FOLDER = Path("sandbox") / "app"
 UNSAID = frozenset({"cli", "reporting"})
 """The packages whose messages never appear in the window."""
 
-KEYWORDS = {"say": None, "later": None, "plural": (1, 2), "say_in": ((1, "c"), 2), "Message": None}
+KEYWORDS = {
+    "say": None,
+    "later": None,
+    "plural": (1, 2),
+    "say_in": ((1, "c"), 2),
+    "Message": None,
+    "Fault": (2,),
+    "refuse": (2,),
+}
 """The functions that take a message, with the positions of the message arguments."""
 
 _ERROR = re.compile(r"\b([A-Z]\w+Error)\(\s*\"[^\"]")
@@ -118,7 +126,7 @@ SAID: Mapping[language.Domain, Callable[[], "Catalog"]] = {
 def merged(path: Path, name: str, template: "Catalog") -> "Catalog":
     """Return a catalogue with all messages of a template, and their existing translations.
 
-    A new message that resembles a removed one gets its translation, marked as `fuzzy`.
+    A new message that resembles another one gets its translation, marked as `fuzzy`.
     """
     from babel.messages.catalog import Catalog
     from babel.messages.pofile import read_po

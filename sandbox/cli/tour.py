@@ -1,7 +1,8 @@
-"""`tour`: every level run, checked and drawn."""
+"""`tour`: every level run, checked and drawn, on one page."""
 
+from collections.abc import Iterable, Sequence
+from html import escape
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import typer
 from rich.console import Console
@@ -11,14 +12,49 @@ from rich.text import Text
 
 from sandbox.cli import argument_parsing, check_verdicts
 from sandbox.cli.render import go_headless
+from sandbox.cli.tour_visit import Visit
 from sandbox.model import catalog
 from sandbox.model.errors import SandboxError
 from sandbox.model.files import folder_of_files, write_atomically
 
-if TYPE_CHECKING:
-    from collections.abc import Sequence
+_STYLE = """
+body { font: 16px/1.45 system-ui, sans-serif; max-width: 60rem; margin: 2rem auto; padding: 0 1rem;
+       color: #1b1f24; background: #fff }
+article { margin: 3rem 0 } h2 { margin-bottom: 0 } .name, .about { color: #57606a; margin: 0 }
+img { width: 100%; height: auto; border: 1px solid #d0d7de; margin-top: .6rem }
+pre { overflow-x: auto; font-size: 13px; padding: .6rem; background: #f6f8fa }
+.failed { color: #b42318 } .passed { color: #1a7f37 }
+"""
 
-    from sandbox.cli.tour_visit import Visit
+
+def page(visits: Iterable[Visit]) -> str:
+    """Return the page, which needs no files but the pictures beside it."""
+    articles = "\n".join(_article(visit) for visit in visits)
+    return (
+        '<!doctype html>\n<html lang="en">\n<meta charset="utf-8">\n'
+        '<meta name="viewport" content="width=device-width, initial-scale=1">\n'
+        f"<title>Tour of the levels</title>\n<style>{_STYLE}</style>\n"
+        f"<h1>Tour of the levels</h1>\n{articles}\n</html>\n"
+    )
+
+
+def _article(visit: Visit) -> str:
+    title, summary = (visit.level.title, visit.level.summary) if visit.level else (visit.name, "")
+    verdict = "passed" if visit.passed else "failed"
+    parts = [
+        f"<h2>{escape(title)}</h2>",
+        f'<p class="name"><code>{escape(visit.name)}</code> <b class="{verdict}">{verdict}</b></p>',
+        f'<p class="about">{escape(summary)}</p>',
+    ]
+    if visit.picture:
+        parts.append(f'<img src="{escape(visit.picture)}" alt="{escape(title)}" loading="lazy">')
+    found = list(check_verdicts.lines(visit.results, complete=True))
+    if visit.closing:
+        found.append(f"energy: {visit.closing.text}")
+    said = visit.error or "\n".join(found)
+    parts.append(f"<pre>{escape(said)}</pre>")
+    return f'<article id="{escape(visit.name)}">\n' + "\n".join(parts) + "\n</article>"
+
 
 INDEX = "index.html"
 
@@ -48,9 +84,9 @@ def _visits(folder: Path) -> "list[Visit]":
         return [visit(name, folder) for name in bar.track(catalog.names(), description="Tour")]
 
 
-def _write(path: Path, visits: "Sequence[Visit]") -> SandboxError | None:
+def _write(path: Path, visits: Sequence[Visit]) -> SandboxError | None:
     """Write the page, or return the error, so that the results are printed in any case."""
-    from sandbox.cli.tour_page import page
+    from sandbox.cli.tour import page
 
     try:
         write_atomically(path, page(visits))

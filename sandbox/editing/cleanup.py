@@ -16,8 +16,7 @@ COEFFICIENTS = tuple(name for name, effect in EFFECTS.items() if effect.coeffici
 other body's."""
 
 ROUNDS = 20
-"""The largest number of searches for meaningless parts; removing one can make another
-meaningless."""
+"""The most searches for meaningless parts; removing one can make another meaningless."""
 
 _LISTS = ("pairs", "located", "bodies", *ACTIONS)
 """The lists in effects and events from which a single name can be removed."""

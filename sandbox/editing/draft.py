@@ -3,14 +3,56 @@
 import codecs
 import os
 from collections import deque
+from dataclasses import dataclass
 from pathlib import Path
 
-from sandbox.editing.undo_steps import Step, step
 from sandbox.model import templates
 from sandbox.model.errors import LevelError, Mistake, SandboxError
 from sandbox.model.files import write_atomically
 from sandbox.model.level import Level
 from sandbox.model.loading import content, decoded, parse, read
+
+
+@dataclass(frozen=True, slots=True)
+class Step:
+    """A step of undo, which stores only the piece of the text that was replaced."""
+
+    said: str
+    """The description of the edit."""
+    start: int
+    """The index of the piece in the text."""
+    old: str
+    new: str
+    """The piece before and after the change."""
+
+    def undone(self, text: str) -> str:
+        """Return the text before the change, given that after it."""
+        return text[: self.start] + self.old + text[self.start + len(self.new) :]
+
+    def done(self, text: str) -> str:
+        """Return the text after the change, given that before it."""
+        return text[: self.start] + self.new + text[self.start + len(self.old) :]
+
+
+def step(before: str, after: str, said: str) -> Step:
+    """Return the step that leads from one text to another."""
+    start = _common(before, after)
+    most = min(len(before), len(after)) - start
+    tail = _common(before[::-1][:most], after[::-1][:most])
+    return Step(said, start, before[start : len(before) - tail], after[start : len(after) - tail])
+
+
+def _common(one: str, other: str) -> int:
+    """Return the length of the common prefix of two texts."""
+    low, high = 0, min(len(one), len(other))
+    while low < high:
+        middle = (low + high + 1) // 2
+        if one[low:middle] == other[low:middle]:
+            low = middle
+        else:
+            high = middle - 1
+    return low
+
 
 MOST_STEPS = 1000
 """The largest number of steps that can be undone."""
@@ -50,10 +92,7 @@ class Draft:
 
     @classmethod
     def open(cls, path: Path) -> "Draft":
-        """Return a draft of a file.
-
-        Raises `LevelError` if the file cannot be read, or is not text.
-        """
+        """Return a draft of a file; raise `LevelError` if it cannot be read, or is not text."""
         held = content(path)
         return cls(decoded(held, str(path)), path, held)
 

@@ -51,12 +51,7 @@ class Foreseen(NamedTuple):
 class Foresight:
     """Looks ahead at edits of one state of a level.
 
-    Parameters
-    ----------
-    document
-        The data of the level's text, with repetitions and groups written out.
-    level
-        The level of that text.
+    `document` is the data of the level's text, with repetitions and groups written out.
     """
 
     def __init__(self, document: Mapping[str, Any], level: Level) -> None:

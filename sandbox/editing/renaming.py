@@ -43,14 +43,9 @@ def rename(text: str, path: Path, name: str) -> str:
 
 
 def rename_numbers(text: str, level: Level, names: Mapping[str, str]) -> str:
-    """Return a level in which parameters and constants have new names, free ones.
+    """Return a level in which parameters and constants have new names, free ones, by the old.
 
-    Parameters
-    ----------
-    text, level
-        The text of the level, and the level, which may have mistakes beyond its form.
-    names
-        The new names, by the old ones.
+    The level, that of the text, may have mistakes beyond its form.
     """
     for old, name in names.items():
         part = "parameters" if old in level.parameters else "constants"

@@ -95,8 +95,7 @@ def _refuse(world: World) -> None:
     flows = [e for e, _, _ in level.effects.said if e.changes_mass]
     if flows:
         raise SandboxError(
-            "'{name}' has changed masses, and no level can start from that",
-            name=flows[0].name,
+            "'{name}' has changed masses, and no level can start from that", name=flows[0].name
         )
     welds = sum(isinstance(joint, Weld) for joint in level.joints.values())
     if len(world.scene.joints.joined) > welds:

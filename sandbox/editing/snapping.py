@@ -127,11 +127,7 @@ def _nearest(among: Iterable[float], to: float, reach: float) -> float | None:
 
 
 def snap_body(
-    level: Level,
-    names: Collection[str],
-    way: XY,
-    reach: float,
-    step: float = 0.0,
+    level: Level, names: Collection[str], way: XY, reach: float, step: float = 0.0
 ) -> Snapped:
     """Return the displacement with which moved bodies touch what they come near, exactly [m].
 

@@ -80,11 +80,7 @@ def remove(text: str, path: Path) -> str:
 
 
 def value_at(text: str, path: Path) -> Json:
-    """Return the value at a path.
-
-    Raises `LevelError` if the text is not JSON. Raises `PatchError` if there is nothing at the
-    path.
-    """
+    """Return the value at a path; raise `PatchError` if there is none, `LevelError` if not JSON."""
     span = _at(_read(text), path)
     return json.loads(text[span.begin : span.end])
 

@@ -27,7 +27,7 @@ SPELT = 20
 
 FORMS = Message(
     "must be FROM:TO:COUNT, FROM:TO:COUNT:log, a list with commas, LOW..HIGH, LOW..HIGH:log or"
-    " MEAN±SD",
+    " MEAN±SD"
 )
 
 Scale = Literal["linear", "log"]
@@ -155,10 +155,7 @@ Range = TypeVar("Range", Grid, Uniform)
 
 
 def parse(text: str) -> Axis:
-    """Return the numeric axis that a text describes.
-
-    Raises `AxisError` if the text describes none.
-    """
+    """Return the numeric axis that a text describes; raise `AxisError` if it describes none."""
     text = text.strip()
     for sign in ("±", "+-"):
         if sign in text:

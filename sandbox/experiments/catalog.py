@@ -12,7 +12,6 @@ from sandbox.model.errors import LevelError, brief
 from sandbox.model.files import without_links
 from sandbox.model.level_parts import Fault
 from sandbox.model.loading import load
-from sandbox.model.message import Message
 
 SCHEMA = "experiment.schema.json"
 
@@ -39,10 +38,11 @@ def find(experiment: str) -> Path:
     if not experiment.endswith(".json"):
         refuse(
             brief(experiment),
-            Message("is not an experiment{hint}", hint=suggestion(experiment, names(), most=20)),
+            "is not an experiment{hint}",
+            hint=suggestion(experiment, names(), most=20),
         )
     if not path.is_file():
-        refuse(brief(experiment), Message("there is no such file"))
+        refuse(brief(experiment), "there is no such file")
     return path
 
 

@@ -89,17 +89,13 @@ def read(path: Path) -> tuple[Experiment, Document]:
         content = read_ordinary(path, MAX_BYTES)
         if content is None:
             refuse(
-                source,
-                Message(
-                    "is not an ordinary file, or larger than {most} kB",
-                    most=MAX_BYTES // 1000,
-                ),
+                source, "is not an ordinary file, or larger than {most} kB", most=MAX_BYTES // 1000
             )
         text = content.decode("utf-8-sig")
     except OSError as error:
-        refuse(source, Message("cannot be read: {reason}", reason=error.strerror or error))
+        refuse(source, "cannot be read: {reason}", reason=error.strerror or error)
     except UnicodeDecodeError:
-        refuse(source, Message("is not UTF-8 text"))
+        refuse(source, "is not UTF-8 text")
     document = Document(text, source)
     data = document.read()
     try:
@@ -118,7 +114,7 @@ def made(given: Mapping[str, object]) -> tuple[Experiment | None, list[Fault]]:
 
 def _faults(error: ValidationError, document: Document | None, data: Any) -> Iterator[Fault]:  # noqa: ANN401 (whatever JSON holds)
     if not isinstance(data, dict):
-        yield Fault((), Message("must be an object, {...}"))
+        yield Fault((), "must be an object, {...}")
         return
     for detail in error.errors(include_url=False):
         known = document.values.keys() if document else {detail["loc"][:1]}

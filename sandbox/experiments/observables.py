@@ -23,7 +23,6 @@ class Observable:
     """Arithmetic over quantities, parameters and the time; a condition is 1 or 0."""
 
     text: str
-    """The text of the observable."""
     unit: str
     """Its SI unit; empty for arithmetic over several quantities."""
     quantities: tuple[str, ...]

@@ -179,9 +179,6 @@ class Plan:
 
 
 def axis_of(name: str, text: str, level: Level) -> Axis:
-    """Return the axis of a name, as written in a text.
-
-    Raises `AxisError` if the text cannot be read.
-    """
+    """Return the axis of a name, as written in a text; raise `AxisError` if it cannot be read."""
     named = name in NAMED and name not in level.parameters
     return axes.parse_names(text) if named else axes.parse(text)

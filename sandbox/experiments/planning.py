@@ -25,10 +25,7 @@ MOST_RUNS = 10**9
 
 
 def make(experiment: Experiment, source: str, level: Level) -> tuple[Plan, list[Fault]]:
-    """Return the plan of an experiment, and all its mistakes.
-
-    A plan with mistakes must not be run.
-    """
+    """Return the plan of an experiment, and all its mistakes, with which it must not be run."""
     plan = Plan(experiment, source, level)
     faults = [*_faulty_axes(plan), *_faulty_settings(plan), *_faulty_measures(plan)]
     return plan, faults or list(_faulty_runs(plan))
@@ -38,22 +35,17 @@ def _faulty_axes(plan: Plan) -> Iterator[Fault]:
     level = plan.level
     known = [*level.parameters, *NAMED, "rate"]
     if not plan.experiment.vary:
-        yield Fault(
-            ("vary",), Message("is empty; what can be varied: {known}", known=", ".join(known))
-        )
+        yield Fault(("vary",), "is empty; what can be varied: {known}", known=", ".join(known))
     for name, text in plan.experiment.vary.items():
         path = ("vary", name)
         if name not in known:
             hint = suggestion(name, known, most=len(known))
             yield Fault(
-                path,
-                Message(
-                    "'{name}' is not a parameter of the level{hint}", name=brief(name), hint=hint
-                ),
+                path, "'{name}' is not a parameter of the level{hint}", name=brief(name), hint=hint
             )
             continue
         if name in plan.experiment.set:
-            yield Fault(path, Message("'{name}' is both set and varied", name=name))
+            yield Fault(path, "'{name}' is both set and varied", name=name)
         try:
             axis = axis_of(name, text, level)
         except AxisError as error:
@@ -144,7 +136,7 @@ def _faulty_measures(plan: Plan) -> Iterator[Fault]:
             yield Fault(path, error.message)
             continue
         if found.text in seen:
-            yield Fault(path, Message("'{text}' is measured twice", text=brief(found.text)))
+            yield Fault(path, "'{text}' is measured twice", text=brief(found.text))
         seen.add(found.text)
 
 
@@ -152,23 +144,19 @@ def _faulty_runs(plan: Plan) -> Iterator[Fault]:
     """Yield the faults of the number of runs and draws, once all axes can be read."""
     if plan.drawn and plan.experiment.draws is None:
         name = next(iter(plan.drawn))
-        yield Fault(
-            ("draws",), Message("is missing: '{name}' is drawn, but how many times?", name=name)
-        )
+        yield Fault(("draws",), "is missing: '{name}' is drawn, but how many times?", name=name)
     if not plan.drawn and plan.experiment.draws is not None:
-        yield Fault(("draws",), Message("nothing is drawn: no axis is LOW..HIGH or MEAN±SD"))
+        yield Fault(("draws",), "nothing is drawn: no axis is LOW..HIGH or MEAN±SD")
     if plan.runs > MOST_RUNS:
         parts = [Message("{count:,}", count=axis.count) for axis in plan.grids.values()]
         if plan.drawn:
             parts.append(Message("{count:,} draws", count=plan.draws))
         yield Fault(
             ("vary",),
-            Message(
-                "makes {product} = {runs:,} runs; at most {most:,} are allowed",
-                product=joined(parts, " × "),
-                runs=plan.runs,
-                most=MOST_RUNS,
-            ),
+            "makes {product} = {runs:,} runs; at most {most:,} are allowed",
+            product=joined(parts, " × "),
+            runs=plan.runs,
+            most=MOST_RUNS,
         )
     yield from _faulty_draws(plan)
 
@@ -185,11 +173,8 @@ def _faulty_draws(plan: Plan) -> Iterator[Fault]:
         yield Fault(("draws",), message)
     if method == "sobol-indices":
         if plan.grids:
-            yield Fault(
-                ("method",), Message("for Sobol indices, everything that is varied must be drawn")
-            )
+            yield Fault(("method",), "for Sobol indices, everything that is varied must be drawn")
         if base < 2 or base & (base - 1):
             yield Fault(
-                ("draws",),
-                Message("{base:,}: for Sobol indices it must be a power of two", base=base),
+                ("draws",), "{base:,}: for Sobol indices it must be a power of two", base=base
             )

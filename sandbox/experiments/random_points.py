@@ -24,18 +24,10 @@ MOST_IN_A_HYPERCUBE = 1_000_000
 def points(method: Method, seed: int, dimensions: int, count: int, start: int, stop: int) -> Array:
     """Return some of the points: (stop − start, dimensions), with coordinates in (0, 1).
 
-    Parameters
-    ----------
-    method
-        `random`: independent points. `latin-hypercube`: in each dimension, one point in each of as
-        many equal intervals as there are points. `sobol`: Sobol's sequence, scrambled (A. B. Owen,
-        1998). `sobol-indices`: rows of Saltelli's scheme for sensitivities, from that sequence.
-    seed
-        Determines the points.
-    dimensions, count
-        The coordinates of a point, and the number of points.
-    start, stop
-        The range of points, from 0.
+    The seed determines all `count` points. Methods: `random` takes independent points.
+    `latin-hypercube` takes, in each dimension, one point in each of as many equal intervals as
+    there are points. `sobol` is Sobol's sequence, scrambled (A. B. Owen, 1998); `sobol-indices`
+    takes from it the rows of Saltelli's scheme for sensitivities.
     """
     if method == "sobol-indices":
         return _saltelli(seed, dimensions, start, stop)

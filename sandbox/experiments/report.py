@@ -39,10 +39,7 @@ class Page(NamedTuple):
 
 
 def write(plan: Plan, path: Path, folder: Path) -> Page:
-    """Write the report of a finished table into a folder.
-
-    Raises `SandboxError` if it cannot be written.
-    """
+    """Write the report of a finished table into a folder; raise `SandboxError` if that fails."""
     forms = [
         name(m.text) for m in plan.measures if m.of and m.check for name in (closed_form, error)
     ]

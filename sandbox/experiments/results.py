@@ -29,8 +29,7 @@ class Results:
 
     def number(self, name: str) -> Array:
         """Return a column of numbers."""
-        found: Array = self.columns[name]
-        return found
+        return self.columns[name]
 
 
 def read(path: Path, names: Sequence[str]) -> Results:

@@ -25,8 +25,7 @@ from sandbox.physics.state.errors import SimulationError
 from sandbox.physics.stepping.world import World
 
 TOGETHER = 400
-"""The most runs in a batch of arrays. Larger batches hardly reduce the cost of a step, and need
-more memory."""
+"""The most runs in a batch of arrays; larger ones hardly save time, but need more memory."""
 
 LARGEST = 8_000_000
 """The most numbers that a batch may record."""
@@ -76,8 +75,7 @@ def pack(plan: Plan) -> bytes:
 
 @lru_cache(maxsize=1)
 def _unpacked(plan: bytes) -> Plan:
-    found: Plan = pickle.loads(plan)
-    return found
+    return pickle.loads(plan)
 
 
 def run(task: Task) -> Done:

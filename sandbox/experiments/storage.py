@@ -63,17 +63,15 @@ class Store:
             there = read_ordinary(without_links(place), LARGEST)
         except OSError as error:
             raise SandboxError(
-                Message("cannot read {place}: {error}", place=place, error=str(error))
+                "cannot read {place}: {error}", place=place, error=str(error)
             ) from error
         if there != text.encode():
             changed = _difference(there or b"", text)
             raise SandboxError(
-                Message(
-                    "{folder} holds another experiment ({changed}): name another folder, or remove"
-                    " this one",
-                    folder=self._folder,
-                    changed=changed,
-                )
+                "{folder} holds another experiment ({changed}): name another folder, or remove"
+                " this one",
+                folder=self._folder,
+                changed=changed,
             )
 
     @property
@@ -100,10 +98,7 @@ class Store:
             yield begin, self._plan.runs
 
     def add(self, start: int, stop: int, columns: Sequence[Sequence[Cell]]) -> None:
-        """Store the results of some rows, column by column.
-
-        Raises `SandboxError` if there is not enough space.
-        """
+        """Store the columns of some rows; raise `SandboxError` if there is not enough space."""
         import pyarrow as pa
         import pyarrow.parquet as pq
 
@@ -130,11 +125,9 @@ class Store:
             shutil.rmtree(self._parts)
         except OSError as error:
             raise SandboxError(
-                Message(
-                    "cannot write {results}: {reason}; what was done is kept",
-                    results=self.results,
-                    reason=error.strerror or error,
-                )
+                "cannot write {results}: {reason}; what was done is kept",
+                results=self.results,
+                reason=error.strerror or error,
             ) from error
         finally:
             beside.unlink(missing_ok=True)
@@ -179,9 +172,7 @@ def _part(path: Path, layout: "pa.Schema") -> "pa.Table":
 
 
 def _unreadable(path: Path, reason: str) -> SandboxError:
-    return SandboxError(
-        Message("cannot read {path}: {reason}; remove it", path=path, reason=reason)
-    )
+    return SandboxError("cannot read {path}: {reason}; remove it", path=path, reason=reason)
 
 
 def description(plan: Plan) -> dict[str, object]:

@@ -41,18 +41,12 @@ def root() -> Path:
 
 
 def sources() -> Path:
-    """Return the folder of the project's sources.
-
-    Raises `MisuseError` if the package is installed without them.
-    """
+    """Return the folder of the project's sources; raise `MisuseError` if they are not installed."""
     folder = Path(__file__).resolve().parents[2]
     if not (folder / "pyproject.toml").is_file():
         package = Path(__file__).resolve().parents[1]
         raise MisuseError(
-            Message(
-                "this is written in a checkout of the project; {package} is installed",
-                package=package,
-            )
+            "this is written in a checkout of the project; {package} is installed", package=package
         )
     return folder
 
@@ -99,17 +93,12 @@ def find(level: str) -> Path:
         if os.path.lexists(level):  # such as a folder or a broken link, which the reader refuses
             return Path(level)
         hint = meant(Path(level).stem, _endings(known))
-        refuse(brief(level), Message("there is no such file{hint}", hint=hint))
+        refuse(brief(level), "there is no such file{hint}", hint=hint)
     ending = [other for other in known if other.endswith(f"/{name}")]
     if not ending:
-        refuse(
-            brief(level), Message("is neither a level nor a file{hint}", hint=_hint(name, known))
-        )
+        refuse(brief(level), "is neither a level nor a file{hint}", hint=_hint(name, known))
     if len(ending) > 1:
-        refuse(
-            brief(level),
-            Message("is the name of several levels: {names}", names=", ".join(ending)),
-        )
+        refuse(brief(level), "is the name of several levels: {names}", names=", ".join(ending))
     return root() / f"{ending[0]}.json"
 
 

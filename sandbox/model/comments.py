@@ -24,9 +24,6 @@ def without_comments(text: str) -> str:
 def read_level(text: str) -> Level:
     """Return the level of a text with valid parts, which may not fit each other.
 
-    Raises
-    ------
-    ValidationError
-        If a part is not valid.
+    Raises `ValidationError` if a part is not valid.
     """
     return Level.model_validate_json(without_comments(text))

@@ -7,7 +7,6 @@ from typing import Any, NamedTuple
 from sandbox.model.body import MAX_BODIES
 from sandbox.model.did_you_mean import suggestion
 from sandbox.model.errors import MisuseError, brief
-from sandbox.model.message import Message
 
 Document = dict[str, Any]
 """The content of a level's file."""
@@ -15,8 +14,7 @@ Document = dict[str, Any]
 RADIUS = 0.05  # m
 G = 9.81  # m/s²
 GOLDEN = 0.6180339887498949
-"""The inverse golden ratio: the fractional parts of its multiples are evenly spread, but look
-random."""
+"""The inverse golden ratio: fractional parts of its multiples are spread evenly."""
 
 FILLED = 0.2
 """The share of the plane that a gas fills."""
@@ -172,19 +170,15 @@ def crowd(kind: str, bodies: int) -> Document:
     """
     if kind not in CROWDS:
         raise CrowdError(
-            Message(
-                "there is no scene '{kind}'{hint}", kind=brief(kind), hint=suggestion(kind, CROWDS)
-            )
+            "there is no scene '{kind}'{hint}", kind=brief(kind), hint=suggestion(kind, CROWDS)
         )
     make, most, least = CROWDS[kind]
     if not least <= bodies <= most:
         raise CrowdError(
-            Message(
-                "a {kind} must have between {least} and {most} bodies, not {bodies}",
-                kind=kind,
-                bodies=bodies,
-                least=least,
-                most=most,
-            )
+            "a {kind} must have between {least} and {most} bodies, not {bodies}",
+            kind=kind,
+            bodies=bodies,
+            least=least,
+            most=most,
         )
     return make(bodies)

@@ -13,7 +13,7 @@ from sandbox.model.comments import members
 from sandbox.model.errors import MAX_MISTAKES, LevelError, Mistake, brief
 from sandbox.model.json_positions import Path, Position, Value
 from sandbox.model.level_parts import Fault
-from sandbox.model.message import Message
+from sandbox.model.message import Message, message
 from sandbox.model.origin import Origin
 
 _NOT_FINITE = frozenset({"NaN", "Infinity", "-Infinity"})
@@ -24,10 +24,12 @@ DEEPEST = 100
 """The nesting of brackets above which an unreadable text is too deep; a level has ten."""
 
 
-def refuse(source: str, rule: Message, place: Position | None = None) -> NoReturn:
-    """Raise a `LevelError` about a level as a whole, or about a place in its text."""
-    line, column = place or (None, None)
-    raise LevelError((Mistake(source, line, column, "", rule),))
+def refuse(
+    source: str, rule: str, /, *, position: Position | None = None, **values: object
+) -> NoReturn:
+    """Raise a `LevelError` about a level as a whole, or about a position in its text."""
+    line, column = position or (None, None)
+    raise LevelError((Mistake(source, line, column, "", message(rule, values)),))
 
 
 class Document(Origin):
@@ -36,7 +38,7 @@ class Document(Origin):
     def read(self) -> Any:  # noqa: ANN401 (whatever JSON holds)
         """Return the value of the text; refuse repeated keys and numbers that are not finite."""
         if not self.text.strip():
-            refuse(self.source, Message("is empty"))
+            refuse(self.source, "is empty")
         suspects: list[str] = []
 
         def pairs(items: list[tuple[str, Any]]) -> dict[str, Any]:
@@ -47,7 +49,7 @@ class Document(Origin):
         try:
             data = json.loads(self.text, object_pairs_hook=pairs, parse_constant=suspects.append)
         except json.JSONDecodeError as error:
-            refuse(self.source, parse_messages.syntax(error), (error.lineno, error.colno))
+            refuse(self.source, parse_messages.syntax(error), position=(error.lineno, error.colno))
         except RecursionError:
             self.refuse_depth()
         except ValueError:
@@ -73,7 +75,7 @@ class Document(Origin):
         self._refuse_at(at, rule)
 
     def _refuse_at(self, index: int, rule: Message) -> NoReturn:
-        refuse(self.source, rule, json_positions.position(self.text, index))
+        refuse(self.source, rule, position=json_positions.position(self.text, index))
 
     def start(self, path: Path) -> int:
         """Return the index in the text of a part or, if it is missing, of what encloses it."""

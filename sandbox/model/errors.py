@@ -14,6 +14,7 @@ Code that shows messages to a person catches `SandboxError`; anything else is a 
 from dataclasses import dataclass
 
 from sandbox.model.message import Message, joined
+from sandbox.model.message import message as as_message
 
 MAX_MISTAKES = 100
 """The most mistakes that are listed; if there are more, one at the root says so."""
@@ -28,14 +29,12 @@ class SandboxError(Exception):
     exit_status = 1  # of a command that ends with it
 
     def __init__(self, message: str, /, **values: object) -> None:
-        made = message if isinstance(message, Message) else Message(message, **values)
-        super().__init__(made)
+        super().__init__(as_message(message, values))
 
     @property
     def message(self) -> Message:
         """The message, which can be translated."""
-        message: Message = self.args[0]
-        return message
+        return self.args[0]
 
 
 @dataclass(frozen=True, slots=True)

@@ -83,10 +83,7 @@ class Expression:
         return self
 
     def __call__(self, values: Values) -> float:
-        """Return the value for given parameters.
-
-        Raises `ExpressionError` if the value is not finite or breaks the expression's rule.
-        """
+        """Return the value; raise `ExpressionError` if it is not finite or breaks the rule."""
         if self._constant is not None:
             return self._constant
         return self._finite(self._evaluate(values))
@@ -172,9 +169,7 @@ class Expression:
             return source
         if isinstance(source, bool) or not isinstance(source, int | float | str):
             raise PydanticCustomError(
-                "expression",
-                "{reason}",
-                {"reason": Message("must be a number or an expression")},
+                "expression", "{reason}", {"reason": Message("must be a number or an expression")}
             )
         try:
             return cls(source)

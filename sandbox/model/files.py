@@ -194,9 +194,7 @@ def make_folder(folder: Path) -> None:
             Message("cannot make the folder {folder}: {reason}", folder=folder, reason=reason)
         ) from error
     if not os.access(folder, os.W_OK | os.X_OK):
-        raise MisuseError(
-            Message("cannot write into the folder {folder}: it is read-only", folder=folder)
-        )
+        raise MisuseError("cannot write into the folder {folder}: it is read-only", folder=folder)
 
 
 @contextmanager
@@ -216,7 +214,7 @@ def folder_of_files(folder: Path) -> Iterator[None]:
 
 
 def _taken(path: Path) -> TakenError:
-    return TakenError(Message("{path} already exists; nothing is overwritten", path=path))
+    return TakenError("{path} already exists; nothing is overwritten", path=path)
 
 
 def _refusal(path: Path, reason: str) -> MisuseError:

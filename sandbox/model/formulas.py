@@ -21,10 +21,7 @@ class Function(Expression):
         return np.asarray(result, dtype=float)
 
     def slope(self, variable: str) -> "Function":
-        """Return the derivative with respect to one of its variables.
-
-        Raises `ExpressionError` if the expression is nested too deeply.
-        """
+        """Return the derivative by a variable; raise `ExpressionError` if nested too deeply."""
         derived = object.__new__(Function)
         derived.source, derived._constant = f"d({self.source})/d{variable}", None
         derived._code, derived.written = differentiated(str(self.source), variable)

@@ -1,13 +1,13 @@
 """Iteration over the parts of a level."""
 
 from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple, Self
 
 from sandbox.model.json_positions import Path
 from sandbox.model.last_result_cache import of_the_last
 from sandbox.model.level import Check, Level
 from sandbox.model.measuring_instants import Instant
-from sandbox.model.message import Message
+from sandbox.model.message import Message, message
 from sandbox.model.traversal import expressions as walk
 
 if TYPE_CHECKING:
@@ -15,11 +15,19 @@ if TYPE_CHECKING:
     from sandbox.model.expressions import Expression
 
 
-class Fault(NamedTuple):
-    """A mistake in a level: its path, and a message."""
-
+class _Fault(NamedTuple):
     path: Path
     rule: Message
+
+
+class Fault(_Fault):
+    """A mistake in a level: its path, and a message, or the template of one and its values."""
+
+    __slots__ = ()
+
+    def __new__(cls, path: Path, rule: str, /, **values: object) -> Self:
+        """Make a fault; a rule with values is the template of its message."""
+        return super().__new__(cls, path, message(rule, values))
 
 
 def expressions(part: object, path: Path = ()) -> "Iterator[tuple[Path, Expression]]":

@@ -21,10 +21,7 @@ TELLS = ("mass", "moment", "friction", "static_friction", "restitution")
 def obstacle(level: Level, changed: Collection[str]) -> Message | None:
     """Return why some parameters cannot change during a run; None if they can."""
     reasons = (
-        (
-            _shapes(level),
-            Message("is part of a shape, which cannot change during a run"),
-        ),
+        (_shapes(level), Message("is part of a shape, which cannot change during a run")),
         (
             _fits(level),
             Message("determines how joints were assembled at the start, which they keep"),

@@ -53,26 +53,17 @@ _MENDED = ("expression", "float_type", "int_type", "missing", "greater_than", "f
 
 
 def load(path: Path) -> Level:
-    """Read a level from a JSON file.
-
-    Raises `LevelError` if the file cannot be read, or the level has mistakes.
-    """
+    """Read a level from a JSON file; raise `LevelError` if it cannot be read, or has mistakes."""
     return parse(read(path), str(path))
 
 
 def read(path: Path) -> str:
-    """Return the text of a level's file, whatever it says.
-
-    Raises `LevelError` if the file cannot be read, is too large, or is not text.
-    """
+    """Return the text of a file; raise `LevelError` if it is unreadable, too large, or not text."""
     return decoded(content(path), str(path))
 
 
 def content(path: Path) -> bytes:
-    """Return the content of a level's file, byte for byte.
-
-    Raises `LevelError` if the file cannot be read, or is too large.
-    """
+    """Return the bytes of a level's file; raise `LevelError` if it is unreadable or too large."""
     source = str(path)
     try:
         return _content(path, source)
@@ -81,14 +72,11 @@ def content(path: Path) -> bytes:
         refuse(source, link if path.is_symlink() else Message("there is no such file"))
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or str(error)
-        refuse(source, Message("cannot be read: {reason}", reason=reason))
+        refuse(source, "cannot be read: {reason}", reason=reason)
 
 
 def decoded(held: bytes, source: str) -> str:
-    """Return the text of a file's content, without a byte order mark.
-
-    Raises `LevelError` if it is not text.
-    """
+    """Return a file's text, without a byte order mark; raise `LevelError` if it is not text."""
     content = held.removeprefix(codecs.BOM_UTF8)
     try:
         return content.decode()
@@ -97,14 +85,11 @@ def decoded(held: bytes, source: str) -> str:
         rule = Message(
             "is not UTF-8 text: this byte is not part of a character; save the file as UTF-8"
         )
-        refuse(source, rule, position(before, len(before)))
+        refuse(source, rule, position=position(before, len(before)))
 
 
 def parse(text: str, source: str = "<text>") -> Level:
-    """Make a level from JSON text; messages name its source.
-
-    Raises `LevelError` if the level has mistakes.
-    """
+    """Make a level from the JSON text of a source; raise `LevelError` if it has mistakes."""
     try:
         with np.errstate(all="ignore"), _uncollected():  # what is not finite is reported by name
             return _parsed(text, source)
@@ -147,12 +132,12 @@ def _parsed(text: str, source: str) -> Level:
         document.refuse(made.faults)
     document.typed = made.place
     if (length := _formulas_length(data)) > MAX_FORMULAS:
-        rule = Message(
+        refuse(
+            source,
             "has formulas of {length:,} characters in all; at most {most:,} are allowed",
             length=length,
             most=MAX_FORMULAS,
         )
-        refuse(source, rule)
     whole = without_comments(text) if data is typed else json.dumps(data)
     _limit_values(whole, source)
     try:
@@ -171,7 +156,7 @@ def _parsed(text: str, source: str) -> Level:
 def _limit_values(text: str, source: str) -> None:
     """Refuse a text with too many values: each comes after a comma or in a bracket of its own."""
     if text.count(",") + text.count("{") + text.count("[") > MOST_VALUES:
-        refuse(source, Message("has more than {most:,} values, the most allowed", most=MOST_VALUES))
+        refuse(source, "has more than {most:,} values, the most allowed", most=MOST_VALUES)
 
 
 def _formulas_length(data: object) -> int:
@@ -255,11 +240,11 @@ def _range(parameter: Parameter) -> Message:
 
 def _content(path: Path, source: str) -> bytes:
     if path.is_dir():
-        refuse(source, Message("is a folder, not a file"))
+        refuse(source, "is a folder, not a file")
     if path.exists() and not path.is_file():
-        refuse(source, Message("is not an ordinary file"))  # reading a device might never end
+        refuse(source, "is not an ordinary file")  # reading a device might never end
     if path.stat().st_size > MAX_BYTES:
-        refuse(source, Message("the file is larger than {most} kB", most=MAX_BYTES // 1000))
+        refuse(source, "the file is larger than {most} kB", most=MAX_BYTES // 1000)
     return path.read_bytes()
 
 
@@ -268,7 +253,7 @@ def _refuse_json(document: Document, what: str, *, typed: bool) -> NoReturn:
     if "recursion" in what:
         document.refuse_depth()
     rule, place = parse_messages.refused(what)
-    refuse(document.source, rule, place if typed else None)
+    refuse(document.source, rule, position=place if typed else None)
 
 
 def _faults(document: Document, data: Any, details: list[ErrorDetails]) -> Iterator[Fault]:  # noqa: ANN401 (whatever JSON holds)

@@ -38,6 +38,11 @@ def _made(template: str, values: Mapping[str, object]) -> Message:
     return Message(template, **values)
 
 
+def message(text: str, values: Mapping[str, object]) -> Message:
+    """Return a message as it is, or make one of a template and its values."""
+    return text if isinstance(text, Message) else Message(text, **values)
+
+
 def word(name: str) -> Message:
     """Return a name of the format, such as a type of body, as a message for the catalogues."""
     return Message(name)

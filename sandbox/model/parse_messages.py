@@ -45,11 +45,7 @@ _SLIPS = (
         re.compile(r"[+.]"),
         Message("a number begins with a digit, or with - and a digit"),
     ),
-    (
-        re.compile(r"\d,$"),
-        re.compile(r"\d"),
-        Message("a decimal point is written ., not a comma"),
-    ),
+    (re.compile(r"\d,$"), re.compile(r"\d"), Message("a decimal point is written ., not a comma")),
 )
 """What often stands before and behind an error of JSON's syntax, and what to write instead."""
 _LINE_END = Message("a text must not run over the end of a line")

@@ -8,7 +8,6 @@ from collections.abc import Iterator
 from contextlib import suppress
 
 from sandbox.model.arithmetic import ExpressionError
-from sandbox.model.expressions import Expression
 from sandbox.model.formulas import Formula
 from sandbox.model.level import Level
 from sandbox.model.level_parts import Fault, expressions
@@ -50,15 +49,9 @@ def _without_strength(level: Level) -> Iterator[Fault]:
             yield Fault((*place, effect.strength[0]), rule)
         coefficients = tuple(getattr(body, name, None) for body in level.bodies.values())
         if effect.coefficient and _is_nothing((*coefficients, said)):
-            yield Fault(
-                place, Message("'{name}' has no strength: every coefficient is 0", name=name)
-            )
+            yield Fault(place, "'{name}' has no strength: every coefficient is 0", name=name)
 
 
 def _is_nothing(part: object) -> bool:
     """Whether every number of a part is zero for all parameters."""
-    return all(_is_zero(expression) for _, expression in expressions(part))
-
-
-def _is_zero(expression: Expression) -> bool:
-    return not expression.names and expression({}) == 0
+    return all(not one.names and one({}) == 0 for _, one in expressions(part))

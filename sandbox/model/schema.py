@@ -72,8 +72,7 @@ def of(model: type[Model]) -> dict[str, Any]:
 
 
 def _described(made: dict[str, Any]) -> dict[str, Any]:
-    explained: dict[str, Any] = _everywhere({"$schema": DIALECT, **made}, _explain)
-    return explained
+    return _everywhere({"$schema": DIALECT, **made}, _explain)
 
 
 def text() -> str:

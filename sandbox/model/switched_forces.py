@@ -11,17 +11,13 @@ def switched(level: Level) -> Mapping[str, bool]:
 
     They include springs that are cut or tied, or that may break.
     """
-    springs = _springs(level)
+    springs = {name for name, joint in level.joints.items() if joint.kind.force}
     found = dict.fromkeys(cut(level.events, level.joints) & springs, True)
     found.update(dict.fromkeys(tied(level.events) & springs, False))
     for event in level.events.values():
         found.update((name, True) for name in event.off if name not in found)
     found.update((name, False) for event in level.events.values() for name in event.on)
     return found
-
-
-def _springs(level: Level) -> frozenset[str]:
-    return frozenset(name for name, joint in level.joints.items() if joint.kind.force)
 
 
 def switchable(level: Level) -> Iterator[str]:

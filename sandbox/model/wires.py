@@ -33,15 +33,11 @@ def along(wire: Wire | Curve, values: Values, pieces: int = PIECES) -> Points:
 
 
 def graded(wire: Wire | Curve, values: Values) -> tuple[Points, Points]:
-    """Return points that are closer together towards both ends, and points half-way between.
+    """Return points that are closer towards both ends, (n + 1,), and the n between them [m].
 
     s is the cosine of an angle with equal steps, so that pieces are some 1000 times shorter where a
     curve may not be a smooth function of s, as at the cusp of a cycloid. The angle does not begin
     at 0, where the first piece would vanish.
-
-    Returns
-    -------
-    The points (n + 1,) and those between them (n,), at equal steps of that angle [m].
     """
     first, last = (end(values) for end in wire.s)
     begin = np.pi * FIRST / (PIECES + 2 * FIRST)

@@ -25,26 +25,11 @@ from sandbox.physics.stepping.world import World
 
 
 def build(level: Level, values: Values | None = None, stepping: Stepping | None = None) -> World:
-    """Make the world of a level.
+    """Make the world of a level, with its default parameters and its own stepping if left out.
 
-    Parameters
-    ----------
-    level
-        What to simulate.
-    values
-        The parameters; the level's defaults if left out.
-    stepping
-        How time advances; as the level says if left out. If it only gives an accuracy, the
-        setting is searched for, or taken from the cache.
-
-    Raises
-    ------
-    AccuracyError
-        If an accuracy is asked for that cannot be had.
-    SimulationError
-        If the world cannot even start.
-    SchemeError
-        If the scheme is not for such a level.
+    If the stepping only gives an accuracy, the setting is searched for, or taken from the cache.
+    Raises `AccuracyError` if an accuracy is asked for that cannot be had, `SimulationError` if the
+    world cannot even start, and `SchemeError` if the scheme is not for such a level.
     """
     values = level.defaults if values is None else values
     return make_world(level, values, resolved(level, values, stepping or level.stepping))
@@ -60,26 +45,12 @@ def simulate(
     books: bool = False,
     until: Callable[[World], bool] | None = None,
 ) -> Trace:
-    """Run a level and record it.
+    """Run a level and record quantities; those that its checks need if left out.
 
-    Parameters
-    ----------
-    level, values, duration, stepping
-        The level, its parameters, how long it runs [s], and how time advances; the level's own if
-        left out. The run ends with the first step that is not before its duration.
-    record
-        The quantities to record; those that the level's checks need if left out.
-    books
-        Whether to keep the energy books of the run, which costs about 0.1 ms per step.
-    until
-        Returns after each step whether it was the last.
-
-    Raises
-    ------
-    QuantityError
-        If the level has no such quantity.
-    SimulationError
-        If the run had to stop.
+    The run ends with the first step that is not before its duration [s], or when `until` is true of
+    the world after a step. `books` keeps the energy books of the run, which costs about 0.1 ms per
+    step. Raises `QuantityError` if the level has no such quantity, and `SimulationError` if the run
+    had to stop.
     """
     values = level.defaults if values is None else values
     record = None if record is None else list(record)
@@ -124,9 +95,6 @@ def costs(
 ) -> tuple[float, ...]:
     """Return what a step of each of some levels costs [s], measured in turn.
 
-    Raises
-    ------
-    SimulationError
-        If one of them has to stop.
+    Raises `SimulationError` if one of them has to stop.
     """
     return step_costs(*(partial(build, level, values, stepping) for level in levels))

@@ -98,6 +98,20 @@ def test_every_message_is_translated_and_none_is_left_of_what_is_gone(
 
 
 @EACH
+def test_every_message_in_a_catalogue_has_a_translation_that_was_confirmed(
+    domain: language.Domain, name: str
+) -> None:
+    """`make texts` adds messages without one, or with a guess that is marked `fuzzy`."""
+    missing = [
+        forms(message.id)[0]
+        for message in messages(of(domain, name))
+        if message.fuzzy or not all(forms(message.string))
+    ]
+
+    assert not missing, f"translate these, and remove the marks 'fuzzy': {domain}, {name}.po"
+
+
+@EACH
 def test_a_translation_has_the_places_of_its_message(domain: language.Domain, name: str) -> None:
     for message in messages(of(domain, name)):
         for form in forms(message.string):

@@ -1,5 +1,7 @@
 """Labels do not overlap."""
 
+from itertools import pairwise
+
 import pygame
 import pytest
 
@@ -14,7 +16,7 @@ from sandbox.app.stage.stage import Stage
 from sandbox.model import catalog
 from sandbox.model.loading import load
 from tests.app.person import Person
-from tests.app.scenes import play
+from tests.app.scenes import opened, play
 from tests.app.writing import placed
 
 BOUNDS = pygame.Rect(0, 0, 100, 100)
@@ -197,6 +199,36 @@ def test_no_label_lies_over_a_ruler(pen: Pen, monkeypatch: pytest.MonkeyPatch) -
     assert len(places) >= 3
     assert min(place.left for place in places) >= stage.view.labels.bounds.left > 12
     assert max(place.bottom for place in places) <= stage.view.labels.bounds.bottom < 400
+
+
+def test_where_all_is_to_be_avoided_lines_still_count() -> None:
+    """Of a slanted body the bounding box is to be avoided, and in it the sides."""
+    labels = Labels(BOUNDS)
+    labels.mark((0, 15), (100, 15))
+
+    assert labels.find([BEST, SECOND], avoid=[BOUNDS]) == SECOND
+    labels.mark((0, 35), (100, 35))
+    assert Labels(BOUNDS).find([BEST, SECOND], avoid=[BOUNDS], strict=True) is None
+    assert Labels(BOUNDS).find([BEST, SECOND], avoid=[BOUNDS]) == BEST
+
+
+def test_the_energy_of_a_slanted_arm_is_written_beside_it(
+    pen: Pen, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """It was written across the arm, whose bounding box covers all places near the mark."""
+    session = opened("machines/trebuchet", 240)
+    stage = Stage(pen, (716, 740))
+    stage.use(session.world)
+    stage.fit()
+    places, _ = placed(monkeypatch)
+    stage.draw(pygame.Surface((716, 740)), session.trail, session.milestones())
+
+    arm = next(each for each in stage.view.moving if each.name == "arm")
+    path = stage.camera.path(arm.placed(*stage.view.state(arm)))
+    sides = list(pairwise((*path, path[0])))
+    wide = [place for place in places if place.width > 150]
+    assert len(wide) == 1
+    assert not any(wide[0].clipline(side) for side in sides)
 
 
 def test_two_labels_beside_each_other_can_be_told_apart() -> None:

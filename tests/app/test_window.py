@@ -209,6 +209,50 @@ def test_what_is_typed_after_a_click_into_a_field_takes_the_place_of_its_number(
     assert player.session.values["g"] == 7
 
 
+@pytest.mark.parametrize(
+    ("typed", "value"), [("500 g", 0.5), ("g/8", 1.25), ("1,5 kg", 1.5), ("2*0.75", 1.5)]
+)
+def test_a_parameter_may_have_another_unit_or_be_a_formula_of_the_others(
+    player: Person, typed: str, value: float
+) -> None:
+    player.click(player.side.parameters.row("mass").field.rect)
+    player.type(typed)
+    player.press(pygame.K_RETURN, "\r")
+
+    assert player.session.values["mass"] == value
+
+
+@pytest.mark.parametrize("typed", ["5 km", "none", "1/0", "1e999", "*", "nan"])
+def test_nonsense_in_the_field_of_a_parameter_is_refused_with_its_reason(
+    player: Person, typed: str
+) -> None:
+    field = player.side.parameters.row("mass").field
+    player.click(field.rect)
+    player.type(typed)
+    player.press(pygame.K_RETURN, "\r")
+
+    assert player.session.values["mass"] == 1
+    assert field.get_text() == "1"
+    assert player.window.banner._note
+
+
+def test_after_a_number_was_typed_space_plays(player: Person) -> None:
+    """The field keeps the focus, with its text selected, and swallowed the key."""
+    field = player.side.parameters.row("g").field
+    player.click(field.rect)
+    player.type("7")
+    player.press(pygame.K_RETURN, "\r")
+
+    played = []
+    for typed in ("", "", "3"):
+        player.type(typed)
+        player.press(pygame.K_SPACE, " ")
+        played.append(player.session.playing)
+
+    assert played == [True, False, False]
+    assert field.get_text() == "3 "
+
+
 def test_the_foot_counts_the_checks_and_leads_to_them(player: Person) -> None:
     player.resize((1024, 640))
     player.press(pygame.K_d, "d")
@@ -403,6 +447,19 @@ def test_in_the_smallest_window_the_clock_can_be_read(player: Person) -> None:
     assert isinstance(controls, Controls)
     assert controls._clock.width > 100
     assert controls._clock.right < controls.button("help").rect.left
+
+
+def test_with_large_letters_the_time_has_room_beside_the_buttons(player: Person) -> None:
+    """In German at 150 % it was cut off after a digit, beside a time bar of 40 px."""
+    player.window.comfort.choose(language="de", size=150)
+    player.resize((900, 600))
+    player.wait(0.1)
+    controls = player.window.panels.controls
+
+    assert isinstance(controls, Controls)
+    assert controls._clock.width > player.window.pen.write("t = 10.00 s", 15, bold=True).width
+    rects = [controls.button(name).rect for name in ("play", "restart", "slower", "faster", "help")]
+    assert all(len(rect.collidelistall([*rects, controls._clock])) == 1 for rect in rects)
 
 
 @pytest.mark.parametrize("language", ["en", "de"])

@@ -12,9 +12,8 @@ from sandbox.model import effects, ledger_accounts
 from sandbox.model.base import Model
 from sandbox.model.bounds import Strength
 from sandbox.model.effect_variants import DEFAULTS, including
-from sandbox.model.effects import EFFECTS, Effects
-from sandbox.model.effects.contract import Effect, IncompleteError
-from sandbox.model.effects.register import register
+from sandbox.model.effects import EFFECTS, Effects, magnetic
+from sandbox.model.effects.contract import Effect, IncompleteError, register
 from sandbox.model.reference_fields import ActedOn
 from tests.effects import examples
 from tests.model.levels import Data, bare, level, touching
@@ -35,6 +34,12 @@ class Weak(Model):
 
     effect: ClassVar[Effect] = Effect(name="thing", strength=("strength",))
     mu: Strength
+
+
+class Unsoftened(Model):
+    """Is softened by a field that it does not have."""
+
+    effect: ClassVar[Effect] = Effect(name="thing", book="potential", softening="epsilon")
 
 
 class Bookless(Model):
@@ -79,7 +84,12 @@ def test_an_effect_that_is_whole_is_registered() -> None:
         (
             Weak,
             "the effect 'thing' is not told in full: the class Weak in"
-            " tests/model/test_register.py has no field 'strength', which it says its strength is",
+            " tests/model/test_register.py has no field 'strength', which its declaration names",
+        ),
+        (
+            Unsoftened,
+            "the effect 'thing' is not told in full: the class Unsoftened in"
+            " tests/model/test_register.py has no field 'epsilon', which its declaration names",
         ),
         (
             Bookless,
@@ -94,6 +104,24 @@ def test_an_effect_that_is_not_whole_is_told_with_its_place(effect: type[Model],
         register(listed(effect))
 
     assert str(found.value) == told
+
+
+def test_two_models_of_the_same_name_are_refused_with_both_places() -> None:
+    """Even one in the list of another: the schema of a level names its parts by their classes."""
+    twin = create_model("Charge", __base__=Model, __module__="sandbox.model.effects.coulomb")
+    fields: dict[str, Any] = {
+        "charge": (twin | None, None),
+        "charges": (GenericAlias(tuple, (magnetic.Charge, ...)), ()),
+    }
+    other = create_model("Coulomb", __base__=Turning, **fields)
+
+    with pytest.raises(IncompleteError) as found:
+        register(listed(other))
+
+    assert str(found.value) == (
+        "two models are named Charge: one in sandbox/model/effects/coulomb.py and one in"
+        " sandbox/model/effects/magnetic.py; rename one of them"
+    )
 
 
 def test_an_effect_has_a_module_of_its_name_and_each_module_is_in_the_list() -> None:

@@ -135,7 +135,7 @@ def test_the_place_in_a_landscape_is_no_parameter() -> None:
         (bare, "effects.contact", {}, "effects.contact: 'contact' is declared but there is only one body that can touch another"),
         (bare, "effects.rotation", {}, "effects.rotation: 'rotation' is declared but nothing turns a body"),
         (hanging, "effects.rotation", {}, "effects.rotation: 'rotation' is declared but nothing turns a body"),
-        (bare, "effects", {"gravitation": {"constant": 1}}, "effects.gravitation: bodies attract each other, but only one is dynamic"),
+        (bare, "effects", {"gravitation": {"constant": 1}}, "effects.gravitation: 'gravitation' acts between bodies, but 'ball' is the only one"),
         (hanging, "effects.gravitation", {"constant": 1}, None),
         (hanging, "effects.gravitation", {"constant": 1, "softening": -1}, "effects.gravitation.softening: is -1, but must be at least 0"),
         (hanging, "effects.gravitation", {"constant": 1, "bodies": ["ball"]}, "effects.gravitation.bodies"),
@@ -263,7 +263,10 @@ def test_bodies_that_attract_each_other_cannot_start_at_one_place() -> None:
     [mistake] = mistakes(hanging(), pulls, *meets)
 
     assert mistake.path == "effects.gravitation"
-    assert "'ball' and 'other' attract each other but start at the same position" in mistake.rule
+    both = (
+        "'gravitation' acts between 'ball' and 'other', which start at the same position; move one"
+    )
+    assert mistake.rule.startswith(f"{both}, or add a 'softening'")
     assert mistake.rule.endswith("when m = 1")
     assert mistakes(hanging(), soft, *meets) == ()
 

@@ -12,9 +12,9 @@ from sandbox.model.loading import load
 from tests.validation.test_compose import FIELDS, course, of
 from validation import cli
 from validation.compose import outcome
+from validation.compose.command import complaints
 from validation.compose.invariants import Case, Judgement
 from validation.compose.outcome import Outcome, judged
-from validation.compose.report import complaints
 from validation.compose.scenes import scene, seeds
 
 

@@ -20,8 +20,7 @@ from validation.cost import command
 from validation.cost.report import as_json, milliseconds, order_in_words, times
 from validation.cost.run_error import yardstick
 from validation.cost.summary import cost_to_reach, failed, headline, next_digit, order, pareto
-from validation.cost.sweep import QUICK, Budget, Point, Sweep, errors, timed
-from validation.cost.trusted_digits import digits
+from validation.cost.sweep import QUICK, Budget, Point, Sweep, digits, errors, timed
 
 LEVELS = ["kinematics/free-fall", "lagrange/simple-pendulum"]
 

@@ -1,22 +1,13 @@
 """The commands of `python -m validation`: one module each, and one list of them.
 
-Each module has one function, `command`, which declares its arguments and its help. Slow imports are
-made when it is called.
+Each module has one function, `command`, which declares its arguments and its help, and returns
+whether all is well. Slow imports are made when it is called.
 """
 
 import typer
 
-from validation.cli import (
-    compose,
-    cost,
-    effects,
-    fuzz,
-    pace,
-    report,
-    requests,
-    run,
-    stability,
-)
+from validation.cli import compose, cost, effects, fuzz, pace, report, requests, run, stability
+from validation.cli.options import with_status
 
 COMMANDS = (run, compose, cost, requests, pace, effects, report, stability, fuzz)
 """All commands in the order of the help; each is named after its module."""
@@ -31,7 +22,7 @@ app = typer.Typer(
 )
 
 for _module in COMMANDS:
-    app.command(_module.__name__.rpartition(".")[2])(_module.command)
+    app.command(_module.__name__.rpartition(".")[2])(with_status(_module.command))
 
 
 @app.callback()

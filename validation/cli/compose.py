@@ -1,13 +1,12 @@
 """The command `compose`."""
 
-from collections.abc import Callable
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
 from sandbox.optional_packages import needed_for
-from validation.cli.options import FAILED, Jobs, JsonFile, reported_errors
+from validation.cli.options import Jobs, JsonFile
 
 
 def command(
@@ -30,26 +29,12 @@ def command(
         ),
     ] = None,
     jobs: Jobs = None,
-) -> None:
+) -> bool:
     """Test random compositions of bodies, joints and effects for what must hold in any run.
 
     Exit status 1 if a test fails. A scene that is refused with a reason is not a failure.
     """
-    with reported_errors():
-        measure = _composer()
-        passed = measure(scenes or _seeds(seed, count), json_file, output, jobs)
-    if not passed:
-        raise typer.Exit(FAILED)
-
-
-def _seeds(seed: int, count: int) -> list[int]:
-    from validation.compose.scenes import seeds
-
-    return seeds(seed, count)
-
-
-def _composer() -> Callable[..., bool]:
-    """Return the judge of compositions, which needs a library of its own."""
     with needed_for("a judgement of compositions"):
         from validation.compose.command import measure
-    return measure
+        from validation.compose.scenes import seeds
+    return measure(scenes or seeds(seed, count), json_file, output, jobs)

@@ -5,7 +5,7 @@ from typing import Annotated
 
 import typer
 
-from validation.cli.options import FAILED, JsonFile, reported_errors
+from validation.cli.options import JsonFile
 
 
 def command(
@@ -19,14 +19,11 @@ def command(
         typer.Option(metavar="DIR", help="Also draw a diagram for every level, in this folder."),
     ] = None,
     quick: Annotated[bool, typer.Option("--quick", help="Fewer rates and shorter runs.")] = False,
-) -> None:
+) -> bool:
     """Show what accuracy costs in time: error against seconds for every scheme and rate.
 
     Exit status 1 if a level does not run at its own rate.
     """
     from validation.cost.command import measure  # what one command needs need not slow all
 
-    with reported_errors():
-        failed = measure(levels or [], json_file, output, quick=quick)
-    if failed:
-        raise typer.Exit(FAILED)
+    return not measure(levels or [], json_file, output, quick=quick)

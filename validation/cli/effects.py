@@ -4,7 +4,7 @@ from typing import Annotated
 
 import typer
 
-from validation.cli.options import JsonFile, reported_errors
+from validation.cli.options import JsonFile
 
 
 def command(
@@ -16,5 +16,4 @@ def command(
     """Measure the cost of each level beside the bare engine, and of each effect on many bodies."""
     from validation.effects.command import measure  # what one command needs need not slow all
 
-    with reported_errors():
-        measure(json_file, quick=quick)
+    measure(json_file, quick=quick)

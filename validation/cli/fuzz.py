@@ -5,7 +5,7 @@ from typing import Annotated
 
 import typer
 
-from validation.cli.options import FAILED, JsonFile, reported_errors
+from validation.cli.options import JsonFile
 
 
 def command(
@@ -28,7 +28,7 @@ def command(
             metavar="DIR", help="The folder for levels that go wrong. [default: out/fuzz]"
         ),
     ] = None,
-) -> None:
+) -> bool:
     """Try levels that nobody would write, drawn from the schema or made from existing ones.
 
     If Atheris is installed, it guides the search to levels that reach more of the code. Each level
@@ -38,7 +38,4 @@ def command(
     from validation.fuzz import command  # what one command needs need not slow all
 
     number = count or (None if minutes is not None else 1000)
-    with reported_errors():
-        passed = command.fuzz(number, seed, minutes, json_file, samples or command.SAMPLES)
-    if not passed:
-        raise typer.Exit(FAILED)
+    return command.fuzz(number, seed, minutes, json_file, samples or command.SAMPLES)

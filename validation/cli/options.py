@@ -1,9 +1,9 @@
-"""Options, exit statuses and error messages that several commands share."""
+"""Options, exit statuses and error messages that commands share."""
 
-from collections.abc import Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
+from functools import wraps
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, ParamSpec
 
 import typer
 
@@ -20,15 +20,20 @@ Jobs = Annotated[
     ),
 ]
 
+Given = ParamSpec("Given")
 
-FAILED = 1
 
+def with_status(command: Callable[Given, bool | None]) -> Callable[Given, None]:
+    """Return a command that exits with 1 if it returns false, and tells errors like `sandbox`."""
 
-@contextmanager
-def reported_errors() -> Iterator[None]:
-    """Print an error and exit with its status, as `sandbox` does."""
-    try:
-        yield
-    except SandboxError as error:
-        typer.echo(error, err=True)
-        raise typer.Exit(error.exit_status) from None
+    @wraps(command)
+    def run(*given: Given.args, **options: Given.kwargs) -> None:
+        try:
+            passed = command(*given, **options)
+        except SandboxError as error:
+            typer.echo(error, err=True)
+            raise typer.Exit(error.exit_status) from None
+        if passed is False:
+            raise typer.Exit(1)
+
+    return run

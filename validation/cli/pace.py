@@ -4,7 +4,7 @@ from typing import Annotated
 
 import typer
 
-from validation.cli.options import FAILED, JsonFile, reported_errors
+from validation.cli.options import JsonFile
 
 
 def command(
@@ -12,7 +12,7 @@ def command(
         list[str] | None, typer.Argument(metavar="[LEVEL]...", help="All levels if left out.")
     ] = None,
     json_file: JsonFile = None,
-) -> None:
+) -> bool:
     """Show the share of a core that each level needs to run in real time at its own rate.
 
     The share is given for this core at this moment, and for a reference core: a slow one that is
@@ -20,7 +20,4 @@ def command(
     """
     from validation.pace.command import measure  # what one command needs need not slow all
 
-    with reported_errors():
-        slow = measure(levels or [], json_file)
-    if slow:
-        raise typer.Exit(FAILED)
+    return not measure(levels or [], json_file)

@@ -1,13 +1,11 @@
 """The command `report`."""
 
-from collections.abc import Callable
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
 from sandbox.optional_packages import needed_for
-from validation.cli.options import FAILED, reported_errors
 
 
 def command(
@@ -24,19 +22,11 @@ def command(
     quick: Annotated[
         bool, typer.Option("--quick", help="A few cases and levels, and short runs.")
     ] = False,
-) -> None:
+) -> bool:
     """Write the whole validation as one self-contained HTML page.
 
     Exit status 1 if a part could not be measured or a case does not hold.
     """
-    with reported_errors():
-        passed = _writer()(output, source, quick=quick, figures=figures)
-    if not passed:
-        raise typer.Exit(FAILED)
-
-
-def _writer() -> Callable[..., bool]:
-    """Return the writer of reports, which needs libraries of its own."""
     with needed_for("a report"):
         from validation.report.command import write
-    return write
+    return write(output, source, quick=quick, figures=figures)

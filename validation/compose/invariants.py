@@ -35,8 +35,7 @@ MARGIN = 0.9
 may tip one that barely stands."""
 
 DRIFT = 1e-5
-"""The tolerance of a scene at rest [m]: contacts may sink by the skin of 1e-6 m, at a leverage of
-ten."""
+"""The tolerance at rest [m]: contacts may sink by the skin of 1e-6 m, at a leverage of ten."""
 
 JOINTS = 1e-9
 """The tolerance of joints [m]: the rounding of positions of 10 m is 1e-15 m, times a thousand for a

@@ -38,7 +38,6 @@ class Kept:
     """A constraint of a joint."""
 
     joint: str
-    """The name of the joint."""
     off: Numbers
     """(T,), its violation [m; rad for an angle]."""
     pulls_only: bool = False

@@ -1,6 +1,5 @@
 """A run of a random scene, recorded at every step."""
 
-from collections.abc import Mapping
 from dataclasses import dataclass, field
 from math import ceil
 from time import process_time
@@ -179,16 +178,12 @@ class _Notes:
             scene, level, self.world.stepping.rate, seen, self.pairs,
             seen.tension != 0, np.array(self.booked), np.array(self.unexplained),
             np.array(self.lost),
-            _total(self.ledger.balance.work), asked, failure, advised,
+            sum(map(abs, self.ledger.balance.work.values())), asked, failure, advised,
         )  # fmt: skip
 
 
 def _pairs(world: World) -> Pairs:
     return frozenset(map(tuple, np.sort(world.contacts.bodies, axis=1).tolist()))
-
-
-def _total(account: Mapping[str, float]) -> float:
-    return sum(abs(value) for value in account.values())
 
 
 def positions(level: Level, rate: float, steps: int, every: int) -> Snapshot:

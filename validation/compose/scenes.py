@@ -22,7 +22,6 @@ class Scene:
     """A random composition."""
 
     seed: int
-    """The seed."""
     family: str
     """The family that built it."""
     document: Document

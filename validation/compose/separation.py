@@ -86,11 +86,9 @@ class Couple:
     """Two bodies that may touch."""
 
     names: tuple[str, str]
-    """Their names."""
     separation: Array
     """(T,), the smallest distance between their parts [m]."""
     parts: tuple[Sequence[Placed], Sequence[Placed]]
-    """The parts of each."""
 
     def entered(self, depth: float) -> Booleans:
         """Return when a corner of either first reaches a depth in the other: (T,)."""

@@ -18,8 +18,7 @@ class Part:
     """A convex part of an outline: the hull of some corners, with a radius around it."""
 
     corners: Array
-    """(k, 2), relative to the body's centre along its axes, counter-clockwise; one for a disc [m].
-    """
+    """(k, 2), relative to the body's centre, counter-clockwise; one for a disc [m]."""
     radius: float
     """The radius around them [m]."""
 

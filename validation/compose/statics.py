@@ -26,9 +26,6 @@ TOUCHING = 2e-6
 UNIQUE = 1e-9
 """The undetermined share of a force below which it counts as unique: rounding."""
 
-Wrench = tuple[int, Array]
-"""The effect of a unit force on a body: the body's index, and (3,) [N, N, N m]."""
-
 
 @dataclass(frozen=True, slots=True)
 class Contact:

@@ -22,10 +22,7 @@ LOOKS = {
 
 
 def draw(sweep: Sweep, folder: Path) -> Path:
-    """Draw a level's diagram as a PNG in a folder, and return its path.
-
-    Raises `SandboxError` if it cannot be written.
-    """
+    """Draw a level's diagram as a PNG, and return its path; raise `SandboxError` if that fails."""
     path = folder / f"{sweep.level.replace('/', '-')}.png"
     write_atomically(path, plots.written(diagram(sweep), "png"))
     return path

@@ -1,6 +1,6 @@
 """The sweep: a level with every scheme, at every rate."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import product
 from math import inf, nan
@@ -9,15 +9,17 @@ from time import perf_counter
 from sandbox.model.catalog import find
 from sandbox.model.level import Level, Scheme, Stepping
 from sandbox.model.loading import load
+from sandbox.model.quantities import TIME
 from sandbox.physics.accuracy.calibration import BUDGET
-from sandbox.physics.accuracy.trusted_digits import Trust
+from sandbox.physics.accuracy.compared_runs import motion
+from sandbox.physics.accuracy.study import trusted
+from sandbox.physics.accuracy.trusted_digits import Trust, least_known
 from sandbox.physics.measuring.recording import Trace, count_steps
 from sandbox.physics.run import build
 from sandbox.physics.scene.schemes import usable
 from sandbox.physics.state.errors import SimulationError
 from validation.cost.requests import Request, ask, costs
 from validation.cost.run_error import Yardstick, run, yardstick
-from validation.cost.trusted_digits import digits
 
 RATES = tuple(15.0 * 2**i for i in range(10))
 """The rates of the sweep [Hz]: 15 to 7,680."""
@@ -59,7 +61,6 @@ class Point:
     seconds_per_second: float
     """The computing time per second of the scene [s]."""
     steps: int
-    """The number of steps."""
     callbacks: int
     """The number of Python calls in these steps."""
     failure: str | None = None
@@ -76,7 +77,6 @@ class Sweep:
     """The points of a level; the costs are NaN until they are timed."""
 
     level: str
-    """The name of the level."""
     judged_by: str
     quantities: tuple[str, ...]
     """The reference of the errors, and the quantities that have them."""
@@ -175,3 +175,19 @@ def _timed(point: Point, level: Level) -> Point:
         return point
     [cost] = costs(level, point.stepping)
     return replace(point, seconds_per_second=cost)
+
+
+def digits(level: Level, quantities: Iterable[str]) -> tuple[Trust, ...]:
+    """Return the trust in some quantities, preceded by that in the least known position.
+
+    Empty if the level does not run with half of its step.
+    """
+    checked = [name for name in dict.fromkeys(quantities) if name != TIME.name]
+    places = [item.quantity for item in motion(level) if ".position." in item.quantity]
+    try:
+        found = trusted(level, level.defaults, dict.fromkeys((*places, *checked)))
+    except SimulationError:
+        return ()
+    least = least_known(trust for trust in found if trust.quantity in places)
+    rest = [trust for trust in found if trust.quantity in checked and trust is not least]
+    return (*([least] if least else []), *rest)

@@ -54,12 +54,7 @@ EFFECTS: Mapping[str, tuple[str, ...]] = {
 }
 """The effects that are declared to measure one effect, or several together."""
 
-BASE = {
-    "rotation": "contact",
-    "friction": "contact",
-    "restitution": "contact",
-    "belt": "friction",
-}
+BASE = {"rotation": "contact", "friction": "contact", "restitution": "contact", "belt": "friction"}
 """The effect relative to which another's cost is measured; for all others it is relative to an
 empty scene."""
 

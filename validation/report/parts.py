@@ -125,10 +125,7 @@ def collect(part: Part, source: Path | None, *, quick: bool) -> Content:
 
 
 def outcomes(content: Content) -> list[Outcome]:
-    """Return the cases of `validation run`.
-
-    Raises `SandboxError` if the content has another form.
-    """
+    """Return the cases of `run`; raise `SandboxError` if the content has another form."""
     rows = [_filled(row, error=inf, naive_error=inf) for row in _rows(content, "cases")]
     return _validated(TypeAdapter(list[Outcome]), rows)
 

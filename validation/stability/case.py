@@ -56,8 +56,7 @@ class HardCase:
     every_step: bool = False
     """Whether every step is observed, instead of some hundreds."""
     special: Callable[[Level, float], float] | None = None
-    """A function of the level and the duration that returns the figure, if one run is not enough.
-    """
+    """A function of level and duration that returns the figure, if one run is not enough."""
     beyond: str | None = None
     """Why it is out of reach, if it is; then it is shown, but is not a failure."""
 
@@ -72,8 +71,7 @@ class Frontier:
     axis: str
     """The quantity that makes it harder."""
     scene: Callable[[float], Document]
-    """The level at a given difficulty; the cost of its stepping is the budget for pymunk as well.
-    """
+    """The level at a given difficulty; its cost is the budget for pymunk as well."""
     figure: Figure
     bound: float
     criterion: str
@@ -88,8 +86,7 @@ class Frontier:
     whole: bool = False
     """Whether the difficulty is a whole number."""
     over_time: bool = False
-    """Whether the difficulty is the time until which the bound holds; `end` is then the duration.
-    """
+    """Whether the difficulty is the time that the bound holds; `end` is then the duration."""
     tolerance: float = 1.25
     """The factor by which the frontier may recede."""
     beyond: str | None = None
@@ -97,10 +94,7 @@ class Frontier:
 
 
 def watch(level: Level, world: World, duration: float, *, every_step: bool = False) -> Run:
-    """Run a world, sample it at intervals, and return the samples.
-
-    Raises `SimulationError` if the run had to stop.
-    """
+    """Run a world, and return samples; raise `SimulationError` if the run had to stop."""
     steps = count_steps(world, duration)
     stride = 1 if every_step else max(1, steps // LOOKS)
     first, start = world.snapshot, process_time()

@@ -33,8 +33,7 @@ def read(file: Path = FILE) -> History:
     """Return the content of the file; empty if there is none."""
     if not file.is_file():
         return {}
-    found: History = json.loads(file.read_text(encoding="utf-8"))
-    return found
+    return json.loads(file.read_text(encoding="utf-8"))
 
 
 def last(history: Mapping[str, list[Entry]], name: str) -> Entry | None:

@@ -83,11 +83,6 @@ def rows(run: Run, *names: str) -> list[int]:
     return [known.index(name) for name in names]
 
 
-def speed(run: Run) -> float:
-    """Return the greatest speed of any body [m/s]."""
-    return float(np.hypot(run.states.velocity[..., 0], run.states.velocity[..., 1]).max())
-
-
 def naive_of(level: Level) -> World:
     """Return the world of a level in stock pymunk, at the level's rate."""
     return build(level, stepping=Stepping(rate=level.stepping.rate, scheme="symplectic-euler"))

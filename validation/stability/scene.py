@@ -50,12 +50,6 @@ def disc(place: Place, radius: float, mass: float = 1.0, **rest: object) -> Docu
     return {"shape": shape, "mass": mass, "position": rounded(place), **rest}
 
 
-def line(*points: Place, **rest: object) -> Document:
-    """Return static, straight lines through points [m]."""
-    shape = {"type": "polyline", "points": [rounded(point) for point in points]}
-    return {"type": "static", "shape": shape, **rest}
-
-
 def block(place: Place, width: float, height: float, **rest: object) -> Document:
     """Return a static box; m."""
     shape = {"type": "box", "width": width, "height": height}

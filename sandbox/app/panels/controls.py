@@ -14,17 +14,20 @@ from sandbox.app.widgets.widget_helpers import press
 from sandbox.app.words import formatting
 from sandbox.app.words.language import later, say
 
-SPEED = 58  # px, the width of the number between the two buttons
+Caption = tuple[str, str]
+"""A command and the caption of its button."""
+
+SPEED, SMALL = 58, 32  # px, the widths of the number between two buttons, and of each of them
 
 CLOCK = 130  # px, the least width of the clock for which other buttons make way
 TIGHT = 560  # px, the smallest width of the window with the speed and its buttons
 
 PLAY, PAUSE = later("Play"), later("Pause")
-HOME: tuple[tuple[str, str], ...] = (("home", later("Home")),)
-LEFT: tuple[tuple[str, str], ...] = (
+HOME: tuple[Caption, ...] = (("home", later("Home")),)
+LEFT: tuple[Caption, ...] = (
     ("play", PLAY), ("step", later("Step")), ("restart", later("Restart")),
 )  # fmt: skip
-WAYS: tuple[tuple[str, str], ...] = (("fit", later("Fit")), ("help", later("Help")))
+WAYS: tuple[Caption, ...] = (("fit", later("Fit")), ("help", later("Help")))
 KNOB = 7.0  # px, the radius of the knob on the time bar
 SNAP = 6  # px, the distance from a mark within which a click snaps to it
 REACH = 24  # px, the additional height of the clickable area of the time bar
@@ -48,15 +51,15 @@ class Controls(Bar):
         super().__init__(manager, pen, rect)
         px = pen.px
         x = px(MARGIN)
-        for command, text in (*HOME, *LEFT) if home else LEFT:
-            main = command == "play"
-            room = self._room(*map(say, (PLAY, PAUSE) if main else (text,)), main=main)
-            x = self._button(command, say(text), x, room, main=main)
+        for command, text in self._leading((*HOME, *LEFT) if home else LEFT):
+            x = self._button(
+                command, say(text), x, self._width(command, text), main=command == "play"
+            )
         self._speed = pygame.Rect(0, 0, 0, 0)
         if rect.width >= px(TIGHT):
-            x = self._button("slower", "−", x + px(GAP), 32)
+            x = self._button("slower", "−", x + px(GAP), SMALL)
             self._speed = pygame.Rect(x, 0, px(SPEED), 0)
-            x = self._button("faster", "+", x + px(SPEED), 32)
+            x = self._button("faster", "+", x + px(SPEED), SMALL)
         right = self._ways(x)
         self._clock = pygame.Rect(x + px(12), rect.y, right - x - px(28), rect.height)
         self._seeking = False
@@ -67,17 +70,38 @@ class Controls(Bar):
 
         `left` is the right edge of the other buttons [px].
         """
-        px = self._pen.px
         for wanted in ((*_overlays(), *WAYS), WAYS, WAYS[-1:]):
-            shown = [(command, say(text), self._room(say(text))) for command, text in wanted]
-            taken = sum(px(width) + px(GAP) for _, _, width in shown)
-            edge = self._rect.width - px(MARGIN - GAP) - taken
-            if edge - left - px(28) >= px(CLOCK):
+            if self._fits(left, wanted):
                 break
-        right = edge
-        for command, text, width in shown:
-            right = self._button(command, text, right, width)
+        right = edge = self._edge(wanted)
+        for command, text in wanted:
+            right = self._button(command, say(text), right, self._width(command, text))
         return edge
+
+    def _leading(self, buttons: Sequence[Caption]) -> Sequence[Caption]:
+        """Return the buttons at the left; Step is left to its key if the clock lacks room."""
+        px = self._pen.px
+        speed = px(GAP + SPEED) + 2 * px(SMALL + GAP) if self._rect.width >= px(TIGHT) else 0
+        if self._fits(px(MARGIN) + self._taken(buttons) + speed, WAYS[-1:]):
+            return buttons
+        return [button for button in buttons if button[0] != "step"]
+
+    def _width(self, command: str, text: str) -> int:
+        """Return the width of the button of a command, at scale 1 [px]."""
+        main = command == "play"
+        return self._room(*map(say, (PLAY, PAUSE) if main else (text,)), main=main)
+
+    def _taken(self, buttons: Sequence[Caption]) -> int:
+        """Return the width of buttons beside each other [px]."""
+        return sum(self._pen.px(self._width(*each)) + self._pen.px(GAP) for each in buttons)
+
+    def _edge(self, buttons: Sequence[Caption]) -> int:
+        """Return the left edge of buttons at the right [px]."""
+        return self._rect.width - self._pen.px(MARGIN - GAP) - self._taken(buttons)
+
+    def _fits(self, left: int, buttons: Sequence[Caption]) -> bool:
+        """Whether buttons at the right leave the clock its room beside those up to `left` [px]."""
+        return self._edge(buttons) - left - self._pen.px(28) >= self._pen.px(CLOCK)
 
     def sought(self, event: pygame.event.Event) -> float | None:
         """Return the share of the run that was clicked or dragged to, from 0 to 1; None if none."""
@@ -181,7 +205,7 @@ class Controls(Bar):
             surface.fill(theme.NOTICE, mark)
 
 
-def _overlays() -> list[tuple[str, str]]:
+def _overlays() -> list[Caption]:
     """Return the overlays with buttons, and their captions."""
     return [(each.name, each.caption) for each in OVERLAYS if each.caption]
 

@@ -27,7 +27,7 @@ from sandbox.physics.stepping.world import World
 
 BUDGET = 0.009  # s, the time for steps in a frame
 LATE = 2 / 60  # s, the longest delay of steps
-AT_ONCE = 0.15  # s, the time for seeking a step before a frame is drawn
+AT_ONCE = 0.1  # s, the time for seeking a step before a frame is drawn
 FADING = 0.25  # s, the time in which a flash at an impact fades
 ON_THE_WAY = 0.05  # s, the time for seeking in later frames
 

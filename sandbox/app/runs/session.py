@@ -115,12 +115,17 @@ class Session(Playback):
         except SandboxError as error:
             self._stop(error)
 
+    @property
+    def branched(self) -> bool:
+        """Whether the run has branched, or will where it did before; then no check is graded."""
+        return any(action.kind in ("branch", "alter") for action in self.all_actions)
+
     def rewind(self) -> None:
         """Go back to the start; the user's actions are repeated.
 
         A run that has branched or failed restarts instead, with the current parameters.
         """
-        if any(action.kind in ("branch", "alter") for action in self.all_actions) or self.failure:
+        if self.branched or self.failure:
             self.restart()
         else:
             self.go_to(0)

@@ -42,9 +42,9 @@ class Labels:
     ) -> pygame.Rect | None:
         """Return the best free place [px], and mark it as occupied; None if there is none.
 
-        The best of the places comes first. Areas to avoid count for more than lines; if `strict`,
-        no place is better than one in such an area. A label without a name may change places in the
-        next picture.
+        The best of the places comes first. Areas to avoid count for more than lines, which count
+        where no place is outside of these areas, too; if `strict`, no place is better than one in
+        such an area. A label without a name may change places in the next picture.
         """
         spots = list(places)
         first = self._kept.get(name, len(spots)) if name else len(spots)
@@ -56,8 +56,11 @@ class Labels:
         def clear() -> Iterator[int]:
             return (i for i in free() if spots[i].collidelist(avoid) < 0)
 
-        apart = (i for i in clear() if not self._crosses(spots[i]))
-        best = next(chain(apart, clear(), () if strict else free()), None)
+        def apart(found: Iterable[int]) -> Iterator[int]:
+            return (i for i in found if not self._crosses(spots[i]))
+
+        beyond = () if strict else chain(apart(free()), free())
+        best = next(chain(apart(clear()), clear(), beyond), None)
         if best is None:
             return None
         self._kept[name] = best

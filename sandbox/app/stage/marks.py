@@ -1,6 +1,7 @@
 """Draws the marks that explain a motion: trails, ghosts, velocity arrows, events, names."""
 
 from collections.abc import Iterable, Iterator, Sequence
+from itertools import pairwise
 from math import copysign, hypot
 
 import numpy as np
@@ -26,6 +27,12 @@ LONGEST = 0.14
 
 LINE, FURTHER = 16, 4
 """The height of a line [px], and the number of offsets by lines at which a label may be placed."""
+
+LARGE = 50
+"""The least width and height of a large body [px]."""
+
+Placed = tuple[Outline, XY, float]
+"""A body with its position [m] and angle [rad]."""
 
 PATH_POINTS = 240
 """The number of points of the closed form's path."""
@@ -208,15 +215,30 @@ def _around(x: int, y: int, size: tuple[int, int]) -> Iterator[pygame.Rect]:
         yield place.move_to(bottomright=(x - 11, y - 9 - further))
 
 
-def boxes(camera: Camera, shown: Iterable[tuple[Outline, XY, float]]) -> list[pygame.Rect]:
+def boxes(camera: Camera, shown: Iterable[Placed]) -> list[pygame.Rect]:
     """Return the bounding boxes of the bodies near the picture [px]."""
-    paths = (camera.path(outline.placed(position, angle)) for outline, position, angle in shown)
-    return [_box(path) for path in paths if lines.near(path)]
+    return [_box(path) for path in _paths(camera, shown)]
+
+
+def mark_large(camera: Camera, shown: Iterable[Placed], labels: Labels) -> None:
+    """Mark the sides of large bodies, since a slanted one does not fill its bounding box."""
+    for path in _paths(camera, shown):
+        if min(_box(path).size) >= LARGE:
+            for side in pairwise((*path, path[0])):
+                labels.mark(*side)
+
+
+def _paths(camera: Camera, shown: Iterable[Placed]) -> Iterator[list[XY]]:
+    """Yield the outlines of the bodies near the picture [px]."""
+    for outline, position, angle in shown:
+        path = camera.path(outline.placed(position, angle))
+        if lines.near(path):
+            yield path
 
 
 def draw_names(
     surface: pygame.Surface, camera: Camera, pen: Pen,
-    shown: Sequence[tuple[Outline, XY, float]], labels: Labels,
+    shown: Sequence[Placed], labels: Labels,
 ) -> None:  # fmt: skip
     """Write the names of bodies beside them; names without room are left out."""
     paths = [camera.path(outline.placed(position, angle)) for outline, position, angle in shown]

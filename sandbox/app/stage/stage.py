@@ -144,7 +144,9 @@ class Stage:
     def _write(self, surface: pygame.Surface, milestones: Sequence[Milestone]) -> None:
         """Write the measured values, after the arrows, which cannot move out of the way."""
         view, words = self.view, level_words.of(self.view.world.level)
-        avoid = marks.boxes(self.camera, ((each, *view.state(each)) for each in view.moving))
+        placed = [(each, *view.state(each)) for each in view.moving]
+        avoid = marks.boxes(self.camera, placed)
+        marks.mark_large(self.camera, placed, view.labels)
         marks.write_milestones(
             surface, self.camera, self._pen, milestones, words, view.labels, avoid
         )

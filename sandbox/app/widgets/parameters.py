@@ -2,7 +2,6 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from math import isfinite
 
 import pygame
 from pygame_gui import UI_HORIZONTAL_SLIDER_MOVED, UI_TEXT_ENTRY_FINISHED, UIManager
@@ -14,13 +13,17 @@ from sandbox.app.widgets.text_field import Field
 from sandbox.app.words import formatting
 from sandbox.app.words.level_words import Say
 from sandbox.app.words.slider_steps import rounded, step
+from sandbox.app.words.typed_numbers import read
+from sandbox.model.arithmetic import ExpressionError
 from sandbox.model.expressions import Values
 from sandbox.model.level import Parameter
+from sandbox.model.message import NOTHING, Message
 
 ROW = 46  # px
 FIELD = 68  # px
 UNIT = 42  # px
 LINE = 13  # px, between two lines of a label
+LONGEST = 60  # characters in a field
 
 
 @dataclass(slots=True)
@@ -36,11 +39,11 @@ class Row:
 
 @dataclass(frozen=True, slots=True)
 class Change:
-    """A change of a parameter that the user asks for; `value` is None if it was not a number."""
+    """A change of a parameter that the user asks for; without a `value`, it is refused."""
 
     name: str
-    typed: str
     value: float | None
+    refusal: Message = NOTHING
     shifted: bool = False
     """whether Shift was held while dragging; see `otherwise` of `Session.change`"""
 
@@ -53,7 +56,7 @@ class Parameters:
         area: pygame.Rect, parameters: Mapping[str, Parameter], values: Values,
         words: Say = str,
     ) -> None:  # fmt: skip
-        self._manager, self._words = manager, words
+        self._manager, self._words, self._values = manager, words, values
         self._rows: dict[str, Row] = {}
         height = pen.px(ROW)
         for i, (name, parameter) in enumerate(parameters.items()):
@@ -79,8 +82,7 @@ class Parameters:
             place = image.get_rect(midleft=(x, rect.y + px(13)))
             UIImage(place, image, manager, container=container)
         field = Field(box, manager, container=container)
-        field.set_allowed_characters(list("0123456789.,-+eE"))
-        field.set_text_length_limit(16)
+        field.set_text_length_limit(LONGEST)
         slider = UIHorizontalSlider(
             pygame.Rect(rect.x, rect.y + px(29), rect.width, px(13)), value,
             (parameter.min, parameter.max), manager, container=container,
@@ -91,6 +93,7 @@ class Parameters:
 
     def show(self, values: Values) -> None:
         """Show other values; parameters that no longer exist keep theirs."""
+        self._values = values
         for name, row in self._rows.items():
             if name not in values:
                 continue
@@ -127,6 +130,11 @@ class Parameters:
             if row.field.is_focused:
                 row.field.select_range = [0, len(row.shown)]
 
+    @property
+    def selected(self) -> bool:
+        """Whether the whole text of a field is selected, as when a value has been taken."""
+        return any(row.field.is_focused and row.field.selected for row in self._rows.values())
+
     def row(self, name: str) -> Row:
         """Return the widgets of a parameter."""
         return self._rows[name]
@@ -135,15 +143,18 @@ class Parameters:
         """Return the change to the slider's value, rounded to a step."""
         value = rounded(row.parameter, row.slider.get_current_value())
         shifted = bool(pygame.key.get_mods() & pygame.KMOD_SHIFT)
-        return Change(name, formatting.setting(value), value, shifted)
+        return Change(name, value, shifted=shifted)
 
     def _typed(self, name: str, row: Row) -> Change:
-        text = row.field.get_text().strip().replace(",", ".")
+        """Return the change to a typed number, which may have a unit and name other parameters."""
+        text = row.field.get_text().strip()
+        if "(" not in text:  # where a comma separates arguments
+            text = text.replace(",", ".")
         try:
-            value = float(text)
-        except ValueError:
-            return Change(name, text, None)
-        return Change(name, text, value if isfinite(value) else None)
+            value = read(text, row.parameter.unit, self._values)
+        except ExpressionError as error:
+            return Change(name, None, error.message)
+        return Change(name, value)
 
     def _nudged(self, name: str, row: Row, event: pygame.event.Event) -> Change | None:
         """Return the change by one step, or by ten steps with Shift; None for other keys."""
@@ -156,7 +167,7 @@ class Parameters:
         many = 10 if event.mod & pygame.KMOD_SHIFT else 1
         value = base + directions[event.key] * many * step(row.parameter)
         value = float(f"{min(max(value, row.parameter.min), row.parameter.max):.9g}")
-        return Change(name, formatting.setting(value), value)
+        return Change(name, value)
 
 
 def _title(pen: Pen, text: str, width: int) -> pygame.Surface:

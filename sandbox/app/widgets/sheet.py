@@ -35,6 +35,8 @@ class Sheet:
         """The left margin, which is twice the upper one [px]."""
         self.width = rect.width - self.margin - pen.px(BAR)
         """The width of the contents [px]."""
+        self.height = rect.height
+        """The height of the area [px]."""
         self._rect = rect
         self.strip = UIContainer(pygame.Rect(rect.topleft, (rect.width, 1)), manager)
         """The strip above the area, which does not scroll; without height unless a page pins it."""

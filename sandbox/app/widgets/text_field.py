@@ -33,8 +33,15 @@ class Field(UITextEntryLine):
                 self.select_range = [0, len(self.text)]
         return consumed
 
+    @property
+    def selected(self) -> bool:
+        """Whether the whole text is selected, and there is one."""
+        return bool(self.text) and sorted(self.select_range) == [0, len(self.text)]
+
     def _process_entered_character(self, character: str) -> bool:
         letter = typed(character)
+        if letter == " " and self.selected:  # no text begins with one
+            return False
         return bool(letter) and bool(super()._process_entered_character(letter))
 
     def _do_paste(self) -> None:

@@ -14,8 +14,7 @@ SHARE = 10
 def command(
     levels: LevelsArgument,
     watch: Annotated[
-        bool,
-        typer.Option("--watch", help="Check again whenever a file changes, until Ctrl-C."),
+        bool, typer.Option("--watch", help="Check again whenever a file changes, until Ctrl-C.")
     ] = False,
 ) -> None:
     """Check whether levels are well formed.

@@ -5,9 +5,7 @@ import typer
 from sandbox.cli.commands.options import LevelsArgument
 
 
-def command(
-    levels: LevelsArgument,
-) -> None:
+def command(levels: LevelsArgument) -> None:
     """Convert levels to the newest version of the format.
 
     So far there is only one version: the command says which levels have it, and writes nothing.

@@ -8,9 +8,7 @@ import typer
 from sandbox.cli.commands.options import argument
 
 
-def command(
-    file: Annotated[Path, argument("FILE", "The saved run.")],
-) -> None:
+def command(file: Annotated[Path, argument("FILE", "The saved run.")]) -> None:
     """Repeat a run that was saved in the window, without a window.
 
     The level, the parameters and all actions are the same, each action at its own step. The exit

@@ -105,7 +105,8 @@ def _new_names(source: Level, level: Level) -> Mapping[str, str]:
 def _numbers_in_conflict(source: Level, level: Level) -> Mapping[str, str]:
     """Return new names for parameters and constants that are something else in a level."""
     known = level.parameters.keys() | level.constants.keys()
-    others = {name for name in _numbers(source) if name in known and not _same(name, source, level)}
+    numbers = (*source.parameters, *source.constants)
+    others = {name for name in numbers if name in known and not _same(name, source, level)}
     while using := {
         name
         for name, formula in source.constants.items()
@@ -119,10 +120,6 @@ def _numbers_in_conflict(source: Level, level: Level) -> Mapping[str, str]:
         free = (f"{stem}{number}" for number in count(1))
         names[name] = next(one for one in free if one not in taken | set(names.values()))
     return names
-
-
-def _numbers(level: Level) -> tuple[str, ...]:
-    return (*level.parameters, *level.constants)
 
 
 def _same(name: str, one: Level, other: Level) -> bool:

@@ -11,18 +11,12 @@ SOON = 1.0
 
 
 def cut(text: str, level: Level, joint: str) -> str:
-    """Return a level in which an event cuts a joint.
-
-    Raises `LevelError` if the loader refuses it.
-    """
+    """Return a level in which an event cuts a joint; raise `LevelError` if it is refused."""
     return _with_event(text, level, "cut", joint)
 
 
 def reverse(text: str, level: Level, surface: str) -> str:
-    """Return a level in which an event reverses a one-way surface.
-
-    Raises `LevelError` if the loader refuses it.
-    """
+    """Return a level with an event that reverses a surface; raise `LevelError` if it is refused."""
     return _with_event(text, level, "reverse", surface)
 
 

@@ -24,10 +24,7 @@ def group(text: str, level: Level, names: Collection[str]) -> str:
 
 
 def ungroup(text: str, level: Level, names: Collection[str]) -> str:
-    """Return a level without the groups that some bodies are in.
-
-    Raises `SandboxError` if none of them is in a group.
-    """
+    """Return a level without the groups of some bodies; raise `SandboxError` if there are none."""
     kept = [list(one) for one in level.view.together if not set(one) & set(names)]
     if len(kept) == len(level.view.together):
         raise SandboxError("none of these bodies is in a group")

@@ -30,8 +30,7 @@ from sandbox.model.shapes import (
 )
 
 _SIDES = (-1 - 1j, 0 - 1j, 1 - 1j, 1 + 0j, 1 + 1j, 0 + 1j, -1 + 1j, -1 + 0j)
-"""The positions of a box's handles in halves of its sides, counter-clockwise from the lower
-left."""
+"""A box's handles in halves of its sides, counter-clockwise from the lower left."""
 
 
 def handles(level: Level, name: str) -> list[XY]:

@@ -54,22 +54,12 @@ def picks(kind: str) -> int:
 def add_joint(text: str, level: Level, kind: str, chosen: Sequence[Pick]) -> Made:
     """Return a level with a new joint; if its bodies overlap, they no longer collide.
 
-    Parameters
-    ----------
-    text, level
-        The text of the level, and the level.
-    kind
-        The kind, as in a level's file.
-    chosen
-        The two ends, in order. For a pulley: also the pegs between them. For a pin: the two parts,
-        held at the first point. For a rail: the body that slides, and a point through which the
-        rail passes. For a winding: the end of the string, and the wheel on the side where the
-        string leaves it. For a wire: the bead, and a point through which the wire passes.
-
-    Raises
-    ------
-    SandboxError
-        If there is no such kind, or the kind cannot join these points.
+    `kind` is as in a level's file, and `chosen` has the two ends, in order. For a pulley, it also
+    has the pegs between them. For a pin, it has the two parts, held at the first point; for a rail,
+    the body that slides, and a point through which the rail passes; for a winding, the end of the
+    string, and the wheel on the side where the string leaves it; for a wire, the bead, and a point
+    through which the wire passes. Raises `SandboxError` if the kind does not exist, or cannot join
+    these points.
     """
     if kind not in KINDS:
         raise SandboxError(

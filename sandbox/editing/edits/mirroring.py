@@ -30,12 +30,7 @@ from sandbox.model.shapes import Arc, Curve, Polygon, Polyline, Segment, points_
 Pair = tuple[Expression, Expression]
 
 
-def mirror(
-    text: str,
-    level: Level,
-    names: Collection[str],
-    axis: Literal["x", "y"] = "x",
-) -> str:
+def mirror(text: str, level: Level, names: Collection[str], axis: Literal["x", "y"] = "x") -> str:
     """Return a level in which bodies are mirrored about the middle of their bounding box.
 
     Coordinates along the axis are reversed: x swaps left and right, y above and below. Raises
@@ -124,10 +119,7 @@ class _Mirror:
             case Polyline() as shape:
                 return {(*path, "points"): list(map(self._flipped, points_of(shape)))}
             case Segment(start=start, end=end):
-                return {
-                    (*path, "start"): self._flipped(start),
-                    (*path, "end"): self._flipped(end),
-                }
+                return {(*path, "start"): self._flipped(start), (*path, "end"): self._flipped(end)}
             case Curve(curve=curve):
                 return {(*path, "curve"): self._flipped(curve)}
             case Arc(start=first, end=last):

@@ -14,8 +14,7 @@ from sandbox.model.loading import read
 
 @cache
 def _empty() -> Mapping[str, Any]:
-    said: Mapping[str, Any] = json.loads(read(templates.path("empty")))
-    return said
+    return json.loads(read(templates.path("empty")))
 
 
 def is_untitled(document: Mapping[str, Any]) -> bool:

@@ -53,11 +53,7 @@ def shift(text: str, level: Level, ways: Mapping[str, complex]) -> str:
 
 
 def turn(
-    text: str,
-    level: Level,
-    names: Collection[str],
-    angle: float,
-    about: XY | None = None,
+    text: str, level: Level, names: Collection[str], angle: float, about: XY | None = None
 ) -> str:
     """Return a level in which bodies are turned together, counter-clockwise by an angle [rad].
 
@@ -83,16 +79,8 @@ def align(text: str, level: Level, names: Collection[str], side: Side) -> str:
     return shift(text, level, {n: line - at(body.bounds) for n, body in where.items()})
 
 
-def distribute(
-    text: str,
-    level: Level,
-    names: Sequence[str],
-    axis: Literal["x", "y"],
-) -> str:
-    """Return a level in which neighbouring bodies have equal gaps along an axis.
-
-    The outermost bodies stay.
-    """
+def distribute(text: str, level: Level, names: Sequence[str], axis: Literal["x", "y"]) -> str:
+    """Return a level with equal gaps between bodies along an axis; the outermost bodies stay."""
     where = chosen(level, names)
     unit = 1 + 0j if axis == "x" else 1j
     spans = {name: tuple(dot(end, unit) for end in body.bounds) for name, body in where.items()}

@@ -33,8 +33,7 @@ LEAST, MOST = 0.01, 1.5
 """rad, the range of slopes."""
 
 HAIR = 1e-9
-"""m, the displacement that separates bodies which overlap by rounding, to find the touching
-sides."""
+"""m, by which bodies that overlap by rounding are separated, to find the touching sides."""
 
 FLAT = 1e-7
 """rad, the largest difference between the angles of a body and its slope."""

@@ -66,8 +66,7 @@ class Scene:
     values: Values
     """The level, and the values of its parameters."""
     thorough: bool = False
-    """Whether closed forms must hold for all values of the parameters, which takes longer to test.
-    """
+    """Whether closed forms must hold for all values of the parameters, which takes longer."""
 
     @cached_property
     def everywhere(self) -> Sequence["Scene"]:

@@ -17,7 +17,7 @@ from sandbox.model.effects.belt import Belt
 from sandbox.model.effects.buoyancy import Buoyancy
 from sandbox.model.effects.centrifugal import Centrifugal
 from sandbox.model.effects.contact import Contact
-from sandbox.model.effects.contract import Effect
+from sandbox.model.effects.contract import Effect, register
 from sandbox.model.effects.drag import Drag
 from sandbox.model.effects.field import Field as ForceField
 from sandbox.model.effects.force import Force
@@ -26,7 +26,6 @@ from sandbox.model.effects.gravitation import Gravitation
 from sandbox.model.effects.gravity import Gravity
 from sandbox.model.effects.magnetic import Magnetic
 from sandbox.model.effects.potential import Potential
-from sandbox.model.effects.register import register
 from sandbox.model.effects.restitution import Restitution
 from sandbox.model.effects.rotation import Rotation
 from sandbox.model.effects.sticking import Sticking

@@ -18,6 +18,8 @@ class Gravitation(Model):
         book="potential",
         sees=("position",),
         inside=True,
+        singular=True,
+        softening="softening",
         strength=("constant",),
         trial={"constant": 1},
     )

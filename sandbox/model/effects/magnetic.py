@@ -23,10 +23,7 @@ class Magnetic(Model):
     """A uniform magnetic field normal to the plane, F = q v × B; it does no work."""
 
     effect: ClassVar[Effect] = Effect(
-        name="magnetic",
-        sees=("velocity",),
-        strength=("field",),
-        pull="magnetic force",
+        name="magnetic", sees=("velocity",), strength=("field",), pull="magnetic force"
     )
 
     field: Strength

@@ -66,8 +66,7 @@ def write_out(data: Any, text: str) -> WrittenOut:  # noqa: ANN401 (whatever JSO
             made = placed(made, notes)
     except TooLongError as error:
         rule = Message(
-            "has more than {most:,} characters when it is expanded, the most allowed",
-            most=MOST,
+            "has more than {most:,} characters when it is expanded, the most allowed", most=MOST
         )
         return WrittenOut(data, {}, {}, [Fault(error.args[0], rule)])
     return WrittenOut(made, notes.placed, notes.typed, notes.faults)

@@ -72,8 +72,7 @@ def with_repeats(made: Part, each: Part) -> Part:
 
 
 def _definition(made: Part, one: Part) -> Part:
-    found: Part = made["$defs"][one["$ref"].rpartition("/")[2]]
-    return found
+    return made["$defs"][one["$ref"].rpartition("/")[2]]
 
 
 def _members(part: Any) -> Iterator[tuple[Part, str]]:  # noqa: ANN401 (whatever JSON holds)

@@ -31,8 +31,7 @@ from sandbox.physics.state.errors import SchemeError
 
 _SETTING = TypeAdapter(Setting)
 _ENTRY = TypeAdapter(tuple[str, str, Setting])
-"""A hash, a key and the setting found for it. The hash covers both, so that an edited entry is
-ignored."""
+"""A hash, a key and its setting; the hash covers both, so that an edited entry is ignored."""
 
 _unkept: dict[str, Setting] = {}
 """The entries that could not be written, for as long as this process lives."""
@@ -52,21 +51,8 @@ def calibrated(
 ) -> Setting:
     """Return the cheapest setting that reaches an accuracy, from the cache if it is there.
 
-    Parameters
-    ----------
-    level, values, target, progress, stop, also
-        As for `calibrate`.
-    tell
-        Called with the reason if the setting cannot be stored.
-
-    Raises
-    ------
-    AccuracyError
-        If the accuracy cannot be reached, or the level has nothing to measure it by.
-    Cancelled
-        If `stop` returned true; then nothing is stored.
-    SimulationError
-        If the level does not run at all.
+    The arguments are those of `calibrate`, and so are the errors; a search that `stop` ends stores
+    nothing. `tell` gets the reason if the setting cannot be stored.
     """
     values = level.defaults if values is None else values
     if found := recalled(level, values, target, also):
@@ -93,14 +79,7 @@ def keep(
 ) -> None:
     """Store a setting on disk or, if that fails, in memory for the rest of this process.
 
-    Parameters
-    ----------
-    level, values, setting
-        The run, and its calibrated setting.
-    tell
-        Called with the reason if the setting cannot be stored.
-    also
-        The other quantities that are as accurate.
+    `tell` gets the reason of a failure; `also` are the other quantities that are as accurate.
     """
     key = _key(level, values, setting.target, also)
     path = _path(key)
@@ -121,12 +100,7 @@ def resolved(
 ) -> Stepping:
     """Return the stepping of a level, calibrated if the level asks for an accuracy.
 
-    Parameters
-    ----------
-    level, values, stepping
-        The run, and the stepping that its level declares.
-    also
-        Further quantities that must be as accurate, besides those of the checks and the motion.
+    `also` are further quantities that must be as accurate as those of the checks and the motion.
     """
     if stepping.accuracy is None:
         return stepping

@@ -71,25 +71,13 @@ def calibrate(
 ) -> Setting:
     """Return the cheapest setting with which a run reaches an accuracy.
 
-    Parameters
-    ----------
-    level, values
-        The run; the level's default values if left out.
-    target, also
-        The largest error allowed in the level's checks, in the positions and velocities of moving
-        bodies, and in further quantities, such as recorded ones.
-    budget, progress, stop
-        The counted work of the search, about [s]; a callback for its progress; and a callback that
-        returns whether to give up.
+    `target` is the largest error allowed in the level's checks, in the positions and velocities of
+    moving bodies, and in further quantities, `also`. `budget` is the counted work of the search,
+    about [s]; `stop` is called repeatedly, and returns whether to give up.
 
-    Raises
-    ------
-    AccuracyError
-        If the accuracy cannot be reached, or there is nothing to judge it by.
-    Cancelled
-        If `stop` returned true.
-    QuantityError, SimulationError
-        If there is no such quantity, or the level does not run at all.
+    Raises `AccuracyError` if the accuracy cannot be reached, or there is nothing to judge it by;
+    `Cancelled` if `stop` returned true; `QuantityError` or `SimulationError` if there is no such
+    quantity, or the level does not run at all.
     """
     _require_above_rounding(target)
     values = level.defaults if values is None else values
@@ -118,9 +106,7 @@ def _require_above_rounding(target: float) -> None:
 
 def _judged_by_energy(chaos: Message, until: Message) -> Message:
     return Message(
-        "its energy, since it is chaotic: {chaos}; positions are {until}",
-        chaos=chaos,
-        until=until,
+        "its energy, since it is chaotic: {chaos}; positions are {until}", chaos=chaos, until=until
     )
 
 

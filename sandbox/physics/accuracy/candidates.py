@@ -85,10 +85,7 @@ class Offers:
         return self.refinements[0].traces[-2].stepping
 
     def best(self, target: float) -> Candidate:
-        """Return the cheapest setting that reaches a target.
-
-        If none does, the most accurate setting is returned.
-        """
+        """Return the cheapest setting that reaches a target, or else the most accurate."""
 
         def rank(found: Candidate) -> tuple[float, bool, float]:
             return max(found.error, target), found.trace is None, found.work

@@ -35,17 +35,7 @@ second half."""
 def chaotic(level: Level, values: Values, stepping: Stepping, stop: Stop) -> Message:
     """Describe how a small change grows, if it grows repeatedly; return an empty message if not.
 
-    Parameters
-    ----------
-    level, values, stepping
-        The run, which is run twice.
-    stop
-        Called repeatedly; returns whether to give up.
-
-    Raises
-    ------
-    Cancelled
-        If `stop` returned true.
+    The run is taken twice. Raises `Cancelled` if `stop` returned true.
     """
     t, times = _growth(level, values, stepping, stop)
     chaotic = np.flatnonzero(times >= CHAOTIC)

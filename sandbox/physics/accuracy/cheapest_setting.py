@@ -91,14 +91,8 @@ class Seeker:
     def found(self, wanted: Sequence[Watched]) -> Found:
         """Return the cheapest setting that reaches the target, or else the most accurate.
 
-        Raises
-        ------
-        AccuracyError
-            If the level takes too long to run.
-        Cancelled
-            If `stop` returned true.
-        SimulationError
-            If it does not run at all.
+        Raises `AccuracyError` if the level takes too long to run, `Cancelled` if `stop` returned
+        true, and `SimulationError` if the level does not run at all.
         """
         wanted = with_scales(self.level, self.values, wanted, self.stop)
         refiners = [
@@ -154,10 +148,7 @@ def with_scales(
 ) -> Sequence[Watched]:
     """Return the watched quantities with scales from a run at the level's own rate.
 
-    Raises
-    ------
-    Cancelled
-        If `stop` returned true.
+    Raises `Cancelled` if `stop` returned true.
     """
     solver: Literal["direct"] | None = "direct" if _may_pile(level) else level.stepping.solver
     said = level.stepping

@@ -76,15 +76,7 @@ class Watched:
 
 
 def watched(level: Level, values: Values, also: Iterable[str] = ()) -> tuple[Watched, ...]:
-    """Return the quantities of the checks that apply, the additional ones, and all motion.
-
-    Parameters
-    ----------
-    level, values
-        The run.
-    also
-        Further quantities, such as recorded ones.
-    """
+    """Return the quantities of the checks that apply, the additional ones, and all motion."""
     named = tuple(dict.fromkeys((*checked(level, values), *(Watched(name) for name in also))))
     throughout = {item.quantity for item in named if item.at is None}
     return (*named, *(item for item in motion(level) if item.quantity not in throughout))
@@ -155,24 +147,9 @@ def record(
 ) -> Trace:
     """Run a level for its duration and record the watched quantities.
 
-    Parameters
-    ----------
-    level, values, stepping
-        The run.
-    wanted
-        The watched quantities.
-    stop
-        Called repeatedly; returns whether to give up.
-    seen
-        The rate of observations, or up to twice that [Hz]; every step is observed if the run is
-        slower than that, or if a watched quantity depends on every step.
-
-    Raises
-    ------
-    Cancelled
-        If `stop` returned true.
-    SimulationError
-        If the run had to stop.
+    `seen` is the rate of observations, or up to twice that [Hz]; every step is observed if the run
+    is slower than that, or if a watched quantity depends on every step. Raises `Cancelled` if
+    `stop` returned true, and `SimulationError` if the run had to stop.
     """
     world = make_world(level, values, stepping)
     names = dict.fromkeys(name for item in wanted for name in _needed(item))

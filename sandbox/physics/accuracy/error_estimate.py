@@ -48,27 +48,9 @@ def estimate(
     """Estimate the numerical error of a run, due to its step and its solver.
 
     It takes three runs, at the rate, twice and four times the rate: seven times the work of one.
-
-    Parameters
-    ----------
-    level, values, stepping
-        The run; the level's default values and its own stepping if left out.
-    wanted
-        The quantities. If left out, those of the level's checks that apply or, without any, the
-        positions and velocities of the bodies.
-    stop
-        Called repeatedly; returns whether to give up.
-
-    Returns
-    -------
-    The estimate for each quantity; None if its instant never occurs.
-
-    Raises
-    ------
-    Cancelled
-        If `stop` returned true.
-    SimulationError
-        If a run had to stop.
+    The wanted quantities are by default those of the checks that apply or, without any, the
+    positions and velocities of the bodies. An estimate is None if its instant never occurs. Raises
+    `Cancelled` if `stop` returned true, and `SimulationError` if a run had to stop.
     """
     values = level.defaults if values is None else values
     stepping = resolved(level, values, stepping or level.stepping)

@@ -58,13 +58,7 @@ class Refiner:
         self.step = step_work(self.level, self.values, self.stepping)
 
     def run(self, stop: Stop) -> None:
-        """Take the next run.
-
-        Raises
-        ------
-        Cancelled
-            If `stop` returned true.
-        """
+        """Take the next run; raise `Cancelled` if `stop` returned true."""
         self.failure = None
         try:
             self._traces.append(record(self.level, self.values, self.stepping, self.wanted, stop))
@@ -108,16 +102,9 @@ def refine(
 ) -> list[Refinement]:
     """Run the schemes in turn until the cheapest sufficient run is known, or the work is spent.
 
-    For a level with contacts, the first refiner is the reference for the others.
-
-    Returns
-    -------
-    The refinements, each with errors relative to the best, which comes first.
-
-    Raises
-    ------
-    Cancelled
-        If `stop` returned true.
+    For a level with contacts, the first refiner is the reference for the others. Return the
+    refinements, each with errors relative to the best, which comes first. Raises `Cancelled` if
+    `stop` returned true.
     """
     spent, begun = 0.0, thread_time()
     refinements: list[Refinement] = []

@@ -32,13 +32,7 @@ LOOK = 40e-6
 
 
 def step_work(level: Level, values: Values, stepping: Stepping) -> float:
-    """Return the counted work of a step [s]; 0 if no step is possible.
-
-    Parameters
-    ----------
-    level, values, stepping
-        The run, whose first steps are counted.
-    """
+    """Return the counted work of a step [s], from the first ones; 0 if none is possible."""
     rate = max(stepping.rate, level.stepping.rate)  # it may not run at a lower one
     try:
         world = make_world(level, values, stepping.model_copy(update={"rate": rate}))

@@ -18,14 +18,7 @@ from sandbox.model.message import Message
 from sandbox.model.quantities import momentary
 from sandbox.physics.accuracy.calibration import Setting, calibrate
 from sandbox.physics.accuracy.cheapest_setting import with_scales
-from sandbox.physics.accuracy.compared_runs import (
-    Watched,
-    by_check,
-    never,
-    record,
-    scaled,
-    watched,
-)
+from sandbox.physics.accuracy.compared_runs import Watched, by_check, never, record, scaled, watched
 from sandbox.physics.accuracy.refinement import (
     Refinement,
     foot,
@@ -146,10 +139,7 @@ def seek(level: Level, values: Values, target: float, seconds: float = SEARCH) -
 def trusted(level: Level, values: Values, names: Iterable[str]) -> tuple[Trust, ...]:
     """Return how far quantities of a level's own run can be trusted.
 
-    Raises
-    ------
-    SimulationError
-        If it does not run at its own step, or at half of that.
+    Raises `SimulationError` if it does not run at its own step, or at half of that.
     """
     items = [Watched(name) for name in names]
     return tuple(trusts(list(_halved(level, values, items)), items))

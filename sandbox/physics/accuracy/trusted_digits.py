@@ -54,14 +54,9 @@ def surviving(value: float, off: float) -> int:
 
 
 def trusts(traces: Sequence[Trace], items: Iterable[Watched]) -> Iterator[Trust]:
-    """Yield how far quantities of a run can be trusted.
+    """Yield how far quantities of the last run but one can be trusted.
 
-    Parameters
-    ----------
-    traces
-        Runs, each with half the step of the one before; the run is the last but one.
-    items
-        The quantities.
+    Each run has half the step of the one before.
     """
     run, finer = traces[-2:]
     for item in items:

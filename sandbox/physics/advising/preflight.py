@@ -21,8 +21,7 @@ IN_MOTION = frozenset(
         "restitution",
     }
 )  # fmt: skip
-"""Fields that matter only once bodies move: they move no surface at the start, and lower no bound
-on the rate."""
+"""Fields that matter only once bodies move: no surface at the start, no bound on the rate."""
 
 
 def refusal(level: Level, *, advised: bool = False) -> SimulationError | None:

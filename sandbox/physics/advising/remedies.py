@@ -86,16 +86,9 @@ def tried(
     stepping: Stepping,
     duration: float | None = None,
 ) -> SimulationError:
-    """Return an error with advice from the trials of remedies.
+    """Return the error with which a run stopped, with advice from the trials of remedies.
 
-    Parameters
-    ----------
-    error
-        The error with which the run stopped.
-    level, values, stepping
-        The level, its parameters, and the stepping.
-    duration
-        The intended duration [s]; that of the level if left out.
+    `duration` is the intended duration [s]; that of the level if left out.
     """
     if isinstance(error, BreakdownError):
         return error

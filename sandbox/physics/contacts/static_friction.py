@@ -9,7 +9,7 @@ steps. For the rest of that step its friction is lowered to the kinetic value. S
 the step is of second order.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from itertools import combinations
 from typing import NamedTuple
 
@@ -37,6 +37,17 @@ class Load(NamedTuple):
     before: float | None = None
 
 
+class Freed(NamedTuple):
+    """The impulse by which the friction of a contact was lowered when it broke loose."""
+
+    body: int
+    """The index of one of the two bodies."""
+    impulse: Vec2d
+    """On that body; that on the other is opposite [N s]."""
+    points: tuple[Vec2d, Vec2d]
+    """Where the impulses on it and on the other act [m]."""
+
+
 Memory = tuple[set[frozenset[pymunk.Shape]], dict[frozenset[pymunk.Shape], Load]]
 """The slipping contacts, and the loads of the others."""
 
@@ -51,6 +62,8 @@ class Sticking:
     loads: dict[frozenset[pymunk.Shape], Load]
     must_slip: bool = False
     """whether it slips, regardless of the solver"""
+    freed: dict[frozenset[pymunk.Shape], Freed] = field(default_factory=dict)
+    """of the contacts that broke loose in the last kick"""
 
     @classmethod
     def between(cls, static: float, kinetic: float) -> "Sticking":
@@ -60,6 +73,7 @@ class Sticking:
     def choose(self, arbiter: pymunk.Arbiter) -> None:
         """Set the coefficient of a contact before it is solved."""
         contact = frozenset(arbiter.shapes)
+        self.freed.pop(contact, None)
         if self.must_slip:
             arbiter.friction = self.kinetic
             return
@@ -116,9 +130,10 @@ class Sticking:
             return
         excess = (self.static - self.kinetic) * normal * _since(load, self.static * normal)
         impulse = arbiter.normal.perpendicular() * (excess if slip > 0 else -excess)
-        for body, change, point in zip(
-            arbiter.bodies, (-impulse, impulse), _points(arbiter), strict=True
-        ):
+        first, second = points = _points(arbiter)
+        row = arbiter.shapes[1].collision_type - 1
+        self.freed[frozenset(arbiter.shapes)] = Freed(row, impulse, (second, first))
+        for body, change, point in zip(arbiter.bodies, (-impulse, impulse), points, strict=True):
             if body.body_type == pymunk.Body.DYNAMIC:
                 body.apply_impulse_at_world_point(change, point)
 

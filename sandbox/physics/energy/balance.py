@@ -30,8 +30,7 @@ class Balance:
     unexplained_impulse: Array
     """(3,), the further change of the momentum."""
     overlaps: float
-    """The part of the unexplained energy due to the correction of overlaps, which moves bodies [J].
-    """
+    """The part of the unexplained energy due to the correction of overlaps [J]."""
 
     @property
     def energy(self) -> float:

@@ -42,8 +42,7 @@ class Closing(NamedTuple):
     """The closing of the energy books [J]."""
 
     turned: float
-    """The turnover: the largest kinetic energy, change of a store, or other entry since the start.
-    """
+    """The turnover: the largest kinetic energy, change of a store, or other entry."""
     unexplained: float
     """The largest amount without a cause."""
     overlaps: float

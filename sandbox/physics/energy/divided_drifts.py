@@ -40,16 +40,9 @@ def kicks_within(
     in parts. The kick after it is booked as a whole one, although it begins in the middle of a
     part; the excess is taken back before it.
 
-    Parameters
-    ----------
-    divided
-        The drift.
-    begin
-        The motion in the middle of its first part.
-    seen
-        The motion that the laws saw in the kick before it.
-    inertia
-        Returns masses, masses and moments at a time [s]: (n, 3) [kg, kg m²].
+    `begin` is the motion in the middle of the first part, and `seen` the motion that the laws saw
+    in the kick before it. `inertia` returns masses, masses and moments at a time [s]:
+    (n, 3) [kg, kg m²].
     """
     t, begun = float(begin.t), np.column_stack((begin.velocity, begin.angular_velocity))
 

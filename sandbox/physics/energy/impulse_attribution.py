@@ -7,7 +7,7 @@ import numpy as np
 
 from sandbox.model import ledger_accounts
 from sandbox.model.expressions import Array
-from sandbox.model.joints import Spring, bodies_of, is_exact
+from sandbox.model.joints import bodies_of, is_exact
 from sandbox.physics.contacts.contact_work import Kick, completed, couples, pressed, rubbing
 from sandbox.physics.energy.ledger_entries import Entries
 from sandbox.physics.energy.step_record import Recorded, StepRecord
@@ -25,21 +25,9 @@ if TYPE_CHECKING:
 
 
 class Attribution:
-    """Books the share of each cause in a kick; n bodies.
+    """Books the share of each cause in the kicks of a run, in accounts; n bodies.
 
-    Parameters
-    ----------
-    run
-        The run with the kicks.
-    laws
-        The forces that act in them.
-    entries
-        The accounts in which they are booked.
-
-    Attributes
-    ----------
-    elastic
-        Whether no impact may take energy; a loss is then left unexplained.
+    If no impact may take energy, `elastic`, a loss is left unexplained.
     """
 
     def __init__(self, run: Recorded, laws: tuple[Law, ...], entries: Entries) -> None:
@@ -49,7 +37,7 @@ class Attribution:
         self._surfaces = surfaces(scene.bodies.values())
         # in the direct solver, friction takes energy from a rebound
         self.elastic = _elastic(run) and not (scene.direct and level.effects.friction)
-        own = [j for j in level.joints.values() if not (isinstance(j, Spring) or is_exact(j))]
+        own = [j for j in level.joints.values() if not (j.kind.force or is_exact(j))]
         self._driven = any(ledger_accounts.drives(joint, level) for joint in own)
         self._hung = {list(scene.bodies).index(name) for joint in own for name in bodies_of(joint)}
 

@@ -48,23 +48,11 @@ SEEN = 1e-12
 
 
 class Ledger:
-    """Keeps the books of a run, at no cost to the run itself; n bodies.
+    """Keeps the books of a run, such as a world, at no cost to the run itself; n bodies.
 
-    Open it on a world, call `note` after every step, and read its `balance`. All it knows of a step
-    is the world's record of it.
-
-    Parameters
-    ----------
-    run
-        The run, such as a world.
-    begun
-        (n, 3), the velocities at the beginning of the last kick [m/s, rad/s], to open the books one
-        step earlier.
-
-    Attributes
-    ----------
-    steps
-        The number of steps of the run that are booked.
+    Open it on a run, call `note` after every step, and read its `balance`. All it knows of a step
+    is the run's record of it. `steps` counts the steps that are booked. `begun`, (n, 3), are the
+    velocities at the beginning of the last kick [m/s, rad/s], to open the books one step earlier.
     """
 
     def __init__(self, run: Recorded, begun: Array | None = None) -> None:
@@ -96,10 +84,7 @@ class Ledger:
     def note(self) -> None:
         """Book the world's last step, unless it is booked already.
 
-        Raises
-        ------
-        ValueError
-            If the world has taken more than one step since.
+        Raises `ValueError` if the world has taken more than one step since.
         """
         self._step = step = self._run.last
         if step.steps == self.steps:

@@ -12,16 +12,10 @@ from sandbox.physics.state.motion import momentum
 
 
 class Entries:
-    """The entries so far, by account.
+    """The entries so far, by account: works and losses, which are negative [J], and impulses.
 
-    Attributes
-    ----------
-    works
-        The energy put in or taken out [J].
-    losses
-        The energy lost, as negative numbers [J].
-    impulses
-        (3,) each, the impulses from outside: along x and y [N s], and about the origin [N m s].
+    The impulses are those from outside, (3,) each: along x and y [N s], and about the
+    origin [N m s].
     """
 
     def __init__(self, level: Level) -> None:

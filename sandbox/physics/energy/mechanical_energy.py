@@ -18,12 +18,8 @@ if TYPE_CHECKING:
 class MechanicalEnergy:
     """Energy and momentum from the masses of n bodies and the laws that store energy.
 
-    Parameters
-    ----------
-    inertia
-        (n, 3), masses, masses and moments at the start [kg, kg m²].
-    share
-        Returns the remaining share of each at a time [s].
+    `inertia`, (n, 3), are masses, masses and moments at the start [kg, kg m²]; `share` returns the
+    remaining share of each at a time [s].
     """
 
     def __init__(self, level: Level, laws: Sequence["Law"], inertia: Array, share: Share) -> None:

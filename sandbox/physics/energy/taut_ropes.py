@@ -10,15 +10,9 @@ from sandbox.physics.joints.joint_forces import Pulls
 def reached(pulls: Pulls, contacts: Contacts, slack: Booleans, moves: Booleans) -> Booleans:
     """Return which joints' equations a jerk reaches, from body to body: (m,).
 
-    Parameters
-    ----------
-    pulls, contacts
-        The forces of the joints and the contacts in a kick.
-    slack
-        (m,), the equations that did not pull before. A rope that becomes taut in a drift is stopped
-        in the kick before it and the kick after it.
-    moves
-        (n,), the bodies that can move.
+    `pulls` and `contacts` are the forces in a kick; `slack`, (m,), are the equations that did not
+    pull before, and `moves`, (n,), the bodies that can move. A rope that becomes taut in a drift is
+    stopped in the kick before it and the kick after it.
     """
     caught = pulls.pulls_only & (pulls.tension > 0) & slack
     found = np.zeros(len(caught) + len(contacts.bodies), dtype=bool)

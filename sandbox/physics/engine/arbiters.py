@@ -45,19 +45,9 @@ class Pairs(NamedTuple):
 class Arbiters:
     """Reads the pairs in contact of a space.
 
-    Parameters
-    ----------
-    space
-        The space.
-    ids, order
-        (n,), the ids of the bodies in ascending order, and the indices of these bodies.
-    pushes
-        Whether pymunk's impulses count; else they only tell pairs of the same bodies apart.
-
-    Attributes
-    ----------
-    pairs
-        The pairs that were in contact at the last reading; None before.
+    `ids`, (n,), are the ids of the bodies in ascending order, and `order` the indices of these
+    bodies. `pushes` tells whether pymunk's impulses count; else they only tell pairs of the same
+    bodies apart. `pairs` are those that were in contact at the last reading; None before.
     """
 
     def __init__(

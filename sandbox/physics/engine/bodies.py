@@ -41,10 +41,7 @@ DRAWN = 512
 def make_body(name: str, level: Level, values: Values) -> pymunk.Body:
     """Make a body in its initial state, without a shape; without rotation its moment is infinite.
 
-    Raises
-    ------
-    SimulationError
-        If its moment of inertia is not positive.
+    Raises `SimulationError` if its moment of inertia is not positive.
     """
     spec = level.bodies[name]
     if spec.type == "dynamic":

@@ -43,18 +43,11 @@ class Hand:
             self._grip = None
 
     def pull(self, velocity: Array, inverse_mass: Array, dt: float) -> Array:
-        """Return the accelerations by its pull in a kick: (n, 3) [m/s², rad/s²].
+        """Return the accelerations by its pull in a kick of length dt [s]: (n, 3) [m/s², rad/s²].
 
-        They are those of pymunk's joint, for kicks that pymunk does not take.
-
-        Parameters
-        ----------
-        velocity
-            (n, 3), the velocities before the kick [m/s, rad/s].
-        inverse_mass
-            (n, 3), the inverse masses and moments of inertia [1/kg, 1/(kg m²)].
-        dt
-            The duration of the kick [s].
+        They are those of pymunk's joint, for kicks that pymunk does not take. `velocity`, (n, 3),
+        is that before the kick [m/s, rad/s]; `inverse_mass`, (n, 3), has masses and
+        moments [1/kg, 1/(kg m²)].
         """
         pulls = np.zeros_like(velocity)
         if self._grip is None or self.hold is None:

@@ -11,7 +11,7 @@ from sandbox.physics.engine.batch import Batch
 
 
 class Motions:
-    """Sets the velocities of bodies that follow formulas.
+    """Sets the velocities of bodies that follow formulas; the rows of these are `bodies`, (k,).
 
     In a drift a body moves in a straight line. So between two steps its velocity is that of the
     chord,
@@ -21,20 +21,6 @@ class Motions:
     which is leapfrog's velocity midway between them: at each step the body is where its formula
     says, to rounding, and contacts and joints see a surface of the body's own velocity. At a step
     its velocity is the central difference (x(t + h) − x(t − h)) / 2 h, at the start the derivative.
-
-    Parameters
-    ----------
-    bodies, values
-        All bodies of a level, and its parameters.
-    batch
-        Reads and writes the bodies.
-    dt
-        The time step h [s].
-
-    Attributes
-    ----------
-    bodies
-        (k,), the rows of the bodies that follow formulas.
     """
 
     def __init__(self, bodies: Mapping[str, Body], values: Values, batch: Batch, dt: float) -> None:
@@ -48,12 +34,8 @@ class Motions:
     def look(self, t: float, length: float) -> Array:
         """Find the velocities of the drift after a step, and return the accelerations: (k, 3).
 
-        Parameters
-        ----------
-        t
-            The time of the step [s].
-        length
-            The duration of the kick that sets them [s].
+        `t` is the time of the step, and `length` the duration of the kick that sets the
+        velocities [s].
         """
         ends = np.array([t, t + self._dt])
         for row, formulas in enumerate(self._formulas):

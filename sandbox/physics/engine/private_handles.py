@@ -33,16 +33,9 @@ def stepper(space: pymunk.Space) -> Callable[[float], None]:
 
 
 class Memory:
-    """An array that pymunk reads or writes, and the arguments of the call.
+    """An array that pymunk reads or writes, `values` (count,), and the arguments of the `call`.
 
-    Attributes
-    ----------
-    values
-        (count,), the array.
-    floats
-        pymunk's view of the array; `num` is the number of values that it has passed.
-    call
-        The arguments.
+    `floats` is pymunk's view of the array; its `num` is the number of values that it has passed.
     """
 
     def __init__(self, fields: BodyFields, count: int) -> None:
@@ -58,10 +51,7 @@ class Memory:
 class Table:
     """Some fields of all bodies of a space, in pymunk's order, with its static body.
 
-    Attributes
-    ----------
-    values
-        (rows, columns), the values last read, or to be written.
+    `values`, (rows, columns), are those last read, or to be written.
     """
 
     def __init__(self, space: pymunk.Space, fields: BodyFields, rows: int, columns: int) -> None:

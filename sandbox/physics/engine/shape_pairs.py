@@ -66,15 +66,7 @@ class Meeting:
             self._arbiter.state = 0  # pymunk counts contacts that were refused as old ones
 
     def replace(self, normal: complex, one: complex, other: complex) -> None:
-        """Replace pymunk's normal and contact points.
-
-        Parameters
-        ----------
-        normal
-            The unit vector from the first to the second.
-        one, other
-            The contact points on the surfaces of the two [m].
-        """
+        """Replace pymunk's normal, from first to second, and the contact points on both [m]."""
         arbiter, contact = self._arbiter, self._arbiter.contacts[0]
         (a, _), (b, _) = self.places()
         arbiter.n = normal.real, normal.imag

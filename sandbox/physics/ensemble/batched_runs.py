@@ -37,13 +37,7 @@ Stop = Callable[[Mapping[str, Array], Array, World], int | None]
 
 
 def suits(level: Level, stepping: Stepping, names: Sequence[str]) -> bool:
-    """Return whether runs of a level may share a batch, judging by its text.
-
-    Parameters
-    ----------
-    names
-        The quantities to measure.
-    """
+    """Return whether runs that measure quantities may share a batch, judging by the level."""
     still = all(body.type != "kinematic" for body in level.bodies.values())
     simple = stepping.scheme == "leapfrog" and set(level.effects.declared) <= _EFFECTS
     calm = still and not level.happens
@@ -75,18 +69,10 @@ class Flown:
 
 
 class Flight:
-    """Steps N worlds of one level together, from right after their start.
+    """Steps N worlds of one level together, from right after their start, and records quantities.
 
-    Parameters
-    ----------
-    worlds
-        The worlds, all accepted, with the same bodies and joints and the same step.
-    names
-        The quantities to record.
-    steps
-        The number of steps of each.
-    stop
-        A condition that ends a run early.
+    The worlds are all accepted, with the same bodies and joints and the same step. `steps` is the
+    number of steps of each; the condition `stop` ends a run early.
     """
 
     def __init__(

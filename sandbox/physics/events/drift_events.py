@@ -110,20 +110,11 @@ def since(holds: Callable[[float], bool], low: float, high: float) -> float:
 def acted(
     parts: Sequence[Part], laws: Sequence[Law], inertia: Array, switched: float, dt: float
 ) -> Acted:
-    """Return the entries for the books from a drift of several parts.
+    """Return the entries for the books from a drift of several parts, of length dt [s].
 
-    Parameters
-    ----------
-    parts
-        One before the first event, and one after each event.
-    laws
-        The laws whose works and impulses are returned.
-    inertia
-        (n, 3), masses, masses and moments [kg, kg m²].
-    switched
-        The jump of the stored energy [J].
-    dt
-        The length of the drift [s].
+    One part lies before the first event, and one after each event. The works and impulses are those
+    of `laws`; `inertia`, (n, 3), has masses, masses and moments [kg, kg m²], and `switched` is the
+    jump of the stored energy [J].
     """
     first, last, half = parts[0], parts[-1], dt / 2
     end, (place, velocity) = last.at(last.lasts), last.state(last.lasts)
@@ -145,14 +136,8 @@ def acted(
 def acted_at_a_step(begun: Array, laws: Sequence[Law], switched: float) -> Acted:
     """Return the entries for the books if all events happened at the step before a drift.
 
-    Parameters
-    ----------
-    begun
-        (n, 3), the velocities after the events [m/s, rad/s].
-    laws
-        The laws; none has done any work yet.
-    switched
-        The jump of the stored energy [J].
+    `begun`, (n, 3), are the velocities after the events [m/s, rad/s], and `switched` is the jump of
+    the stored energy [J]. No law has done any work yet.
     """
     nothing = np.zeros(3)
     return Acted(begun, switched, [0.0] * len(laws), [nothing] * len(laws), nothing, 0.0)

@@ -30,18 +30,8 @@ TOUCHING = 1e-9
 class Bounces:
     """Makes bodies bounce off the stops of a scene; n bodies, s sides of stops.
 
-    Parameters
-    ----------
-    scene
-        The scene, whose joints have the sides.
-    sides
-        The equations of the sides.
-    restitution
-        The coefficient of restitution of each stop, by name.
-    borne
-        The breaking force of each joint that has one, by name [N].
-    dt
-        The time step [s].
+    `sides` are the equations of the sides. `restitution` and `borne` hold, by name, each stop's
+    coefficient and the breaking force of each joint that has one [N]; `dt` is the time step [s].
     """
 
     def __init__(

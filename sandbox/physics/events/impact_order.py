@@ -18,7 +18,7 @@ INSTANT = 1e-9
 
 CRAMPED = Message(
     "{body} would have more than {most} impacts in one step: it is too fast for its room; give"
-    " it more, or increase the 'rate'",
+    " it more, or increase the 'rate'"
 )
 
 Restitution = Callable[[Hit], float]
@@ -27,14 +27,8 @@ Restitution = Callable[[Hit], float]
 class Turns:
     """Chooses the impacts that come next; n bodies.
 
-    Parameters
-    ----------
-    restitution
-        Returns the coefficient of restitution of a hit.
-    moving
-        (n,), the bodies that can move.
-    dt
-        The time step [s].
+    `restitution` returns the coefficient of a hit; `moving`, (n,), are the bodies that can move,
+    and `dt` is the time step [s].
     """
 
     def __init__(self, restitution: Restitution, moving: Booleans, dt: float) -> None:
@@ -80,10 +74,7 @@ class Tally:
     def count(self, hits: Sequence[Hit]) -> bool:
         """Count impacts, and return whether a body has had many at one time.
 
-        Raises
-        ------
-        EndlessImpacts
-            If a body has more than `MOST` impacts.
+        Raises `EndlessImpacts` if a body has more than `MOST` impacts.
         """
         time = hits[0].time
         bodies = [body for hit in hits for body in hit.bodies if self._moving[body]]

@@ -102,17 +102,7 @@ class _Points(NamedTuple):
 
 
 class Collision:
-    """Computes how n bodies bounce off each other.
-
-    Parameters
-    ----------
-    coefficients
-        The coefficients of the pairs.
-    scene
-        The bodies, with their masses.
-    dt
-        The time step [s].
-    """
+    """Computes how the n bodies of a scene bounce off each other, in steps of dt [s]."""
 
     def __init__(self, coefficients: Coefficients, scene: Scene, dt: float) -> None:
         self._coefficients, self._dt = coefficients, dt
@@ -230,16 +220,8 @@ def _impulses(delassus: Array, rates: Array, leaves: Array, mu: Array) -> Array:
     converge (E. Catto: Sequential Impulses, GDC 2006). The normal impulses are solved together: one
     by one, those of neighbouring points would converge slowly.
 
-    Parameters
-    ----------
-    delassus
-        (k, k), the rate of each row by a unit impulse on each.
-    rates
-        (k,), the rates before the impact [m/s].
-    leaves
-        The requested separation rate of each point [m/s].
-    mu
-        The coefficient of friction of each.
+    `delassus`, (k, k), is the rate of each row by a unit impulse on each; `rates`, (k,), are those
+    before the impact, and `leaves` the requested separation rate of each point [m/s].
     """
     impulse, count = np.zeros(len(rates)), len(leaves)
     for _ in range(ITERATIONS if len(rates) > count else 1):

@@ -38,16 +38,8 @@ counts as a blow. Slower growth is a rising force, and is located within the dri
 class JointBreaking:
     """Solves the joints of a scene in a kick, and again without each joint that a blow breaks.
 
-    Parameters
-    ----------
-    scene
-        The scene with the joints.
-    joints
-        The joints that are solved together.
-    borne
-        The breaking force of each joint that has one, by name [N].
-    solve
-        Solves all joints, from the velocities that pymunk leaves.
+    `joints` are solved together by `solve`, from the velocities that pymunk leaves; `borne` is the
+    breaking force of each joint that has one, by name [N].
     """
 
     def __init__(
@@ -92,23 +84,11 @@ class JointBreaking:
 def borne_jolt(
     scene: Scene, t: float, borne: Mapping[str, float], dt: float, jolt: Callable[[], Jolt]
 ) -> Jolt:
-    """Solve an impact of joints, without those that it breaks.
+    """Solve an impact of joints at a time t, in a step of dt [s], without those that it breaks.
 
-    Parameters
-    ----------
-    scene
-        The scene.
-    t, dt
-        The time, and the time step [s].
-    borne
-        The breaking force of each joint that has one, by name [N].
-    jolt
-        Finds the impulses; it is called again after each joint that breaks.
-
-    Raises
-    ------
-    JointFailure, NoForces
-        If no such impulses exist.
+    `borne` is the breaking force of each joint that has one, by name [N]. `jolt` finds the
+    impulses; it is called again after each joint that breaks. Raises `JointFailure` or `NoForces`
+    if no such impulses exist.
     """
     found = jolt()
     while broken := _overloaded(scene, borne, dt, found):

@@ -45,21 +45,10 @@ class Jolt(NamedTuple):
 
 
 def jolt(scene: Scene, t: float, bounces: Mapping[int, float] | None = None) -> Jolt:
-    """Solve an impact of all joints; the velocities of the scene are those before it.
+    """Solve an impact of all joints at a time [s]; the scene has the velocities before it.
 
-    Parameters
-    ----------
-    scene
-        The scene.
-    t
-        The time [s].
-    bounces
-        The coefficients of restitution of the equations that bounce, by row.
-
-    Raises
-    ------
-    JointFailure, NoForces
-        If no such impulses exist.
+    `bounces` are the coefficients of restitution of the equations that bounce, by row. Raises
+    `JointFailure` or `NoForces` if no such impulses exist.
     """
     joints = scene.joints.together
     assert joints

@@ -39,12 +39,8 @@ SHUT_IN = Message("{body} is wedged in, since what presses on it does not yield;
 class Cut(NamedTuple):
     """The outcome of the impacts within a drift; n bodies.
 
-    Attributes
-    ----------
-    jump
-        (n, 3), the jumps of the velocities at the beginning of the next kick [m/s, rad/s].
-    change
-        (n, 3), the changes of the accelerations [m/s², rad/s²].
+    `jump`, (n, 3), are the jumps of the velocities at the beginning of the next kick [m/s, rad/s],
+    and `change`, (n, 3), the changes of the accelerations [m/s², rad/s²].
     """
 
     jump: Array
@@ -54,27 +50,12 @@ class Cut(NamedTuple):
 class Located:
     """Cuts the drift of a step at the impacts of named bodies; n bodies.
 
-    Parameters
-    ----------
-    outlines
-        The shapes of all bodies.
-    swept
-        (n,), the bodies whose impacts are located.
-    coefficients
-        The coefficients of the pairs.
-    scene
-        The bodies. No exact joints hold them: where some do, contacts are solved directly.
-    held
-        (n,), the bodies that are held by joints of any kind.
-    dt
-        The time step [s].
+    `outlines` are the shapes of all bodies, `swept`, (n,), those whose impacts are located, and
+    `held`, (n,), those held by joints of any kind. No exact joints hold bodies of the scene: where
+    some do, contacts are solved directly. `dt` is the time step [s].
 
-    Attributes
-    ----------
-    impacts
-        The impacts of the last drift.
-    begun
-        (n, 3), the velocities at the beginning of the last kick [m/s, rad/s].
+    `impacts` are those of the last drift, and `begun`, (n, 3), the velocities at the beginning of
+    the last kick [m/s, rad/s].
     """
 
     def __init__(
@@ -127,18 +108,9 @@ class Located:
     def cut(self, smooth: Array, struck: Array | None) -> Cut | None:
         """Let bodies collide in the coming drift; return the outcome, None without impacts.
 
-        Parameters
-        ----------
-        smooth
-            (n, 3), the accelerations by gravity and force laws in the last kick.
-        struck
-            (n, 3), the jumps of velocities by sequential impacts in the last kick; None if pymunk
-            solves impacts there.
-
-        Raises
-        ------
-        EndlessImpacts
-            If bodies collide more often than can be followed.
+        `smooth`, (n, 3), are the accelerations by gravity and force laws in the last kick;
+        `struck`, (n, 3), are the jumps of velocities by sequential impacts in it, None if pymunk
+        solves impacts. Raises `EndlessImpacts` if bodies collide more often than can be followed.
         """
         state = self._batch.state()
         place, drifts = state[:, :3], state[:, 3:].copy()

@@ -46,25 +46,12 @@ class Found(NamedTuple):
 class Onwards:
     """Finds the accelerations with which n bodies continue after an event.
 
-    Parameters
-    ----------
-    scene
-        The scene.
-    kick
-        Kicks bodies that are held in place. It takes the time since the last step, in steps, the
-        velocities before the kick, its length and that of the drift that would follow [s], and
-        returns the velocities after the kick.
-    held
-        Holds all bodies where they are.
-    dt
-        The time step [s].
+    `held` holds all bodies where they are, and `kick` kicks them there: it takes the time since the
+    last step, in steps, the velocities before the kick, its length and that of the drift that would
+    follow [s], and returns the velocities after the kick. `dt` is the time step [s].
 
-    Attributes
-    ----------
-    running
-        (n, 2), the velocities of the bodies' running surfaces [m/s].
-    adds
-        (n, 3), the approximate change of velocity per step by gravity and force laws [m/s, rad/s].
+    `running`, (n, 2), are the velocities of the bodies' running surfaces [m/s]; `adds`, (n, 3), is
+    the approximate change of velocity per step by gravity and force laws [m/s, rad/s].
     """
 
     def __init__(self, scene: Scene, kick: Kicker, held: Held, dt: float) -> None:
@@ -90,16 +77,9 @@ class Onwards:
     ) -> Found | None:
         """Return how bodies continue; None if no kick is short enough or the contacts have changed.
 
-        Parameters
-        ----------
-        place, velocity
-            (n, 3), positions and velocities to continue from [m, rad, m/s, rad/s].
-        ahead
-            The time since the last step, in steps.
-        longest
-            The greatest length of the kick [s].
-        slips, sense
-            The slips of the contacts so far, and their directions.
+        They continue from `place` and `velocity`, (n, 3) [m, rad, m/s, rad/s], at a time since the
+        last step, `ahead`, in steps. `longest` is the greatest length of the kick [s]; `slips` are
+        those of the contacts so far, and `sense` their directions.
         """
         self._batch.set_state(np.concatenate((place, velocity), axis=1))
         length = longest

@@ -32,18 +32,9 @@ class Seen(NamedTuple):
 class Lookout:
     """Detects the contacts whose slip ends; n bodies, k contacts.
 
-    Parameters
-    ----------
-    batch
-        Reads the bodies.
-    named
-        (n,), the bodies whose slipping is located.
-    coefficients
-        (n, n), the coefficient of kinetic friction of each pair.
-    onwards
-        Distinguishes slip from rounding.
-    dt
-        The time step [s].
+    `named`, (n,), are the bodies whose slipping is located, and `coefficients`, (n, n), those of
+    kinetic friction of each pair. `onwards` distinguishes slip from rounding; `dt` is the time
+    step [s].
     """
 
     def __init__(

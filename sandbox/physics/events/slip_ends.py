@@ -33,8 +33,7 @@ MOST = 100
 """The most cuts of the drift of a step; slips that end later are left to pymunk."""
 
 LATE = 0.1
-"""A slip that has reversed by more than this share of its change per step was no slip: it was
-rounding."""
+"""A slip reversed by more than this share of its change per step was rounding, no slip."""
 
 ALIKE = 1e-9
 """Two kicks are alike if they differ by less than this share of the effect of gravity and force
@@ -56,31 +55,15 @@ class Cut(NamedTuple):
 class Stops:
     """Cuts the drift of a step where the slipping of named bodies ends; n bodies.
 
-    Parameters
-    ----------
-    scene
-        The scene.
-    linked
-        (l, 2), pairs of bodies that strings and pymunk's own joints connect.
-    tied
-        (n,), bodies held by other exact joints: together with contacts, these converge too slowly
-        for a kick to tell how the bodies continue.
-    lookout, onwards
-        Detect the end of slipping, and find how bodies continue.
-    smooth
-        Returns the accelerations by gravity and force laws in the last kick: (n, 3)
-        [m/s², rad/s²].
-    dt
-        The time step [s].
+    `lookout` detects the end of slipping, and `onwards` finds how bodies continue. `linked`,
+    (l, 2), are pairs of bodies that strings and pymunk's own joints connect; `tied`, (n,), are
+    bodies held by other exact joints: together with contacts, these converge too slowly for a kick
+    to tell how the bodies continue. `smooth` returns the accelerations by gravity and force laws in
+    the last kick: (n, 3) [m/s², rad/s²]. `dt` is the time step [s].
 
-    Attributes
-    ----------
-    begun
-        (n, 3), the velocities at the beginning of the last kick [m/s, rad/s].
-    kicked
-        The contacts of the last kick if it was taken again, else None: then they are pymunk's.
-    last
-        The entries for the books from the last drift; None if no slipping ended in it.
+    `begun`, (n, 3), are the velocities at the beginning of the last kick [m/s, rad/s]. `kicked` are
+    the contacts of that kick if it was taken again, else None: then they are pymunk's. `last` are
+    the entries for the books from the last drift; None if no slipping ended in it.
     """
 
     def __init__(
@@ -108,12 +91,8 @@ class Stops:
     def start(self, velocity: Array, acceleration: Array) -> Array:
         """Check the first kick, of half a step; return the accelerations at the start.
 
-        Parameters
-        ----------
-        velocity
-            (n, 3), the velocities at the start [m/s, rad/s].
-        acceleration
-            (n, 3), the accelerations that pymunk gave [m/s², rad/s²].
+        `velocity`, (n, 3), are the velocities at the start, and `acceleration`, (n, 3), the
+        accelerations that pymunk gave [m/s, rad/s, m/s², rad/s²].
         """
         half, self._quiet, self.last = self._dt / 2, 0, None
         self._onwards.adds = np.abs(self._smooth()) * self._dt

@@ -32,16 +32,10 @@ class Slips(NamedTuple):
 
     @classmethod
     def of(cls, contacts: Contacts, place: Array, running: Array) -> "Slips":
-        """Return the slips of contacts.
+        """Return the slips of a kick's contacts.
 
-        Parameters
-        ----------
-        contacts
-            The contacts of a kick.
-        place
-            (n, 3), the positions of the bodies [m, rad].
-        running
-            (n, 2), the velocities of their running surfaces [m/s].
+        `place`, (n, 3), are the positions of the bodies [m, rad], and `running`, (n, 2), the
+        velocities of their running surfaces [m/s].
         """
         bodies, (x, y) = contacts.bodies, contacts.direction.T
         arm = contacts.on_surfaces(contacts.points[:, 0]) - place[bodies, :2]
@@ -60,14 +54,9 @@ class Slips(NamedTuple):
     def sense(self, velocity: Array, adds: Array, blur: float) -> Array:
         """Return the direction of each slip, 1 or −1, or 0 if there is none: (k,).
 
-        Parameters
-        ----------
-        velocity
-            (n, 3) [m/s, rad/s].
-        adds
-            (n, 3), the approximate change of the velocities in a step [m/s, rad/s].
-        blur
-            Further uncertainty of the slips, per metre from the origin [1/s].
+        `velocity`, (n, 3), is that of the bodies, and `adds`, (n, 3), its approximate change in a
+        step [m/s, rad/s]; `blur` is a further uncertainty of the slips, per metre from the
+        origin [1/s].
         """
         speed = self.speed(velocity)
         sizes = np.abs(velocity) + np.abs(adds) * (FAINT / ROUNDING)
@@ -117,27 +106,18 @@ class Stop(NamedTuple):
     acceleration [J]: on the parabola, the energy due to a force F is higher by F a dt²/8 than in
     the middle of the chord."""
     given: Array
-    """(3,), the momentum and angular momentum beyond those from the two halves [kg m/s, kg m²/s].
-    """
+    """(3,), the momentum and angular momentum beyond the two halves [kg m/s, kg m²/s]."""
 
 
 def booked(
     phases: Sequence[Phase], inertia: Array, smooth: Array, running: Array, dt: float
 ) -> Stop:
-    """Return the entries for the books from a drift of several phases.
+    """Return the entries for the books from a drift of several phases, of length dt [s].
 
-    Parameters
-    ----------
-    phases
-        Its parts; bodies that are not affected by an end of slipping have constant accelerations.
-    inertia
-        (n, 3), masses, masses and moments [kg, kg m²].
-    smooth
-        (n, 3), the accelerations by gravity and force laws [m/s², rad/s²].
-    running
-        (n, 2), the velocities of the bodies' running surfaces [m/s].
-    dt
-        The length of the drift [s].
+    Bodies that are not affected by an end of slipping have constant accelerations. `inertia`,
+    (n, 3), has masses, masses and moments [kg, kg m²]; `smooth`, (n, 3), are the accelerations by
+    gravity and force laws [m/s², rad/s²], and `running`, (n, 2), the velocities of the bodies'
+    running surfaces [m/s].
     """
     first, last, half = phases[0], phases[-1], dt / 2
     place, velocity = last.at(last.lasts)

@@ -8,6 +8,7 @@ from importlib import import_module
 from importlib.util import find_spec
 from typing import Any
 
+from sandbox.model.base import Model
 from sandbox.model.effects import EFFECTS, Effects
 from sandbox.model.effects.contract import Effect, IncompleteError
 from sandbox.model.expressions import Array, Values
@@ -16,8 +17,6 @@ from sandbox.model.shapes import evaluate
 from sandbox.physics.forces.gravity import Gravity
 from sandbox.physics.forces.law import Given, Law, Turn
 from sandbox.physics.forces.variable_mass import Flow, MassFlows, Share, steady
-
-__all__ = ["Gravity", "Law", "Turn", "any_law", "gravity", "laws", "mass_share", "part_of"]
 
 _ROOM = __name__.rpartition(".")[0]
 
@@ -54,6 +53,16 @@ def _laws_of(effect: Effect, said: Any, given: Given) -> Iterable[Any]:  # noqa:
     return switched_laws(make, said, effect.name, given)
 
 
+def one_by_one(effects: Effects, given: Given) -> Iterator[tuple[Model, Law]]:
+    """Yield each force with its settings; if these are a list, one law for each entry."""
+    for effect in effects.declarations:
+        if effect.is_law and not effect.turns:
+            said = getattr(effects, effect.name)
+            for entry in said if isinstance(said, tuple) else (said,):
+                part = (entry,) if isinstance(said, tuple) else entry
+                yield from ((entry, law) for law in _laws_of(effect, part, given))
+
+
 def mass_share(effects: Effects, values: Values, names: Sequence[str], mass: Array) -> Share:
     """Return the masses of a level's bodies as a function of time; `steady` without flows."""
     found: list[Flow] = []
@@ -77,15 +86,11 @@ def missing(effects: Iterable[Effect]) -> Iterator[str]:
 
 
 def part_of(effect: Effect, function: str) -> Callable[..., Iterable[Any]]:
-    """Return a function of an effect's own module.
-
-    Raises `IncompleteError` if the module does not have it.
-    """
+    """Return a function of an effect's own module; raise `IncompleteError` if it has none."""
     module = import_module(f"{_ROOM}.{effect.name}")
     if not hasattr(module, function):
         raise IncompleteError(_message(effect, f"add a function '{function}' to {_file(effect)}"))
-    found: Callable[..., Iterable[Any]] = getattr(module, function)
-    return found
+    return getattr(module, function)
 
 
 def _require(effect: Effect, law: Law | Turn) -> None:

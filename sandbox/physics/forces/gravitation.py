@@ -101,8 +101,7 @@ class Gravitation:
 
     def _mass(self, motion: Motion) -> Array:
         """Return the masses of the bodies at the times of a motion: (..., k, 1) [kg]."""
-        mass: Array = (self.mass * self.share(motion.t))[..., self._rows, None]
-        return mass
+        return (self.mass * self.share(motion.t))[..., self._rows, None]
 
 
 def laws(said: declared.Gravitation, given: Given) -> Iterator[Law]:

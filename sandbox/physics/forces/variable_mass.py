@@ -30,8 +30,7 @@ class Flow:
 
     def gained(self, t: Array) -> Array:
         """Return the mass gained from t = 0 to a time [kg], extrapolated to times before 0."""
-        gained: Array = self.rate * np.minimum(t, self.until)
-        return gained
+        return self.rate * np.minimum(t, self.until)
 
     def mean_rate(self, t: Array, step: float) -> Array:
         """Return the mean rate over the kick around a time [kg/s]; the flow may end within it."""

@@ -117,15 +117,7 @@ Verdict = Touch | bool
 
 
 def verdict(one: Piece, other: Piece, at: Placed, there: Placed) -> Verdict:
-    """Return the contact of two shapes that overlap according to pymunk.
-
-    Parameters
-    ----------
-    one, other
-        The shapes.
-    at, there
-        The positions and rotations of their bodies.
-    """
+    """Return the contact of two shapes, placed there, that overlap according to pymunk."""
     if _is_side(one) and _is_side(other):
         return _sides(one, other, at, there)
     if _is_side(one):
@@ -149,16 +141,8 @@ def way_along(
     velocities before and after a kick are along two chords, and their mean is tangential. The
     change of the tangential velocity in a kick is predicted from the last kick.
 
-    Parameters
-    ----------
-    found
-        The contact.
-    places, motions
-        The positions and velocities of the arc's body and of the other.
-    drift
-        The duration of the next drift [s].
-    before
-        The velocity along the arc a step ago [m/s]; None if the body did not follow the arc then.
+    `places` and `motions` are those of the arc's body and of the other. `before` is the velocity
+    along the arc a step ago [m/s]; None if the body did not follow the arc then.
     """
     (at, there), (rates, moves) = places, motions
     way = put(there, found.point) - put(at, found.arc.center)

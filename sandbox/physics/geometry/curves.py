@@ -45,15 +45,7 @@ def course_of(curve: Curve, values: Values) -> Course:
 
 
 def verdict(one: Piece, other: Piece, at: Placed, there: Placed) -> Verdict:
-    """Return the contact of two shapes that overlap according to pymunk.
-
-    Parameters
-    ----------
-    one, other
-        The shapes.
-    at, there
-        The positions and rotations of their bodies.
-    """
+    """Return the contact of two shapes, placed there, that overlap according to pymunk."""
     if one.curve:
         return _touch(one.curve, other, at, there)
     if other.curve:

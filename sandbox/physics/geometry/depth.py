@@ -7,14 +7,9 @@ from sandbox.physics.state.anchor import Plane
 
 
 def depth(points: Plane, corners: Plane) -> Array:
-    """Return the depths of points in a polygon, convex or not: (...) [m].
+    """Return the depths of points (...) in a polygon, convex or not: (...) [m].
 
-    Parameters
-    ----------
-    points
-        (...), points of the plane [m].
-    corners
-        (k,), the corners of the polygon in order, clockwise or counter-clockwise [m].
+    `corners`, (k,), go round the polygon in order, clockwise or counter-clockwise [m].
     """
     sides = np.roll(corners, -1) - corners
     apart = points[..., None] - corners

@@ -71,18 +71,9 @@ class Stretch(NamedTuple):
 class Course:
     """The middle line of a curve, through points at equal steps of its parameter.
 
-    The number of pieces between the points is a multiple of `KNOT`.
-
-    Attributes
-    ----------
-    stretches
-        Its parts.
-    ends
-        Its first and last point; empty if it is closed.
-    knots
-        Points along it [m].
-    spacing
-        The largest length between successive knots [m].
+    The number of pieces between the points is a multiple of `KNOT`. The line has `stretches`, its
+    parts; `ends`, its first and last point, or none if it is closed; `knots`, points along it [m];
+    and `spacing`, the largest length between successive knots [m].
     """
 
     def __init__(self, points: Points) -> None:

@@ -21,15 +21,7 @@ for which they are used."""
 
 
 class Quintics:
-    """A curve through points (n + 1,) [m]; it is closed if its ends meet.
-
-    Attributes
-    ----------
-    closed
-        Whether it is closed.
-    count
-        The number of pieces, n.
-    """
+    """A curve of `count` pieces through points (n + 1,) [m]; it is closed if its ends meet."""
 
     def __init__(self, points: Points) -> None:
         self.closed = is_closed(points)

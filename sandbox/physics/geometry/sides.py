@@ -98,15 +98,8 @@ def side(line: Line, core: Sequence[complex], radii: float) -> tuple[int, float]
     """Return the side of a line on which a body is, 1 left and −1 right, and the gap [m].
 
     The side is 0 if the line passes through the body, or if the body is straight ahead of its end.
-
-    Parameters
-    ----------
-    line
-        The line, without its thickness.
-    core
-        The corners of a convex body, in order, or the centre of a disc [m].
-    radii
-        The sum of the radii around line and core [m].
+    `core` has the corners of a convex body, in order, or the centre of a disc [m]; `radii` is the
+    sum of the radii around line and core [m].
     """
     middle = sum(core) / len(core)
     beside, point = min(

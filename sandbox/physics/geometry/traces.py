@@ -11,14 +11,9 @@ from sandbox.physics.geometry.plane_curve import Side
 class Spot(NamedTuple):
     """The points of two surfaces that meet in a contact.
 
-    Attributes
-    ----------
-    normal
-        The unit normal from the first surface, which is the arc or curve if one is met from inside.
-    tip
-        The point of the other body [m].
-    gap
-        Its distance from the first surface, negative beyond it [m].
+    `normal` is the unit normal from the first surface, which is the arc or curve if one is met from
+    inside; `tip` is the point of the other body, and `gap` its distance from the first surface,
+    negative beyond it [m].
     """
 
     normal: complex
@@ -33,14 +28,7 @@ Trace = Callable[[Placed, Placed], Spot]
 def trace(touch: Touch, hollow: Piece, other: Piece, at: Placed, there: Placed) -> Trace:
     """Return a contact as a function of the positions of its bodies.
 
-    Parameters
-    ----------
-    touch
-        The contact.
-    hollow, other
-        The shapes.
-    at, there
-        The positions and rotations of their bodies at the contact.
+    `at` and `there` are their positions and rotations at the contact.
     """
     if hollow.curve is None:
         return lambda at, there: _in_arc(touch, at, there)

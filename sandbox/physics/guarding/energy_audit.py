@@ -19,27 +19,14 @@ MUCH = 0.1
 
 
 class Audit:
-    """Checks every observed step of a run.
+    """Checks every observed step of a run, such as a world.
 
-    Parameters
-    ----------
-    run
-        The run, such as a world.
-    least
-        An energy that is negligible in the scene [J].
-    swing
-        The relative oscillation of energy that the scheme allows.
-    always
-        Whether the books stay open, to detect slow growth, oscillation by oscillation.
+    `least` is an energy that is negligible in the scene [J], and `swing` the relative oscillation
+    of energy that the scheme allows. If `always`, the books stay open, to detect slow growth,
+    oscillation by oscillation.
     """
 
-    def __init__(
-        self,
-        run: Recorded,
-        least: float,
-        swing: float,
-        always: bool,
-    ) -> None:
+    def __init__(self, run: Recorded, least: float, swing: float, always: bool) -> None:
         self._run, self._least, self._swing, self._always = run, least, swing, always
         self._kinetic, self._most = 0.0, least
         self._books: Ledger | None = None
@@ -50,15 +37,8 @@ class Audit:
         """Return the unexplained energy in a row of steps that change much [J].
 
         It is 0 within the allowed oscillation, and not finite if the kinetic energy is not.
-
-        Parameters
-        ----------
-        now
-            The state.
-        before
-            (n, 3), the velocities at the beginning of the last kick [m/s, rad/s].
-        lifted
-            The energy from the correction of overlaps since the start [J].
+        `before`, (n, 3), are the velocities at the beginning of the last kick [m/s, rad/s];
+        `lifted` is the energy from the correction of overlaps since the start [J].
         """
         scene = self._run.scene
         kinetic = float(kinetic_energy(scene.mass, scene.moment, now).sum())

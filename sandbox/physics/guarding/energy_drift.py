@@ -35,36 +35,16 @@ ROUNDING = 1e-6
 
 
 class Gains:
-    """Detects energy without a cause; n bodies.
+    """Detects energy without a cause, from the state of a scene at the start; n bodies.
 
-    Parameters
-    ----------
-    scene
-        The scene.
-    start
-        The state at the start.
-    thickness
-        (n,), the thickness of the bodies; 0 for lines [m].
-    swing
-        The relative oscillation of a spring's energy with leapfrog.
-    rate
-        The steps per second [Hz].
-
-    Attributes
-    ----------
-    least
-        An energy that is negligible in the scene [J].
-    lifted
-        The energy from the correction of overlaps so far [J].
+    `thickness`, (n,), is that of the bodies, 0 for lines [m]; `swing` is the relative oscillation
+    of a spring's energy with leapfrog, and `rate` the steps per second [Hz]. `least` is an energy
+    that is negligible in the scene, and `lifted` the energy from the correction of overlaps so
+    far [J].
     """
 
     def __init__(
-        self,
-        scene: Scene,
-        start: Snapshot,
-        thickness: Array,
-        swing: float,
-        rate: float,
+        self, scene: Scene, start: Snapshot, thickness: Array, swing: float, rate: float
     ) -> None:
         self._scene, self._swing, self._dt = scene, swing, 1 / rate
         self._laws = (*([scene.gravity] if scene.gravity else []), *scene.laws)
@@ -101,12 +81,8 @@ class Gains:
     def follow(self, now: Snapshot, contacts: Contacts, before: Array | None) -> None:
         """Add the energy from the correction of overlaps since the last observation.
 
-        Parameters
-        ----------
-        now, contacts
-            The observation.
-        before
-            (n, 3), the velocities of the last drift [m/s, rad/s]; None if there were several.
+        `before`, (n, 3), are the velocities of the last drift [m/s, rad/s]; None if there were
+        several.
         """
         last, self._last = self._last, now
         if before is None or not len(contacts.bodies):

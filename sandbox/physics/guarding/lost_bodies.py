@@ -25,12 +25,8 @@ Cause = Callable[[int], tuple[Message, float | None]]
 class Lost:
     """Watches bodies under uniform gravity alone, without contacts or joints.
 
-    Attributes
-    ----------
-    good
-        The last state that passed the checks.
-    doubts, trusts
-        Unused here: a run that it stops cannot go on.
+    `good` is the last state that passed the checks. `doubts` and `trusts` are unused here: a run
+    that it stops cannot go on.
     """
 
     def __init__(self, scene: Scene, stepping: Stepping, start: Snapshot) -> None:
@@ -80,21 +76,8 @@ def refuse_lost(
 ) -> None:
     """Stop if a body's position or its energy is no longer finite.
 
-    Parameters
-    ----------
-    names
-        The names of the bodies.
-    now
-        A state for which `is_sound` is false.
-    rate
-        Steps a second [Hz].
-    gone_by, beyond_by
-        Return the cause of a lost position, and of an infinite energy.
-
-    Raises
-    ------
-    SimulationError
-        If so.
+    `now` is a state for which `is_sound` is false; `gone_by` and `beyond_by` return the cause of a
+    lost position, and of an infinite energy. Raises `SimulationError` if so.
     """
     rows = np.column_stack((now.position, now.velocity, now.angle, now.angular_velocity))
     gone, lost = (~np.isfinite(part).all(axis=1) for part in (rows, rows * rows))

@@ -50,14 +50,8 @@ def needs(scene: Scene, now: Snapshot, located: Container[str] = ()) -> list[Nee
 
     The transverse stiffness of a taut string is its tension over its length, so a chain of light
     links needs about √(T / (m l)). Forces other than springs and tensions are not considered.
-    Tensions and speeds change: ask again, or leave a margin.
-
-    Parameters
-    ----------
-    scene, now
-        The scene, and its state.
-    located
-        The bodies whose impacts are located in time, so that they may be fast.
+    Tensions and speeds change: ask again, or leave a margin. The bodies whose impacts are `located`
+    in time may be fast.
     """
     fast = _fast(scene, now, located)
     return sorted((*_springs(scene, now), *_taut(scene, now), *fast), reverse=True)
@@ -105,16 +99,10 @@ def _fast(scene: Scene, now: Snapshot, located: Container[str]) -> Iterator[Need
 
 
 def steepness(scene: Scene, row: int, then: Motion, nudge: float) -> Iterator[Need]:
-    """Yield the rates that laws need because they change with the position of a body.
+    """Yield the rates that laws need because they change with the position of a body, by its row.
 
-    Parameters
-    ----------
-    scene, then
-        The scene, and its motion.
-    row
-        The index of the body.
-    nudge
-        The displacement for the numerical derivative of its forces [m].
+    `then` is the motion of the scene; `nudge` is the displacement for the numerical derivative of
+    the forces on the body [m].
     """
     for law in scene.laws:
         slope = _slope(scene, law, row, then, "position", nudge)

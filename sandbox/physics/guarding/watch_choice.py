@@ -39,10 +39,7 @@ class Watch(Protocol):
 def make_watch(run: "Recorded", now: Snapshot, contacts: Contacts, begun: Array) -> Watch:
     """Make the watch over a run from a state on, and check that state; see `Watchdog`.
 
-    Raises
-    ------
-    SimulationError
-        If the state fails the checks.
+    Raises `SimulationError` if the state fails the checks.
     """
     scene, touching = run.scene, run.level.effects.contact is not None
     watch: Watch

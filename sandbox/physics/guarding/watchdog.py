@@ -72,27 +72,11 @@ NUDGE = 1e-6
 class Watchdog:
     """Watches a world from its start; n bodies.
 
-    Parameters
-    ----------
-    level, values, stepping
-        The level, its parameters, and the stepping of the world.
-    scene
-        The scene of the world.
-    start, contacts
-        The state and the contacts at the start.
-    audit
-        Makes the check for unexplained energy in scenes with energy input.
-
-    Attributes
-    ----------
-    good
-        The last state that passed the checks.
-    doubts
-        Whether it stopped a run that could go on but cannot be trusted, because of an overlap, a
-        joint error, or unexplained energy.
-    trusts
-        Whether it lets such runs go on: it then stops only runs that are lost, or too large for a
-        step.
+    `start` and `contacts` are those at the start; `audit` makes the check for unexplained energy in
+    scenes with energy input. `good` is the last state that passed the checks. `doubts` tells
+    whether it stopped a run that could go on but cannot be trusted, because of an overlap, a joint
+    error, or unexplained energy. `trusts` tells whether it lets such runs go on: it then stops only
+    runs that are lost, or too large for a step.
     """
 
     def __init__(
@@ -143,22 +127,10 @@ class Watchdog:
     ) -> None:
         """Check an observation.
 
-        Parameters
-        ----------
-        now, contacts
-            The observation.
-        before
-            (n, 3), the velocities at the beginning of the last kick [m/s, rad/s].
-        disturbed
-            Whether a hand has given energy to the scene.
-        cut
-            Whether impacts have cut the last drift.
-
-        Raises
-        ------
-        SimulationError
-            If a check fails: a body is lost or overlaps too much, a joint has parted, or energy is
-            unexplained.
+        `before`, (n, 3), are the velocities at the beginning of the last kick [m/s, rad/s]. A hand
+        has given energy to the scene if `disturbed`; impacts have cut the last drift if `cut`.
+        Raises `SimulationError` if a body is lost or overlaps too much, a joint has parted, or
+        energy is unexplained.
         """
         self.good = self._recent[-1]
         self._look_for_lost(now)

@@ -18,7 +18,6 @@ from sandbox.model.joints import (
     AngleStop,
     End,
     Held,
-    Joint,
     Motor,
     Own,
     Pivot,
@@ -34,9 +33,7 @@ from sandbox.model.level import Level, is_alone
 from sandbox.model.message import Message
 from sandbox.model.shapes import evaluate
 from sandbox.physics.engine.batch import Batch
-from sandbox.physics.joints.exact.angles import (
-    where,
-)
+from sandbox.physics.joints.exact.angles import where
 from sandbox.physics.joints.exact.constraints import Coordinates, Equation
 from sandbox.physics.joints.exact.distances import Row
 from sandbox.physics.joints.exact.equation_limit import refuse_too_many
@@ -191,7 +188,9 @@ class _Assembly:
         rows: list[Row] = []
         others: list[Equation] = []
         start = _coordinates(self._bodies, self._origin)
-        for name, spec in _ours(level).items():
+        for name, spec in level.joints.items():
+            if not (is_exact(spec) or spec.kind.force):
+                continue
             _require_made(spec)
             if isinstance(spec, Spring):
                 joints.springs[name] = make_spring(spec, joints.paths[name], lengths[name], values)
@@ -226,11 +225,6 @@ def _require_made(joint: Model) -> None:
     """Refuse a joint without a case here, which mypy reports as well."""
     if not isinstance(joint, Solved | Spring):
         raise not_made(joint)
-
-
-def _ours(level: Level) -> dict[str, Joint]:
-    """Return the joints that pymunk does not solve, by name."""
-    return {name: j for name, j in level.joints.items() if is_exact(j) or j.kind.force}
 
 
 def _anchor(end: End, index: Mapping[str, int], values: Values) -> Anchor:

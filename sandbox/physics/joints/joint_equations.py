@@ -91,11 +91,7 @@ class JointEquations:
         return [], (wire,)
 
     def _turning(
-        self,
-        name: str,
-        spec: Turning,
-        path: tuple[Anchor, ...],
-        start: Coordinates,
+        self, name: str, spec: Turning, path: tuple[Anchor, ...], start: Coordinates
     ) -> Made:
         """Return the equations of a joint that keeps a point, an angle, or a rolling distance."""
         (a, b), values, radii = path, self._values, self._joints.radii

@@ -86,7 +86,6 @@ class Pull(NamedTuple):
     """The force of a joint on one body in the last kick."""
 
     joint: str
-    """The name of the joint."""
     wrench: tuple[float, float, float]
     """The force, and the torque about the body's centre of mass [N, N m]."""
 

@@ -101,8 +101,7 @@ class Joints:
         """Return the force by which a joint pulls, or a wire pushes to its left: (...) [N]."""
         if spring := self.springs.get(name):
             return spring.tension(snapshot)
-        tension: Array = snapshot.tension[..., list(self.paths).index(name)]
-        return tension
+        return snapshot.tension[..., list(self.paths).index(name)]
 
     def tensions(self) -> Array:
         """Return the forces by which joints pulled in the last kick, 0 for springs: (j,) [N]."""

@@ -37,8 +37,7 @@ QUADRATIC = 1e-9
 """The relative error of the length below which one more Newton step leaves only rounding."""
 
 ROUNDING = 2e-15
-"""The largest error of the length by the rounding of positions, relative to their distances from
-the origin."""
+"""The largest rounding error of the length, over the distances from the origin."""
 
 SHARE = 1 / 64
 """The fraction of that error that is corrected in a step."""

@@ -5,13 +5,14 @@ side on another is known. pymunk yields only the sum for both points of a side: 
 application between them follows from the angular acceleration of the body.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.model.shapes import XY
+from sandbox.physics.contacts.static_friction import Freed
 from sandbox.physics.engine.batch import Contacts
 from sandbox.physics.measuring.free_body import FRICTION, NORMAL, Acting
 
@@ -65,6 +66,30 @@ def presses(
         yield Press(int(contacts.bodies[pair, 1 - second]), normal, friction, at, half)
 
 
+def loosened(
+    found: Sequence[Press],
+    freed: Iterable[tuple[int, Freed]],
+    row: int,
+    place: Array,
+    length: float,
+) -> Sequence[Press]:
+    """Return the contacts with the friction that is left where one broke loose within the kick.
+
+    pymunk does not know that its friction was lowered after it. `freed` has the index of the other
+    body with each reduction; the others are those of `presses`.
+    """
+    left = list(found)
+    for other, (body, impulse, points) in freed:
+        sign, at = (1, points[0]) if body == row else (-1, points[1])
+        force, arm = sign * np.array(impulse) / length, np.array(at) - place
+        wrench = np.append(force, arm[0] * force[1] - arm[1] * force[0])
+        near = [(float(np.hypot(*(p.at - at))), i) for i, p in enumerate(left) if p.row == other]
+        if near:
+            _, i = min(near)
+            left[i] = left[i]._replace(friction=left[i].friction + wrench)
+    return left
+
+
 def settled(found: Sequence[Press], missing: float) -> Sequence[Press]:
     """Return the contacts with their forces moved along the sides that they act on.
 
@@ -89,8 +114,7 @@ def _middles(contacts: Contacts) -> Array:
     """Return the middle of each contact: (k, 2) [m]."""
     second = np.where(contacts.touches == 2, 1, 0)
     both = contacts.points[np.arange(len(second)), second]
-    middles: Array = (contacts.points[:, 0] + both) / 2
-    return middles
+    return (contacts.points[:, 0] + both) / 2
 
 
 def _parts(contacts: Contacts, pair: int, scale: float, arm: Array) -> tuple[Array, Array]:

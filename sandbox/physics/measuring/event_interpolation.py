@@ -58,20 +58,10 @@ def crossing(
     smooth: bool = False,
     impacts: Sequence[float] = (),
 ) -> float | None:
-    """Return when the samples first cross a value [s]; None if they never do.
+    """Return when the samples first cross a value in a direction [s]; None if they never do.
 
-    A start on the value itself is no crossing.
-
-    Parameters
-    ----------
-    t, samples, level
-        The times [s], the quantity at each, and the value that it crosses.
-    direction
-        The direction of the crossing.
-    smooth
-        Whether the run is smooth.
-    impacts
-        The known times of impacts [s], at which the quantity may turn or jump.
+    A start on the value itself is no crossing. `t` are the times [s], and `samples` the quantity at
+    each. Unless the run is `smooth`, the quantity may turn or jump at `impacts`, known times [s].
     """
     above = samples - level
     rises = (above[:-1] < 0) & (above[1:] >= 0)

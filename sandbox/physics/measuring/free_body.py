@@ -61,7 +61,6 @@ class FreeBody:
     """A body and the forces on it at a step; see `free_body_forces` for what they are."""
 
     body: str
-    """The name of the body."""
     t: float
     """The time [s]."""
     mass: float

@@ -29,12 +29,13 @@ import numpy as np
 from sandbox.model.expressions import Array
 from sandbox.model.joints import bodies_of, is_exact
 from sandbox.model.shapes import XY, evaluate
+from sandbox.physics.contacts.static_friction import Freed
 from sandbox.physics.energy.step_record import StepRecord
 from sandbox.physics.engine.batch import Contacts
+from sandbox.physics.forces.declared_laws import one_by_one
 from sandbox.physics.forces.law import Given, Law
-from sandbox.physics.forces.laws_by_effect import one_by_one
 from sandbox.physics.joints.joint_forces import pulls_on
-from sandbox.physics.measuring.contact_forces import Press, presses, settled
+from sandbox.physics.measuring.contact_forces import Press, loosened, presses, settled
 from sandbox.physics.measuring.free_body import HAND, IMPACT, Acting, FreeBody
 from sandbox.physics.state.anchor import Anchor
 from sandbox.physics.state.motion import Instant, Motion
@@ -134,12 +135,21 @@ class FreeBodies:
     def _pressing(self, kick: "_Kick", known: Sequence[Acting]) -> Sequence[Press]:
         direct, contacts = self._scene.direct, kick.contacts
         wrenches = direct.wrenches(kick.row) if direct else None
-        found = list(presses(contacts, wrenches, kick.row, np.array(kick.center), kick.length))
+        center = np.array(kick.center)
+        pressing = tuple(presses(contacts, wrenches, kick.row, center, kick.length))
+        found = loosened(pressing, self._freed(kick.row), kick.row, center, kick.length)
         if not kick.moment:
             return found
         torque = sum(acting.torque(kick.center) for acting in known)
         torque += sum(float(press.normal[2] + press.friction[2]) for press in found)
         return settled(found, kick.moment * float(kick.rates[2]) - torque)
+
+    def _freed(self, row: int) -> Iterator[tuple[int, Freed]]:
+        """Yield what contacts lost that broke loose, each with the index of the other body."""
+        for pair, stick in self._scene.sticking.items():
+            if row in pair:
+                (other,) = pair - {row}
+                yield from ((other, lost) for lost in stick.freed.values())
 
     def _rest(self, body: str, kick: "_Kick", known: Sequence[Acting]) -> Sequence[Acting]:
         """Return the remaining force, of pymunk's own joints and a hand."""
@@ -196,8 +206,7 @@ def _rates(step: StepRecord, row: int, *, held: bool) -> Array:
     if step.after is None or (step.composed and held):
         now = step.snapshot
         return np.append(now.acceleration[row], now.angular_acceleration[row])
-    rates: Array = (step.after[row] - step.begun[row]) / step.parts[-1].kick
-    return rates
+    return (step.after[row] - step.begun[row]) / step.parts[-1].kick
 
 
 def _turned(point: XY, kick: _Kick) -> XY:

@@ -20,7 +20,6 @@ class Outcome:
     """The state of a goal."""
 
     goal: Goal
-    """The goal."""
     unit: str
     """The unit of the quantity."""
     t: float | None

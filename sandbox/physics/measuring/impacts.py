@@ -34,8 +34,7 @@ class Impacts(NamedTuple):
     lighter: Integers
     """(k,), the index of the lighter of the two bodies that can move."""
     momentum: float
-    """The largest momentum of a body at the beginning of the kick, after located impacts [kg m/s].
-    """
+    """A body's largest momentum at the kick's beginning, after located impacts [kg m/s]."""
 
 
 def impacts(world: World) -> Impacts | None:

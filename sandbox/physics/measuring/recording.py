@@ -7,14 +7,7 @@ from typing import TYPE_CHECKING, NamedTuple, TypeVar
 import numpy as np
 
 from sandbox.model.expressions import Array, Values
-from sandbox.model.level import (
-    ApexEvent,
-    CrossingEvent,
-    Instant,
-    LandingEvent,
-    Level,
-    Stepping,
-)
+from sandbox.model.level import ApexEvent, CrossingEvent, Instant, LandingEvent, Level, Stepping
 from sandbox.model.level_parts import measured
 from sandbox.model.measuring_instants import MOST_MEETINGS
 from sandbox.model.message import Message

@@ -37,19 +37,9 @@ class Measured(Protocol):
 
 
 class Meter:
-    """Measures quantities of a world, from one snapshot or from a stack of them.
+    """Measures quantities of a run, such as a world, from one snapshot or from a stack of them.
 
-    Parameters
-    ----------
-    run
-        The run with the masses, moments and force laws, such as a world.
-    names
-        The quantities to measure, such as `ball.position.x`.
-
-    Raises
-    ------
-    QuantityError
-        If the level has no such quantity, or only a ledger knows it.
+    Raises `QuantityError` if the level has no such quantity, or only a ledger knows it.
     """
 
     def __init__(self, run: Measured, names: Iterable[str]) -> None:
@@ -73,8 +63,7 @@ class Meter:
     def _bind(self, quantity: Quantity) -> Measurement:
         if quantity.booked or quantity.between or quantity.over_time:
             rule = Message(
-                "'{name}' is known only in a recording of the whole run",
-                name=quantity.name,
+                "'{name}' is known only in a recording of the whole run", name=quantity.name
             )
             raise QuantityError(rule)
         match quantity.owner:
@@ -171,10 +160,7 @@ class Meter:
     @property
     def _vectors_of_system(self) -> Mapping[str, Measurement]:
         """The vectors of all dynamic bodies together: (..., 2)."""
-        return {
-            "center": self._center,
-            "momentum": lambda s: self._momentum(s).sum(axis=-2),
-        }
+        return {"center": self._center, "momentum": lambda s: self._momentum(s).sum(axis=-2)}
 
     @property
     def _scalars_of_system(self) -> Mapping[str, Measurement]:

@@ -16,12 +16,7 @@ from sandbox.physics.state.snapshot import Snapshot
 def sensing(row: int, sensor: int, spec: Body, values: Values) -> Callable[[Snapshot], Array]:
     """Return a function from snapshots to the depth of a body in a sensor [m].
 
-    Parameters
-    ----------
-    row, sensor
-        The indices of the body and of the sensor.
-    spec, values
-        The sensor's description, and the parameters.
+    `row` and `sensor` are the indices of the two, and `spec` is the sensor's description.
     """
     shape = spec.shape
     if isinstance(shape, Disc):

@@ -15,8 +15,9 @@ from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level, Stepping, is_direct
 from sandbox.physics.engine.batch import Batch
 from sandbox.physics.engine.bodies import make_body
-from sandbox.physics.forces.declared_laws import Gravity, Law, Turn, gravity, laws, mass_share
-from sandbox.physics.forces.law import Given
+from sandbox.physics.forces.declared_laws import gravity, laws, mass_share
+from sandbox.physics.forces.gravity import Gravity
+from sandbox.physics.forces.law import Given, Law, Turn
 from sandbox.physics.forces.variable_mass import Share
 from sandbox.physics.joints.joints import Joints
 from sandbox.physics.scene.build_context import Made, Pairs
@@ -83,10 +84,8 @@ class Scene:
 def make_scene(level: Level, values: Values, stepping: Stepping) -> Scene:
     """Make the pymunk objects of a level for the given parameters.
 
-    Raises
-    ------
-    SimulationError
-        If springs or drags are too strong for the rate, or bodies overlap that must not.
+    Raises `SimulationError` if springs or drags are too strong for the rate, or bodies overlap that
+    must not.
     """
     space, bodies = _make_space(level, values, stepping)
     pairs = _touching(space, bodies, level, values, stepping)

@@ -10,13 +10,7 @@ from sandbox.physics.state.errors import SchemeError
 
 
 def require(level: Level, scheme: Scheme) -> None:
-    """Refuse a scheme that does not suit a level.
-
-    Raises
-    ------
-    SchemeError
-        If it does not.
-    """
+    """Raise `SchemeError` if a scheme does not suit a level."""
     if scheme == "fourth-order" and (rule := unsmooth(level)):
         raise SchemeError(rule)
 

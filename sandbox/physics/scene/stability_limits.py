@@ -36,23 +36,9 @@ def check_drag(
     With the velocities that leapfrog extrapolates, the drag must not take more than the whole
     velocity in a step. A drag that grows faster than the velocity is evaluated at the start.
 
-    Parameters
-    ----------
-    law
-        A law that depends on each body's own velocity.
-    names, inverse_mass
-        (n,) and (n, 3), of the bodies; see `check_springs`.
-    start
-        The motion at the start.
-    joints
-        The joints of the scene: a light body joined to a heavy one slows down with it.
-    rate
-        Steps a second [Hz].
-
-    Raises
-    ------
-    SimulationError
-        If the scene is not stable at that rate; it names the effect and the body.
+    The law depends on each body's own velocity; `start` is the motion at the start. Since a light
+    body joined to a heavy one slows down with it, the `joints` count; for `inverse_mass` and
+    `rate`, see `check_springs`. Raises `SimulationError`, which names the effect and the body.
     """
     with np.errstate(all="ignore"):  # the watchdog reports values that are not finite
         taken = np.asarray(_strength(law, start) * inverse_mass[:, 0])
@@ -131,25 +117,12 @@ def check_springs(
     rate: float,
     reach: float = 2.0,
 ) -> None:
-    """Refuse springs that are too stiff, or damp too much, for a rate.
+    """Refuse springs that are too stiff, or damp too much, for a rate of steps [Hz].
 
-    Parameters
-    ----------
-    springs
-        All springs of a scene, by name.
-    inverse_mass
-        (n, 3), one over mass, mass and moment of inertia [1/kg, 1/(kg m²)].
-    angle
-        (n,), the angles of the bodies at the start [rad].
-    rate
-        Steps a second [Hz].
-    reach
-        The largest ω h at which the scheme is stable; 2 for leapfrog.
-
-    Raises
-    ------
-    SimulationError
-        If the scene is not stable at that rate; it names the spring that needs the highest.
+    `inverse_mass`, (n, 3), is one over mass, mass and moment of inertia [1/kg, 1/(kg m²)]; `angle`,
+    (n,), are the angles of the bodies at the start [rad]; `reach` is the largest ω h at which the
+    scheme is stable, 2 for leapfrog. Raises `SimulationError`, which names the spring that needs
+    the highest rate.
     """
     needed, name = limit(springs, inverse_mass, angle)
     needed *= 2 / reach

@@ -17,10 +17,7 @@ _asked: tuple[Look, ...] = ()
 def cancellation_point() -> None:
     """Call the checks of all enclosing `cancellable` blocks; a run that they cancel has ended.
 
-    Raises
-    ------
-    SandboxError
-        If a check cancels.
+    Raises `SandboxError` if a check cancels.
     """
     for look in _asked:
         look()

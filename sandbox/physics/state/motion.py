@@ -58,12 +58,8 @@ class Instant(NamedTuple):
 class Reading:
     """The motion of n bodies, as views of one array; see `Motion`.
 
-    Attributes
-    ----------
-    t
-        The time [s].
-    state
-        (n, 6), x, y, angle, and their rates of change [m, rad, m/s, rad/s].
+    `state`, (n, 6), has x, y, angle, and their rates of change [m, rad, m/s, rad/s] at a time
+    t [s].
     """
 
     __slots__ = ("state", "t")
@@ -95,12 +91,8 @@ class Reading:
 def momentum(share: Array, place: Array) -> Array:
     """Return the total momentum of n bodies, and the angular momentum about the origin: (3,).
 
-    Parameters
-    ----------
-    share
-        (n, 3), each body's momentum, and angular momentum about its own centre; or impulses.
-    place
-        (n, 2) or, with angles, (n, 3), the positions [m].
+    `share`, (n, 3), is each body's momentum, and angular momentum about its own centre; or
+    impulses. `place` are the positions, (n, 2) or, with angles, (n, 3) [m].
     """
     x, y = place.T[:2]
     moment = x * share[:, 1] - y * share[:, 0] + share[:, 2]
@@ -110,12 +102,7 @@ def momentum(share: Array, place: Array) -> Array:
 def kinetic_energy(mass: Array, moment: Array, motion: Motion) -> Array:
     """Return the kinetic energy of n bodies [J]: (..., n).
 
-    Parameters
-    ----------
-    mass, moment
-        (..., n), 0 for bodies that do not move or turn [kg, kg m²].
-    motion
-        The motion of the bodies.
+    `mass` and `moment`, (..., n), are 0 for bodies that do not move or turn [kg, kg m²].
     """
     square = np.sum(motion.velocity * motion.velocity, axis=-1)
     return np.asarray((mass * square + moment * motion.angular_velocity**2) / 2)

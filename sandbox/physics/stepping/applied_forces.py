@@ -21,23 +21,11 @@ if TYPE_CHECKING:
 class Forces:
     """Gravity and the force laws of a scene; n bodies.
 
-    Attributes
-    ----------
-    seen
-        The motion that the laws saw in the last kick; None without laws, or before it.
-    hand
-        The hand that grabs bodies; None until one has.
-    turning, turned
-        (n,) [rad/s] and (n, 2) [m/s²], how the last kick rotated velocities; None if nothing did.
-
-    Parameters
-    ----------
-    scene
-        The bodies, and the laws.
-    pulling
-        Joints whose last force acts from the start of a kick; None if there are none.
-    leapfrog
-        Whether the velocities before a kick are half a step old.
+    The last force of joints, `pulling`, acts from the start of a kick. In `leapfrog`, the
+    velocities before a kick are half a step old. `seen` is the motion that the laws saw in the last
+    kick; None without laws, or before it. `hand` is the hand that grabs bodies; None until one has.
+    `turning`, (n,) [rad/s], and `turned`, (n, 2) [m/s²], are how the last kick rotated velocities;
+    None if nothing did.
     """
 
     def __init__(self, scene: Scene, pulling: "ExactJoints | None", *, leapfrog: bool) -> None:

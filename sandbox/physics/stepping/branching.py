@@ -18,14 +18,9 @@ def branch(world: World, values: Values) -> World:
     """Make a world that continues from the state of another, with other parameters.
 
     The time step stays the same, and the other world is not changed. With equal parameters the two
-    runs differ only by rounding, and by the warm start of solvers.
-
-    Raises
-    ------
-    SandboxError
-        If a changed parameter cannot change during a run; the message says why.
-    SimulationError
-        If the world cannot continue from there.
+    runs differ only by rounding, and by the warm start of solvers. Raises `SandboxError` if a
+    changed parameter cannot change during a run, and `SimulationError` if the world cannot continue
+    from there.
     """
     changed = [name for name in values if values[name] != world.values[name]]
     if changed and (why := obstacle(world.level, changed)):
@@ -40,12 +35,8 @@ def alter(world: World, level: Level) -> World:
     """Make a world that begins at the start of a level, at the time of another and in its steps.
 
     The level describes the state of the other world, with changes. The other world is not changed.
-    Parts without changes continue as in a branch.
-
-    Raises
-    ------
-    SimulationError
-        If the world cannot continue from there.
+    Parts without changes continue as in a branch. Raises `SimulationError` if the world cannot
+    continue from there.
     """
     rows = {name: row for row, name in enumerate(world.level.bodies)}
     begin = partial(begin_late, now=world.snapshot, steps=world.steps, rows=rows)

@@ -19,16 +19,7 @@ from sandbox.physics.state.errors import (
 def explained(error: Exception, bodies: Sequence[str], t: float, rate: float) -> SandboxError:
     """Return the error to raise in place of another; an unforeseen one becomes a breakdown.
 
-    Parameters
-    ----------
-    error
-        The error that was raised.
-    bodies
-        The names of all bodies.
-    t
-        The time [s].
-    rate
-        The steps per second [Hz].
+    `bodies` are the names of all bodies, `t` is the time [s], and `rate` the steps per second [Hz].
     """
     match error:
         case SandboxError():

@@ -16,10 +16,7 @@ from sandbox.physics.stepping.stage import Setup, Stages
 def require_leapfrog(setup: Setup, now: Snapshot) -> None:
     """Replace substeps by leapfrog, as a hand cannot pull backwards in time.
 
-    Raises
-    ------
-    SimulationError
-        If springs are too stiff for leapfrog.
+    Raises `SimulationError` if springs are too stiff for leapfrog.
     """
     scene, kicks = setup.scene, setup.kicks
     check_springs(scene.joints.springs, scene.inverse_mass, now.angle, setup.stepping.rate)
@@ -37,10 +34,7 @@ def grab(setup: Setup, body: str, point: XY) -> None:
 def place(setup: Setup, stages: Stages, positions: Mapping[str, XY], now: Snapshot) -> None:
     """Move bodies to positions [m], with their present velocities.
 
-    Raises
-    ------
-    SimulationError
-        If a position is outside the grid in which pymunk finds pairs.
+    Raises `SimulationError` if a position is outside the grid in which pymunk finds pairs.
     """
     scene, t = setup.scene, setup.kicks.clock.after(0)
     for name, position in positions.items():

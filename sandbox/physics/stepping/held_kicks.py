@@ -20,21 +20,9 @@ if TYPE_CHECKING:
 class HeldKicks:
     """Kicks the n bodies of a scene while they are held in place.
 
-    Parameters
-    ----------
-    scene
-        The scene.
-    finish
-        Completes a kick of pymunk's, and raises errors from it.
-    touching
-        Whether the scene has contacts; without any, kicks are not repeated.
-    placed
-        Whether contacts are solved for the positions after the drift, not for velocities.
-
-    Attributes
-    ----------
-    settling
-        Repeats the kicks; None without contacts.
+    `finish` completes a kick of pymunk's, and raises errors from it. `placed` tells whether
+    contacts are solved for the positions after the drift, not for velocities. `settling` repeats
+    the kicks; it is None if the scene has no contacts, `touching`.
     """
 
     def __init__(
@@ -64,14 +52,10 @@ class HeldKicks:
             self._holding = False
 
     def kick(self, kick: Kick, smooth: Array) -> Array:
-        """Kick the held bodies, and return their velocities after it: (n, 3).
+        """Kick the held bodies from the velocities of a kick, and return those after it: (n, 3).
 
-        Parameters
-        ----------
-        kick
-            The kick, with the velocities at its start.
-        smooth
-            (n, 3), the approximate accelerations by gravity and force laws [m/s², rad/s²].
+        `smooth`, (n, 3), are the approximate accelerations by gravity and force
+        laws [m/s², rad/s²].
         """
         start = kick.start
         assert start is not None

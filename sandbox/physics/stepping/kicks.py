@@ -25,31 +25,13 @@ if TYPE_CHECKING:
 
 
 class Kicks:
-    """Takes the drifts and kicks of a scene; n bodies.
+    """Takes the drifts and kicks of a scene in steps of dt [s]; n bodies.
 
-    Parameters
-    ----------
-    scene, forces
-        The bodies, and the forces on them.
-    dt
-        The time step [s].
-    touching
-        Whether the level has contacts.
-
-    Attributes
-    ----------
-    clock
-        Counts the steps; the caller counts a step before taking it.
-    forces
-        The forces on the scene.
-    take
-        Takes the last drift of a step and its kick.
-    parts
-        The drifts and kicks of a step; see `compose`.
-    trail
-        Positions and velocities after each part but the last: (n, 6) each; None unless kept.
-    settling
-        Repeats kicks of held bodies until contacts converge; None without contacts.
+    `touching` tells whether the level has contacts. `clock` counts the steps; the caller counts a
+    step before taking it. `take` takes the last drift of a step and its kick; `parts` are all its
+    drifts and kicks, see `compose`. `trail` has positions and velocities after each part but the
+    last, (n, 6) each; None unless kept. `settling` repeats kicks of held bodies until contacts
+    converge; None without contacts.
     """
 
     def __init__(self, scene: Scene, forces: Forces, dt: float, *, touching: bool) -> None:
@@ -137,17 +119,10 @@ class Kicks:
     ) -> Array:
         """Kick the held bodies until convergence, and return their velocities: (n, 3).
 
-        Parameters
-        ----------
-        ahead
-            The time since the last step, in steps.
-        start
-            (n, 3), the velocities before the kick [m/s, rad/s].
-        length, drift
-            The lengths of the kick and of the drift that would follow [s].
-        at_step
-            Whether the velocities before the kick are those at its time, as at a step, and not half
-            a kick old. They are if `ahead` is 0.
+        `ahead` is the time since the last step, in steps, and `start`, (n, 3), are the velocities
+        before the kick [m/s, rad/s]; `length` and `drift` are the lengths of the kick and of the
+        drift that would follow [s]. The velocities are those at the time of the kick if `at_step`
+        or if `ahead` is 0, else half a kick old.
         """
         ends, at_step = drift / self.clock.dt, at_step or ahead == 0
         kick = Kick(self.clock, ahead, length, drift, ends, start=start, at_step=at_step)

@@ -10,25 +10,11 @@ from sandbox.physics.stepping.world import World
 
 
 def make_world(level: Level, values: Values, stepping: Stepping, begin: Begin = None) -> World:
-    """Make the world of a level at a chosen rate.
+    """Make the world of a level at a chosen rate, in the initial state that `begin` sets, if any.
 
-    Parameters
-    ----------
-    level, values
-        The level, and its parameters.
-    stepping
-        How time advances, without an accuracy, for which `build` finds a setting.
-    begin
-        Sets the initial state, if that is not the level's start.
-
-    Raises
-    ------
-    SimulationError
-        If the world cannot even start.
-    SchemeError
-        If the scheme does not suit the level.
-    ValueError
-        If an accuracy is requested.
+    An accuracy is for `build`, which finds a setting: it raises `ValueError` here. Raises
+    `SimulationError` if the world cannot even start, and `SchemeError` if the scheme does not suit
+    the level.
     """
     if stepping.accuracy is not None:
         raise ValueError("an accuracy is asked for, and no rate is chosen")

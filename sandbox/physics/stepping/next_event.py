@@ -29,12 +29,7 @@ Value = Callable[[str, float], float]
 class Waiting:
     """Finds the events in a drift; j joints.
 
-    Parameters
-    ----------
-    setup
-        The setup of the run.
-    pending
-        The events still to happen, by name; the caller removes those that have happened.
+    `pending` are the events still to happen, by name; the caller removes those that have happened.
     """
 
     def __init__(self, setup: Setup, pending: Mapping[str, Happening]) -> None:

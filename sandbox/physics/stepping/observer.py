@@ -34,15 +34,7 @@ class Observation(NamedTuple):
 
 
 class Observer:
-    """Makes snapshots of a scene; n bodies.
-
-    Parameters
-    ----------
-    setup
-        The setup of the run.
-    stages
-        The stages, which may report contacts and impacts.
-    """
+    """Makes snapshots of a scene, with contacts and impacts that stages report; n bodies."""
 
     def __init__(self, setup: Setup, stages: Stages) -> None:
         self._scene, self._forces, self._kicks = setup.scene, setup.forces, setup.kicks
@@ -57,10 +49,7 @@ class Observer:
     def observe(self, begun: Array) -> Observation:
         """Return the state at the last step.
 
-        Parameters
-        ----------
-        begun
-            (n, 3), the velocities half a kick before the step [m/s, rad/s].
+        `begun`, (n, 3), are the velocities half a kick before the step [m/s, rad/s].
         """
         state, contacts, direct = self._scene.batch.state(), self.contacts(), self._scene.direct
         if direct and direct.drifts.kicked is not None:  # landing bodies have changed them since
@@ -154,25 +143,12 @@ class Observer:
         velocity[hit] = after[hit] - onwards * (dt / 2)
 
     def snapshot(
-        self,
-        state: Array,
-        velocity: Array,
-        acceleration: Array,
-        contacts: Contacts,
-        kick: float,
+        self, state: Array, velocity: Array, acceleration: Array, contacts: Contacts, kick: float
     ) -> Snapshot:
         """Return the state at the present step.
 
-        Parameters
-        ----------
-        state
-            (n, 6), of which the positions are used.
-        velocity, acceleration
-            (n, 3), the velocities and accelerations at the step.
-        contacts
-            The contacts of the kick around the step.
-        kick
-            The length of that kick [s].
+        Of `state`, (n, 6), the positions are used; `velocity` and `acceleration`, (n, 3), are those
+        at the step, `contacts` those of the kick around it, and `kick` is its length [s].
         """
         normal = friction = self._untouched
         if len(contacts.bodies):

@@ -34,17 +34,8 @@ MAX_SWEEPS = 5000
 class Settling:
     """Repeats kicks of the n bodies of a scene, which are held in place.
 
-    Parameters
-    ----------
-    scene
-        The scene.
-    placed
-        Whether contacts are solved for the positions after the drift, not for velocities.
-
-    Attributes
-    ----------
-    unsettled
-        Whether contacts and strings did not converge in the last repetition.
+    `placed` tells whether contacts are solved for the positions after the drift, not for
+    velocities; `unsettled`, whether contacts and strings did not converge in the last repetition.
     """
 
     def __init__(self, scene: Scene, *, placed: bool) -> None:
@@ -55,12 +46,8 @@ class Settling:
     def repeat(self, once: Callable[[], Array], kick: Kick, smooth: Array) -> Array:
         """Repeat a kick, and return the velocities after the last one: (n, 3).
 
-        Parameters
-        ----------
-        once
-            Takes the kick, from the same velocities each time, and returns those after it.
-        kick, smooth
-            As for `HeldKicks.kick`.
+        `once` takes the kick, from the same velocities each time, and returns those after it;
+        `kick` and `smooth` are those of `HeldKicks.kick`.
         """
         close, near = self._tolerances(kick, smooth)
         swept, after = self._space.iterations, once()

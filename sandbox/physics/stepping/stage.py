@@ -121,8 +121,7 @@ class Stages:
         self.record = tuple(s.record for s in stages if s.record)
         self.calls = sum(s.calls for s in stages)
         kicks.call(
-            [s.in_kick for s in stages if s.in_kick],
-            [s.after_kick for s in stages if s.after_kick],
+            [s.in_kick for s in stages if s.in_kick], [s.after_kick for s in stages if s.after_kick]
         )
 
 

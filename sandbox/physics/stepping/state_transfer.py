@@ -19,19 +19,10 @@ from sandbox.physics.stepping.stage import Setup
 
 
 def take_over(setup: Setup, now: Snapshot, steps: int, before: Scene) -> None:
-    """Put a scene that has not started into a state.
+    """Put a scene into the state of an old world, before the stages of the new one are made.
 
-    Parameters
-    ----------
-    setup
-        The setup of the new world, before its stages are made.
-    now
-        The state of the old world.
-    steps
-        The number of steps that the old world has taken, from which time continues.
-    before
-        The scene of the old world; bodies and joints that it has welded, tied, cut or switched stay
-        so.
+    Time continues from the number of steps that the old world has taken. Bodies and joints that its
+    scene has welded, tied, cut or switched stay so.
     """
     setup.scene.batch.set_state(_states(now))
     _weld(setup, before)
@@ -40,18 +31,10 @@ def take_over(setup: Setup, now: Snapshot, steps: int, before: Scene) -> None:
 
 
 def begin_late(setup: Setup, now: Snapshot, steps: int, rows: Mapping[str, int]) -> None:
-    """Let a scene begin at its level's start, but at a later step.
+    """Let a scene begin at its level's start, but at a later step, before its stages are made.
 
-    Parameters
-    ----------
-    setup
-        The setup of the new world, before its stages are made.
-    now
-        The state of the old world.
-    steps
-        The number of steps that the old world has taken, from which time continues.
-    rows
-        The rows of the old world's bodies; those that follow formulas of time keep their state.
+    Time continues from the number of steps that the old world has taken. `rows` are those of its
+    bodies; those that follow formulas of time keep its state, `now`.
     """
     batch, before = setup.scene.batch, _states(now)
     state = np.column_stack((batch.state()[:, :3], batch.velocity()))

@@ -24,11 +24,6 @@ class Patience:
     """The patience with a run: lost if one step computes too long, or two in a row take too long.
 
     A single step may have been delayed by the machine, or because the process was suspended.
-
-    Parameters
-    ----------
-    longest
-        The longest time of a step [s].
     """
 
     def __init__(self, longest: float = LONGEST) -> None:
@@ -49,11 +44,8 @@ class Patience:
     def advance(self, world: World) -> Snapshot:
         """Take a step of a world, and return the state after it.
 
-        Raises
-        ------
-        SimulationError
-            If the run had to stop; if this step has computed too long, or is the second in a row to
-            take too long.
+        Raises `SimulationError` if the run had to stop; if this step has computed too long, or is
+        the second in a row to take too long.
         """
         self._started, self._computed, self._world = perf_counter(), None, world
         snapshot = world.advance()

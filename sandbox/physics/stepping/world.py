@@ -101,10 +101,7 @@ class World:
     def step(self) -> None:
         """Take one step without observing it, at the cost of pymunk's own step alone.
 
-        Raises
-        ------
-        SimulationError
-            If a joint cannot be satisfied.
+        Raises `SimulationError` if a joint cannot be satisfied.
         """
         kicks, stages = self.kicks, self._stages
         try:
@@ -120,13 +117,8 @@ class World:
     def advance(self, steps: int = 1) -> Snapshot:
         """Take one or more steps, observe the last one, and return its state.
 
-        Raises
-        ------
-        SimulationError
-            If a joint cannot be satisfied, or the watchdog stops the run. The last good state stays
-            in `snapshot`.
-        ValueError
-            If there are no steps to take.
+        Raises `SimulationError` if a joint cannot be satisfied, or the watchdog stops the run; the
+        last good state stays in `snapshot`. Raises `ValueError` if there are no steps to take.
         """
         if self._ended:
             raise self._ended
@@ -184,10 +176,7 @@ class World:
     def grab(self, body: str, point: tuple[float, float]) -> None:
         """Grab a dynamic body at a point of the plane [m], as with a stiff spring.
 
-        Raises
-        ------
-        SimulationError
-            If the scene cannot continue with leapfrog, which a hand needs.
+        Raises `SimulationError` if the scene cannot continue with leapfrog, which a hand needs.
         """
         from sandbox.physics.stepping import hand
 
@@ -210,12 +199,8 @@ class World:
     def place(self, positions: Mapping[str, tuple[float, float]]) -> Snapshot:
         """Move bodies to positions [m] with their present velocities; strings adapt their lengths.
 
-        Return the new state, from which the run continues as if it had started there.
-
-        Raises
-        ------
-        SimulationError
-            If it cannot continue from there.
+        Return the new state, from which the run continues as if it had started there. Raises
+        `SimulationError` if it cannot continue from there.
         """
         from sandbox.physics.stepping import hand
 

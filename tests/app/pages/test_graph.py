@@ -1,6 +1,7 @@
 """Graphs show the measured values, at the right place."""
 
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pygame
@@ -175,6 +176,38 @@ def test_a_quantity_is_drawn_against_another(person: Person) -> None:
     assert choice.across(person.session) == "ball.position.x"
     graph = pygame.surfarray.array3d(person.page(GraphPage)._graphs.image)
     assert (graph == theme.BODIES[0]).all(axis=2).any()
+
+
+def test_in_a_low_window_names_to_choose_from_are_in_view(person: Person) -> None:
+    """At 900 x 600 the list began below the page."""
+    person.resize((900, 600))
+    person.window.open_level("momentum/cradle")
+    person.press(pygame.K_d, "d")
+    person.wait(0.1)
+
+    page, seen = person.page(GraphPage), person.side._sheet.container.rect
+    assert seen.bottom - page.up.rect.top >= 2 * 20
+    person.resize((1280, 800))
+    person.wait(0.1)
+    assert person.page(GraphPage)._zooming.graphs[0].place.height == 150
+
+
+def test_a_value_that_is_rounding_beside_the_others_is_written_as_zero(
+    pen: Pen, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The arm that has stopped had an angular acceleration of 7.6e-10 after -1400 °/s²."""
+    session = opened("machines/trebuchet", 240)
+    written: list[str] = []
+    quantity = formatting.quantity
+
+    def noted(*told: Any) -> str:  # noqa: ANN401
+        written.append(quantity(*told))
+        return written[-1]
+
+    monkeypatch.setattr(formatting, "quantity", noted)
+    graphs(pen, 280, session, ["arm.angular_acceleration"], "t", None)
+
+    assert "0°/s²" in written
 
 
 def test_the_mouse_over_a_graph_tells_the_values_there(person: Person) -> None:

@@ -16,9 +16,12 @@ from sandbox.app.pages.predict import card, neglected
 from sandbox.app.pages.predict.judging import Outcome, judged
 from sandbox.app.pages.predict.panel import PredictPage
 from sandbox.app.pages.predict.predicting import Predicting
-from sandbox.app.pages.predict.questions import questions, read, when
+from sandbox.app.pages.predict.questions import questions, when
+from sandbox.app.runs import playback
 from sandbox.app.runs.session import Session
+from sandbox.app.words.formatting import seconds
 from sandbox.app.words.language import say
+from sandbox.app.words.typed_numbers import read
 from sandbox.model.arithmetic import ExpressionError
 from sandbox.model.effect_variants import Variation
 from sandbox.physics.run import simulate
@@ -88,24 +91,81 @@ def test_a_number_that_is_typed_beside_the_field_answers_the_question(asked: Per
     assert asked.window.panels.page == "settings page"
 
 
-def test_a_run_stands_at_its_start_until_something_is_predicted(asked: Person) -> None:
-    assert asked.session.world.steps == 0
+def test_a_run_stands_where_it_is_until_something_is_predicted(asked: Person) -> None:
+    present = asked.session.world.steps
+    assert present > 0
     assert asked.window.panels.typing
 
     asked.press(pygame.K_ESCAPE)
     asked.press(pygame.K_SPACE, " ")
     asked.wait(0.2)
-    assert asked.session.world.steps == 0
+    assert asked.session.world.steps == present
     assert not asked.session.playing
     asked.press(pygame.K_RIGHT)
-    assert asked.session.world.steps == 0
+    assert asked.session.world.steps == present
     asked.session.go_to(30)
     asked.wait(0.2)
-    assert asked.session.world.steps == 0
+    assert asked.session.world.steps == present
 
     asked.press(pygame.K_r, "r")
 
     assert asked.session.locked
+    assert asked.session.world.steps == 0
+
+
+def test_the_time_at_which_a_run_waits_is_told(asked: Person, written: list[str]) -> None:
+    asked.page(PredictPage).update()
+    assert f"The run waits at t = {seconds(asked.session.t)}." in written
+
+    written.clear()
+    asked.session.restart()
+    asked.page(PredictPage).update()
+    assert not [text for text in written if "waits" in text]
+
+
+@pytest.mark.parametrize("seconds", [1.0, 0.0], ids=["at-once", "in-later-frames"])
+def test_after_going_back_the_rest_of_the_run_is_predicted(
+    asked: Person, seconds: float, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    answer(asked, "5")
+    until_tried(asked)
+    assert asked.session.at_end
+    asked.click(asked.page(PredictPage).button.rect)
+    with monkeypatch.context() as slow:
+        slow.setattr(playback, "AT_ONCE", seconds)
+        slow.setattr(playback, "ON_THE_WAY", seconds)
+        asked.session.go_to(21)
+        asked.click(asked.page(PredictPage).button.rect)
+        assert (asked.session.sought is None) == asked.session.locked == bool(seconds)
+    asked.wait()
+
+    assert asked.session.locked
+
+    assert asked.session.world.steps == 21
+    assert asked.session.later is not None
+    answer(asked, "5.2")
+    until_tried(asked)
+    outcome = predicting(asked).outcome
+    assert outcome is not None
+    assert outcome.predicted == 5.2
+    assert outcome.simulated == pytest.approx(5, rel=1e-9)
+
+
+def test_a_run_that_has_branched_goes_back_to_its_start(asked: Person) -> None:
+    """No check is graded after a branch, so the answer would never come."""
+    asked.click(asked.page(PredictPage).button.rect)
+    asked.session.branch({"g": 4})
+
+    asked.click(asked.page(PredictPage).button.rect)
+
+    assert asked.session.locked
+    assert asked.session.world.steps == 0
+    answer(asked, "2")
+    until_tried(asked)
+    outcome = predicting(asked).outcome
+    assert outcome is not None
+    assert outcome.t is not None
+    assert outcome.simulated == pytest.approx(4 * outcome.t)
 
 
 def test_a_number_lets_it_run_and_is_held_against_formula_and_run(asked: Person) -> None:
@@ -168,12 +228,13 @@ def test_neither_formula_nor_value_is_told_before_the_prediction(
 
 @pytest.mark.parametrize("typed", ["", "nonsense", "5 kg", "2,5", "1/0", "g*", "5 5", "[1]"])
 def test_nonsense_is_refused_and_the_run_goes_on_waiting(asked: Person, typed: str) -> None:
+    present = asked.session.world.steps
     answer(asked, typed)
     asked.wait(0.1)
 
     assert predicting(asked).refusal
     assert asked.session.locked
-    assert asked.session.world.steps == 0
+    assert asked.session.world.steps == present
     assert asked.window.panels.typing
 
 
@@ -370,6 +431,7 @@ def test_a_prediction_ends_with_its_level(asked: Person, tmp_path: Path) -> None
 def test_what_a_hand_did_before_or_while_it_is_asked_belongs_to_the_run(
     asked: Person, written: list[str]
 ) -> None:
+    asked.session.restart()
     asked.session.grab("ball", (0, 5))
     asked.session.drag((1, 6))
     asked.session.release()
@@ -399,7 +461,7 @@ def test_two_balls_that_were_lifted_are_still_when_the_last_ones_way_is_predicte
         person.drag(person.on_screen((x, y)), person.on_screen((x - 0.5, y + 0.4)))
     lifted = person.session.world.snapshot.position[:2].copy()
     person.press(pygame.K_SPACE, " ")
-    person.wait(0.2)
+    until(person, lambda: person.session.at_end)
     done = list(person.session.all_actions)
 
     person.press(pygame.K_q, "q")

@@ -1,6 +1,7 @@
 """Every force that there is does what its effect says of itself: registered means swept."""
 
 from collections.abc import Sequence
+from contextlib import nullcontext
 from importlib import import_module
 from math import log2
 from pathlib import Path
@@ -29,6 +30,8 @@ LAWS = [effect for effect in FORCES if effect.is_law]
 SMOOTH = [effect for effect in FORCES if not effect.excludes]
 ROUGH = [effect for effect in FORCES if effect.excludes]
 COUNT = len(BODIES)
+Places = tuple[tuple[float, float], ...]
+APART: Places = ((1.2, 0.3), (-2, 1.5), (0.4, -2.5))
 SIGHTS: dict[Sight, str] = {
     "position": "position",
     "angle": "angle",
@@ -41,9 +44,8 @@ def named(effects: Sequence[Effect]) -> pytest.MarkDecorator:
     return pytest.mark.parametrize("effect", effects, ids=[effect.name for effect in effects])
 
 
-def scene(effects: dict[str, Any], **rest: object) -> Level:
+def scene(effects: dict[str, Any], places: Places = APART, **rest: object) -> Level:
     """Return three bodies that move and turn, on which effects act; the first is not round."""
-    places = ((1.2, 0.3), (-2, 1.5), (0.4, -2.5))
     bodies = {
         name: disc(place, mass=3 + i, velocity=[0.3 - i, 0.4], angular_velocity=0.2 * i - 0.3)
         for i, (name, place) in enumerate(zip(BODIES, places, strict=True))
@@ -121,6 +123,18 @@ def test_a_force_that_stores_energy_is_minus_the_slope_of_it_and_no_other_has_an
             )
             slope = -(ahead - behind) / (2 * h)
             assert found[body, axis] == pytest.approx(slope, abs=1e-6, rel=1e-6)
+
+
+@named(FOR_EACH_LAW)
+def test_bodies_that_meet_feel_a_finite_force_or_may_not_start_there(effect: Effect) -> None:
+    here, (first, *_, last) = somewhere(1), APART
+    here.position[1] = here.position[0]
+    for said, laws in zip(examples(effect.name, 1.5), laws_of(effect), strict=True):
+        with np.errstate(all="ignore"):
+            finite = all(np.isfinite(wrench(law, here)).all() for law in laws)
+        refused = pytest.raises(LevelError, match=r"which start at the same position")
+        with nullcontext() if finite else refused:
+            scene({effect.name: said}, (first, first, last))
 
 
 @named(FOR_EACH_LAW)

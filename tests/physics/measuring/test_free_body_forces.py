@@ -149,6 +149,15 @@ def test_forces_add_up_in_every_level(name: str) -> None:
     assert found.torque < (0.1 if name in OVERLAPPING else BOUND)
 
 
+def test_forces_add_up_where_a_block_breaks_loose_within_a_step() -> None:
+    """Its friction was told to be the static limit, which it had for a part of the step only."""
+    whole = sums(textbook("newton/breaking-loose"))
+
+    assert whole.seen > 600
+    assert whole.force < BOUND
+    assert whole.torque < BOUND
+
+
 NOTHING_TO_SEE = {"hard/net-of-20"}
 """Its joints are pymunk's own: what they give is known from the sum alone."""
 

@@ -35,8 +35,7 @@ class Costs:
     """The gains in accuracy over pymunk in the same time, for levels where our error is rounding
     and for the others; None if there are no such levels."""
     alike: tuple[str, ...]
-    """The levels on which pymunk's error is rounding as well, so that there is nothing to compare.
-    """
+    """The levels on which pymunk's error is rounding as well: there is nothing to compare."""
     no_closer: tuple[str, ...]
     """The other levels on which pymunk is as accurate, or more so."""
     step_ratio: float

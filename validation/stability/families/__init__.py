@@ -19,16 +19,7 @@ from validation.stability.families import (
 )
 from validation.stability.scene import Document
 
-SEARCHED = (
-    cradles,
-    oscillators,
-    piles,
-    structures,
-    chains,
-    bullets,
-    compositions,
-    dumbbells,
-)
+SEARCHED = (cradles, oscillators, piles, structures, chains, bullets, compositions, dumbbells)
 """The families with frontiers."""
 
 FAMILIES = (exact, bounces, *SEARCHED)

@@ -6,13 +6,10 @@ import numpy as np
 
 from validation.stability.case import HardCase
 from validation.stability.run_measures import Run, energy, measured
-from validation.stability.scene import (
-    G,
-)
+from validation.stability.scene import G
 
 DROP = 5.0  # m, of the balls in all levels here
 RADIUS = 0.1  # m
-FLOOR_HALF = 8.0  # m
 
 
 def mean_square(run: Run) -> float:

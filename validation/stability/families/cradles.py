@@ -41,10 +41,7 @@ def leaves(run: Run) -> float:
     return float(np.abs(velocity[-1, :, 0] - velocity[0, ::-1, 0]).max())
 
 
-LEVELS = {
-    "cradle-of-50": lambda: cradle(50),
-    "cradle-of-five": lambda: cradle(5, 2),
-}
+LEVELS = {"cradle-of-50": lambda: cradle(50), "cradle-of-five": lambda: cradle(5, 2)}
 
 
 def cases() -> Iterator[HardCase]:

@@ -1,6 +1,7 @@
 """The graphs of the chosen quantities: one for each unit, with the closed form and earlier runs."""
 
 from collections.abc import Iterator, Mapping, Sequence
+from math import inf
 from typing import NamedTuple
 
 import numpy as np
@@ -26,7 +27,9 @@ from sandbox.physics.measuring.grading import applies
 from sandbox.physics.quantities.meter import Meter
 from sandbox.physics.stepping.world import World
 
-HEIGHT = 150  # px, of a graph
+HEIGHTS = 100, 150  # px, the least and the largest height of a graph
+ROOM = 295  # px, of a page for what stands around a graph
+
 NOT_KNOWN: Mapping[str, Trust] = {}
 NOTHING = later("Choose a quantity below; several are drawn together.")
 
@@ -40,11 +43,12 @@ class Graphs(NamedTuple):
 
 def graphs(
     pen: Pen, width: int, session: Session, up: Sequence[str], across: str, cursor: float | None,
-    trust: Mapping[str, Trust] = NOT_KNOWN, zoom: Zoom = WHOLE,
+    trust: Mapping[str, Trust] = NOT_KNOWN, zoom: Zoom = WHOLE, page: float = inf,
 ) -> Graphs:  # fmt: skip
     """Draw quantities of the run so far against another; the known future is fainter.
 
     Their values are written at the cursor, a value of the quantity `across`; None is the present.
+    The graphs leave room on a `page` of some height [px].
     """
     card = Card(pen, width)
     if not up:
@@ -63,7 +67,7 @@ def graphs(
         others = [*_faint(earlier, these, across), *_ahead(later, these, up, across)]
         closed = _closed(session, columns, these, up, across)
         series = [*others, *closed, *_own(columns, these, up, across)]
-        found.append(_put(card, series, span, mark, (units[across], unit), zoom))
+        found.append(_put(card, series, span, mark, (units[across], unit), zoom, page))
     message = say(
         "against {quantity}", quantity=formatting.with_unit_in_brackets(across, units[across])
     )
@@ -73,10 +77,11 @@ def graphs(
 
 def _put(
     card: Card, series: Sequence[Series], span: Scale, mark: float | None, units: tuple[str, str],
-    zoom: Zoom,
+    zoom: Zoom, page: float,
 ) -> Graph:  # fmt: skip
     """Draw the visible part of the lines of one unit, and return their graph."""
-    pen, size = card.pen, (card.width, card.pen.px(HEIGHT))
+    pen, (least, most) = card.pen, map(card.pen.px, HEIGHTS)
+    size = card.width, int(min(max(page - pen.px(ROOM), least), most))
     rise = zoom.on(plot.upwards(pen, size[1], [each.y for each in series]), units[1])
     graph = Graph(units[1], pygame.Rect((0, card.y), size), span, rise)
     card.put(plot.draw(pen, size, series, span, mark, rise, units), 0)
@@ -137,7 +142,7 @@ def _values(
     indent = card.pen.px(16) if len(up) > 1 else 0
     row = -1 if cursor is None else int(np.argmin(np.abs(columns[across] - cursor)))
     for name in these:
-        value = formatting.quantity(float(columns[name][row]), units[name], 4)
+        value = formatting.quantity(_at(columns[name], row), units[name], 4)
         right = card.pen.write(value, 13, theme.TEXT)
         left = card.pen.write(
             card.pen.shorten(name, card.width - right.width - 12 - indent, 13), 13, _color(name, up)
@@ -154,6 +159,15 @@ def _values(
     at = formatting.quantity(float(columns[across][row]), units[across], 4)
     message = say("at {quantity} = {value}", quantity=across, value=at)
     card.text(message, 12, theme.DIM if cursor is None else theme.NOTICE)
+
+
+def _at(column: Array, row: int) -> float:
+    """Return a value of a quantity, or 0 if it is a rounding error where the graph is drawn as one.
+
+    That is relative to the largest value, or to 1 if that is larger.
+    """
+    largest = np.abs(column[np.isfinite(column)]).max(initial=1.0)
+    return formatting.without_rounding(float(column[row]), float(largest))
 
 
 def _own(

@@ -249,7 +249,15 @@ class GraphPage:
         zooming = self._zooming
         zooming.zoom = self._choice.zoom(session)
         picture, zooming.graphs = graphs(
-            sheet.pen, sheet.width, session, up, across, self._cursor, trust, zooming.zoom
+            sheet.pen,
+            sheet.width,
+            session,
+            up,
+            across,
+            self._cursor,
+            trust,
+            zooming.zoom,
+            sheet.height,
         )
         if zooming.box is not None:
             pygame.draw.rect(picture, theme.NOTICE, zooming.box, 1)

@@ -10,10 +10,11 @@ from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.pages.predict.judging import LIMITS, Outcome
 from sandbox.app.pages.predict.neglected import Trial, Trying
-from sandbox.app.pages.predict.questions import FACTORS, when
+from sandbox.app.pages.predict.questions import when
 from sandbox.app.runs.session import Session
 from sandbox.app.words import formatting
 from sandbox.app.words.language import later, say
+from sandbox.app.words.typed_numbers import FACTORS
 from sandbox.model.level import Check
 
 NOTHING = later("This level states no closed form to predict.")
@@ -38,16 +39,23 @@ def intro(pen: Pen, width: int, session: Session, *, possible: bool) -> pygame.S
 
 
 def asked(
-    pen: Pen, width: int, question: Check, title: str, unit: str, *, open_: bool
+    pen: Pen, width: int, question: Check, title: str, unit: str, since: float | None
 ) -> pygame.Surface:
-    """Draw a question by its title; while it is open, with the possible forms of an answer."""
+    """Draw a question by its title.
+
+    While it is open, `since` is the time at which the run waits [s], and the possible forms of an
+    answer are told.
+    """
     card = Card(pen, width)
     card.heading(say("Your prediction"))
     card.text(title, 15, bold=True)
     name = f"{question.quantity} {when(question.at)}" if question.label else when(question.at)
     card.text(name, 13, theme.DIM)
-    if open_:
+    if since is not None:
         card.y += GAP
+        if since:
+            time = formatting.seconds(since)
+            card.text(say("The run waits at t = {time}.", time=time), 12, theme.DIM)
         units = say(" or ").join([unit, *FACTORS.get(unit, {})]) or say("no unit")
         message = say("A number or a formula, such as 2*9.81; in {units}:", units=units)
         card.text(message, 12, theme.DIM)

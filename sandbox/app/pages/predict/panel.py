@@ -30,7 +30,7 @@ CAPTIONS = PREDICT, PUT_OFF, ANOTHER = (
     later("Predict"), later("Put it off"), later("Predict another"),
 )  # fmt: skip
 TIPS = {
-    PREDICT: later("go back to the start of the run"),
+    PREDICT: later("hold the run until you have predicted its result"),
     PUT_OFF: later("let the run go on without a prediction"),
     ANOTHER: later("choose what to predict"),
 }
@@ -168,7 +168,8 @@ class PredictPage:
             return card.intro(pen, width, self._session, possible=bool(self._questions))
         unit = unit_of(question, self._session.level)
         name = level_words.title(question, level_words.of(self._session.original))
-        return card.asked(pen, width, question, name, unit, open_=self._open)
+        since = self._session.t if self._open else None
+        return card.asked(pen, width, question, name, unit, since)
 
     def _drawn_unit(self) -> pygame.Surface:
         question = self._predicting.question

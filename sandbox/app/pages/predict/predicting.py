@@ -6,9 +6,10 @@ from sandbox.app.background import Errand
 from sandbox.app.observing.grading import Ration
 from sandbox.app.pages.predict.judging import Outcome, judged
 from sandbox.app.pages.predict.neglected import Trial, Trying, trials
-from sandbox.app.pages.predict.questions import questions, read, unit_of
+from sandbox.app.pages.predict.questions import questions, unit_of
 from sandbox.app.runs.session import Session
 from sandbox.app.words.language import later, say
+from sandbox.app.words.typed_numbers import read
 from sandbox.model.arithmetic import ExpressionError
 from sandbox.model.level import Check
 from sandbox.model.message import NOTHING, Message
@@ -49,15 +50,22 @@ class Predicting(Errand):
         self.news = object()
 
     def ask(self, session: Session, question: Check) -> None:
-        """Rewind the run to its start, and lock it until the question is answered.
+        """Lock the run until the question is answered.
 
-        Actions by hand are repeated, since the prediction is for this run.
+        A run that has given the answer by now goes back to its start, where actions by hand are
+        repeated, since the prediction is for this run.
         """
         self._forget()
         self._session, self.question, self._values = session, question, session.values
         session.playing = False
-        session.rewind()
-        session.locked = True
+        self._hold(session, question)
+
+    def _hold(self, session: Session, question: Check) -> None:
+        """Lock the run at its present step, or at its start; if it is seeking, once it arrives."""
+        if session.sought is None:
+            if _is_known(question, session):
+                session.rewind()
+            session.locked, self.news = True, object()
         self._world = session.world
 
     def put_off(self) -> None:
@@ -99,7 +107,7 @@ class Predicting(Errand):
             self._forget()
             return say(CHANGED)
         if self.predicted is None:
-            return self._keep(session, watched=watched)
+            return self._keep(session, self.question, watched=watched)
         if session.world is not self._world:
             self._judge_from_now_on(session, self.question, self.predicted)
         self._judge(session)
@@ -112,12 +120,15 @@ class Predicting(Errand):
         asked = questions(session.level, session.values)
         return session.values != self._values or self.question not in asked
 
-    def _keep(self, session: Session, *, watched: bool) -> str | None:
+    def _keep(self, session: Session, question: Check, *, watched: bool) -> str | None:
         """Keep the run locked while the page is shown."""
-        self._world = session.world
         if not watched:
             self._forget()
             return say(PUT_OFF)
+        if session.locked:
+            self._world = session.world
+        else:
+            self._hold(session, question)
         if session.playing:
             session.playing = False
             return say(FIRST)
@@ -150,3 +161,9 @@ class Predicting(Errand):
         """Cancel the work."""
         super().cancel()
         self.trying = None
+
+
+def _is_known(question: Check, session: Session) -> bool:
+    """Whether the run has given the answer to a question, or cannot give it any more."""
+    trace, stopped = session.trace, session.branched or session.failure is not None
+    return stopped or trace.t[-1] < session.t or judged(question, trace, 0.0) is not None

@@ -85,9 +85,7 @@ def _lost(formula: Formula, level: Level, values: Values) -> Message | None:
     shown = brief(str(formula.source))
     if (lost := ~np.isfinite(found)).any():
         return Message(
-            "'{shown}' has no finite value at t = {t:.3g} s",
-            shown=shown,
-            t=times[lost.argmax()],
+            "'{shown}' has no finite value at t = {t:.3g} s", shown=shown, t=times[lost.argmax()]
         )
     first = (np.abs(found) > formula.most).argmax()
     if beyond := formula.beyond(float(found[first])):

@@ -15,7 +15,6 @@ from sandbox.model.rules.consistency import (
     events,
     joints,
     names,
-    step_cost,
     stepping,
     surfaces,
 )
@@ -69,6 +68,7 @@ _TOGETHER: tuple[Rule, ...] = (
     surfaces.arcs_fit,
     surfaces.curves_fit,
     effects.laws_act,
+    effects.partners_exist,
     effects.liquid_fits,
     effects.landscape_fits,
     joints.constant_masses,
@@ -88,8 +88,8 @@ _SIZES: tuple[Rule, ...] = (
     bodies.not_too_many,
     bodies.not_too_many_edges,
     joints.not_too_many_wires,
-    step_cost.not_too_many_pulls,
-    step_cost.not_too_many_sticking,
+    stepping.not_too_many_pulls,
+    stepping.not_too_many_sticking,
 )
 """The rules that are checked before anything whose work grows with the level."""
 

@@ -29,16 +29,14 @@ def fields_fit(level: Level) -> Iterator[Fault]:
     for name, body in level.bodies.items():
         path = ("bodies", name)
         if body.type == "dynamic" and body.mass is None:
-            yield Fault(path, Message("a dynamic body needs a mass"))
+            yield Fault(path, "a dynamic body needs a mass")
         for field in _FORBIDDEN[body.type]:
             if given(body, field):
                 yield Fault(
                     (*path, field),
-                    Message(
-                        "a {type} body has no {field}",
-                        type=word(body.type),
-                        field=word(field.replace("_", " ")),
-                    ),
+                    "a {type} body has no {field}",
+                    type=word(body.type),
+                    field=word(field.replace("_", " ")),
                 )
 
 
@@ -90,7 +88,7 @@ def sensors_fit(level: Level) -> Iterator[Fault]:
             yield Fault((*path, "sensor"), rule)
         for field in ("friction", "static_friction", "restitution"):
             if given(body, field):
-                yield Fault((*path, field), Message("a sensor has no surface; leave it out"))
+                yield Fault((*path, field), "a sensor has no surface; leave it out")
 
 
 def one_way_fits(level: Level) -> Iterator[Fault]:
@@ -107,15 +105,15 @@ def one_way_fits(level: Level) -> Iterator[Fault]:
             )
             yield Fault(path, rule)
         if moves and level.effects.contact is None:
-            yield Fault(path, Message("has no effect without 'contact'"))
+            yield Fault(path, "has no effect without 'contact'")
         sticking = level.effects.sticking
         for index, pair in enumerate(sticking.pairs if sticking else ()):
             if name in pair.bodies:
-                rule = Message(
+                yield Fault(
+                    ("effects", "sticking", "pairs", index),
                     "nothing can stick to '{name}', which is one-way",
                     name=brief(name),
                 )
-                yield Fault(("effects", "sticking", "pairs", index), rule)
 
 
 def in_one_group(level: Level) -> Iterator[Fault]:
@@ -125,7 +123,8 @@ def in_one_group(level: Level) -> Iterator[Fault]:
         for name in sorted(taken.intersection(group)):
             yield Fault(
                 ("view", "together", index),
-                Message("'{name}' is already in another group", name=brief(name)),
+                "'{name}' is already in another group",
+                name=brief(name),
             )
         taken.update(group)
 

@@ -18,13 +18,11 @@ def known_parameters(level: Level) -> Iterator[Fault]:
     for path, name in named_parameters(level):
         if name not in level.parameters:
             hint = suggestion(name, level.parameters)
-            yield Fault(
-                path, Message("unknown parameter '{name}'{hint}", name=brief(name), hint=hint)
-            )
+            yield Fault(path, "unknown parameter '{name}'{hint}", name=brief(name), hint=hint)
     free = level.challenge.free
     for index, name in enumerate(free):
         if name in level.parameters and name in free[:index]:
-            yield Fault(("challenge", "free", index), Message("'{name}' is named twice", name=name))
+            yield Fault(("challenge", "free", index), "'{name}' is named twice", name=name)
     for name in level.challenge.solution:
         if name not in free:
             rule = Message(
@@ -55,7 +53,7 @@ def goals_are_bounded(level: Level) -> Iterator[Fault]:
     for kind in ("goals", "stars"):
         for index, goal in enumerate(getattr(level.challenge, kind, ())):
             if goal.above is None and goal.below is None:
-                yield Fault(("challenge", kind, index), Message("needs 'above', 'below', or both"))
+                yield Fault(("challenge", kind, index), "needs 'above', 'below', or both")
 
 
 def goals_can_be_met(level: Level) -> Iterator[Fault]:

@@ -9,7 +9,11 @@ from sandbox.model.level import Level
 from sandbox.model.level_parts import Fault
 from sandbox.model.message import Message, either, word
 from sandbox.model.rules.consistency.bodies import given
-from sandbox.model.rules.consistency.mentions import acted_on, lists_of_bodies
+from sandbox.model.rules.consistency.mentions import (
+    acted_on,
+    bodies_of_effect,
+    lists_of_bodies,
+)
 from sandbox.model.rules.consistency.surfaces import coefficients_fit, undeclared
 from sandbox.model.shapes import Area
 
@@ -23,30 +27,31 @@ def laws_act(level: Level) -> Iterator[Fault]:
     for path, name in acted_on(level):
         if (kind := level.bodies[name].type) != "dynamic":
             yield Fault(
-                path,
-                Message(
-                    "'{name}' is {kind}, so no force moves it", name=brief(name), kind=word(kind)
-                ),
+                path, "'{name}' is {kind}, so no force moves it", name=brief(name), kind=word(kind)
             )
     for path, bodies in lists_of_bodies(level):
         if len(set(bodies)) < len(bodies):
-            yield Fault(path, Message("a body is named twice"))
-    dynamic = [name for name, body in level.bodies.items() if body.type == "dynamic"]
-    if level.effects.gravitation and len(dynamic) == 1:
-        rule = Message(
-            "bodies attract each other, but only one is dynamic; for a fixed centre, use"
-            " 'attraction'"
-        )
-        yield Fault(("effects", "gravitation"), rule)
+            yield Fault(path, "a body is named twice")
+
+
+def partners_exist(level: Level) -> Iterator[Fault]:
+    """Effects that act between bodies have at least two of them."""
+    for effect, place, said in level.effects.said:
+        if effect.inside and len(only := bodies_of_effect(level, said)) == 1:
+            rule = Message(
+                "'{effect}' acts between bodies, but '{name}' is the only one; for a fixed centre,"
+                " use 'attraction'",
+                effect=effect.name,
+                name=brief(only[0]),
+            )
+            yield Fault(place, rule)
 
 
 def effects_used(level: Level) -> Iterator[Fault]:
     """Effects that are declared have bodies to act on."""
     dynamic = any(body.type == "dynamic" for body in level.bodies.values())
     for name in () if dynamic else level.effects.declared:
-        yield Fault(
-            ("effects", name), Message("'{name}' is declared but no body is dynamic", name=name)
-        )
+        yield Fault(("effects", name), "'{name}' is declared but no body is dynamic", name=name)
     touching = sum(not body.sensor for body in level.bodies.values())
     if level.effects.contact and dynamic and touching < 2:
         rule = Message("'contact' is declared but there is only one body that can touch another")

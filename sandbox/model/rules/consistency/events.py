@@ -21,11 +21,9 @@ def known_parts(level: Level) -> Iterator[Fault]:
         if name not in level.joints:
             yield Fault(
                 path,
-                Message(
-                    "unknown joint '{name}'{hint}",
-                    name=brief(name),
-                    hint=suggestion(name, level.joints),
-                ),
+                "unknown joint '{name}'{hint}",
+                name=brief(name),
+                hint=suggestion(name, level.joints),
             )
     known = tuple(dict.fromkeys(switchable(level)))
     for path, name in _named(level, "forces"):
@@ -52,7 +50,7 @@ def names_apart(level: Level) -> Iterator[Fault]:
     for _, path, one in level.effects.said:
         if name := getattr(one, "name", None):
             if name in taken:
-                yield Fault((*path, "name"), Message("the name '{name}' is taken", name=name))
+                yield Fault((*path, "name"), "the name '{name}' is taken", name=name)
             taken.add(name)
 
 
@@ -67,13 +65,10 @@ def events_act(level: Level) -> Iterator[Fault]:
             )
             yield Fault(path, rule)
         for joint in sorted({*event.cut} & {*event.tie}):
-            yield Fault(
-                (*path, "tie"), Message("'{joint}' is cut and tied at once", joint=brief(joint))
-            )
+            yield Fault((*path, "tie"), "'{joint}' is cut and tied at once", joint=brief(joint))
         for force in sorted({*event.on} & {*event.off}):
             yield Fault(
-                (*path, "off"),
-                Message("'{force}' is switched on and off at once", force=brief(force)),
+                (*path, "off"), "'{force}' is switched on and off at once", force=brief(force)
             )
         yield from _one_way(event, path, level)
         if isinstance(event.at, CrossingEvent):

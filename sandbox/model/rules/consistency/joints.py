@@ -4,17 +4,7 @@ from collections.abc import Iterator
 
 from sandbox.model.acting_events import bouncing, tied
 from sandbox.model.errors import brief
-from sandbox.model.joints import (
-    Joint,
-    Own,
-    Rod,
-    Spring,
-    Wire,
-    bodies_of,
-    body_of,
-    is_exact,
-    points,
-)
+from sandbox.model.joints import Joint, Own, Rod, Spring, Wire, bodies_of, body_of, is_exact, points
 from sandbox.model.level import Level, is_direct
 from sandbox.model.level_parts import Fault, names_in
 from sandbox.model.message import Message
@@ -40,17 +30,15 @@ def something_to_hold(level: Level) -> Iterator[Fault]:
         moves = any(body.type == "dynamic" for body in held)
         if isinstance(joint, Wire):
             if not moves:
-                yield Fault(("joints", name, "bead"), Message("the bead must be a dynamic body"))
+                yield Fault(("joints", name, "bead"), "the bead must be a dynamic body")
         elif same := _twice(joint):
             yield Fault(
                 path,
-                Message(
-                    "'{same}' is connected to itself; two different bodies are needed",
-                    same=brief(same),
-                ),
+                "'{same}' is connected to itself; two different bodies are needed",
+                same=brief(same),
             )
         elif not moves:
-            yield Fault(path, Message("at least one end must be a dynamic body"))
+            yield Fault(path, "at least one end must be a dynamic body")
     wires, curves = _wires_and_curves(level)
     if "s" in level.parameters and (wires or curves):
         what = Message("wires") if wires else Message("curves")
@@ -69,9 +57,7 @@ def own_apart(level: Level) -> Iterator[Fault]:
             continue
         path = ("joints", name, "exact")
         if "t" in names_in(joint):
-            yield Fault(
-                path, Message("only an exact joint can change with the time 't'; leave out 'exact'")
-            )
+            yield Fault(path, "only an exact joint can change with the time 't'; leave out 'exact'")
         for body in moving.intersection(bodies_of(joint)) & exact:
             rule = Message(
                 "'{body}' is also held exactly; what holds a body must be all exact, or all"
@@ -80,7 +66,7 @@ def own_apart(level: Level) -> Iterator[Fault]:
             )
             yield Fault(path, rule)
         if level.effects.in_sequence:
-            yield Fault(path, Message("impacts in 'sequence' need exact joints; leave out 'exact'"))
+            yield Fault(path, "impacts in 'sequence' need exact joints; leave out 'exact'")
 
 
 def ties_fit(level: Level) -> Iterator[Fault]:

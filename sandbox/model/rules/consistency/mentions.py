@@ -55,6 +55,13 @@ def acted_on(level: Level) -> Iterator[tuple[Path, str]]:
     return ((path, name) for path, name, mention in mentions(level) if mention.acted_on)
 
 
+def bodies_of_effect(level: Level, said: Model) -> Sequence[str]:
+    """Return the bodies that an effect acts on: those that it names, else all dynamic ones."""
+    named = [name for _, name, mention in mentions(said) if mention.acted_on]
+    dynamic = (name for name, body in level.bodies.items() if body.type == "dynamic")
+    return tuple(dict.fromkeys(named or dynamic))
+
+
 def lists_of_bodies(level: Level) -> Iterator[tuple[Path, tuple[str, ...]]]:
     """Yield the lists of bodies that an effect acts on."""
     return ((path, names) for path, names, mention in mentions(level) if mention.of == "bodies")

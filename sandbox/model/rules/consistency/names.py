@@ -28,15 +28,11 @@ def parameters_fit(level: Level) -> Iterator[Fault]:
         path = ("parameters", name)
         if _is_taken(name):
             yield Fault(
-                path,
-                Message(
-                    "'{name}' already has a meaning in formulas; choose another name", name=name
-                ),
+                path, "'{name}' already has a meaning in formulas; choose another name", name=name
             )
         if parameter.min > parameter.max:
             yield Fault(
-                (*path, "min"),
-                Message("must not be greater than 'max', {most:g}", most=parameter.max),
+                (*path, "min"), "must not be greater than 'max', {most:g}", most=parameter.max
             )
         elif not parameter.min <= parameter.value <= parameter.max:
             rule = Message(
@@ -46,7 +42,7 @@ def parameters_fit(level: Level) -> Iterator[Fault]:
             )
             yield Fault((*path, "value"), rule)
         if name not in scene | formulas:
-            yield Fault(path, Message("'{name}' is declared but nothing uses it", name=name))
+            yield Fault(path, "'{name}' is declared but nothing uses it", name=name)
         elif name not in scene:
             rule = Message(
                 "only checks, ghosts or the landscape use '{name}', so it changes nothing in the"
@@ -65,15 +61,12 @@ def constants_fit(level: Level) -> Iterator[Fault]:
         path = ("constants", name)
         if _is_taken(name) or name in VARIABLES:
             yield Fault(
-                path,
-                Message(
-                    "'{name}' already has a meaning in formulas; choose another name", name=name
-                ),
+                path, "'{name}' already has a meaning in formulas; choose another name", name=name
             )
         elif name in level.parameters:
-            yield Fault(path, Message("'{name}' is already the name of a parameter", name=name))
+            yield Fault(path, "'{name}' is already the name of a parameter", name=name)
         if name not in used:
-            yield Fault(path, Message("'{name}' is declared but nothing uses it", name=name))
+            yield Fault(path, "'{name}' is declared but nothing uses it", name=name)
 
 
 def _is_taken(name: str) -> bool:
@@ -104,15 +97,13 @@ def known_names(level: Level) -> Iterator[Fault]:
         known = [*level.parameters, *level.constants, *expression.variables]
         for name in sorted(expression.written.difference(known)):
             if name == "t":
-                yield Fault(path, Message("the time 't' has no meaning here"))
+                yield Fault(path, "the time 't' has no meaning here")
             else:
                 yield Fault(
                     path,
-                    Message(
-                        "unknown parameter '{name}'{hint}",
-                        name=brief(name),
-                        hint=_instant(path, name) or suggestion(name, known),
-                    ),
+                    "unknown parameter '{name}'{hint}",
+                    name=brief(name),
+                    hint=_instant(path, name) or suggestion(name, known),
                 )
     yield from _taken_names(level)
 
@@ -128,11 +119,9 @@ def _taken_names(level: Level) -> Iterator[Fault]:
     for kind, names in (("bodies", level.bodies), ("joints", level.joints)):
         for name in names:
             if name in ("system", "t"):
-                yield Fault((kind, name), Message("the name '{name}' is taken", name=name))
+                yield Fault((kind, name), "the name '{name}' is taken", name=name)
             elif kind == "joints" and name in level.bodies:
-                yield Fault(
-                    (kind, name), Message("'{name}' is already the name of a body", name=name)
-                )
+                yield Fault((kind, name), "'{name}' is already the name of a body", name=name)
 
 
 def no_circle(level: Level) -> Iterator[Fault]:
@@ -175,20 +164,16 @@ def known_bodies(level: Level) -> Iterator[Fault]:
         if name not in level.bodies:
             yield Fault(
                 path,
-                Message(
-                    "unknown body '{name}'{hint}",
-                    name=brief(name),
-                    hint=suggestion(name, level.bodies),
-                ),
+                "unknown body '{name}'{hint}",
+                name=brief(name),
+                hint=suggestion(name, level.bodies),
             )
     for path, names in couples(level):
         if names[0] == names[1]:
             yield Fault(
                 path,
-                Message(
-                    "'{name}' is named twice; two different bodies are needed",
-                    name=brief(names[0]),
-                ),
+                "'{name}' is named twice; two different bodies are needed",
+                name=brief(names[0]),
             )
 
 

@@ -64,7 +64,7 @@ def coefficients_fit(level: Level, kind: str) -> Iterator[Fault]:
         yield from (undeclared(("bodies", name, kind), kind, kind) for name in given)
         return
     if level.effects.contact is None:
-        yield Fault(("effects", kind), Message("'{kind}' needs the effect 'contact'", kind=kind))
+        yield Fault(("effects", kind), "'{kind}' needs the effect 'contact'", kind=kind)
     if kind == "friction" and level.effects.in_sequence:
         rule = Message(
             "impacts in 'sequence' are frictionless; leave out 'friction', or choose 'together'"
@@ -73,8 +73,7 @@ def coefficients_fit(level: Level, kind: str) -> Iterator[Fault]:
     paired = {name for pair in effect.pairs for name in pair.bodies}
     if not given and not paired:
         yield Fault(
-            ("effects", kind),
-            Message("'{kind}' is declared but no body has a coefficient", kind=kind),
+            ("effects", kind), "'{kind}' is declared but no body has a coefficient", kind=kind
         )
         return
     known = paired.union(given)
@@ -82,11 +81,9 @@ def coefficients_fit(level: Level, kind: str) -> Iterator[Fault]:
         if name not in known and not body.sensor:
             yield Fault(
                 ("bodies", name),
-                Message(
-                    "needs a '{kind}' coefficient, since the level declares '{kind}' (1 keeps"
-                    " the other body's, 0 is none)",
-                    kind=kind,
-                ),
+                "needs a '{kind}' coefficient, since the level declares '{kind}' (1 keeps"
+                " the other body's, 0 is none)",
+                kind=kind,
             )
     yield from _repeated_pairs(effect.pairs, kind, Message("already has a coefficient"))
 
@@ -144,7 +141,7 @@ def sticking_fits(level: Level) -> Iterator[Fault]:
     if sticking is None:
         return
     if level.effects.contact is None:
-        yield Fault(("effects", "sticking"), Message("'sticking' needs the effect 'contact'"))
+        yield Fault(("effects", "sticking"), "'sticking' needs the effect 'contact'")
     if level.effects.in_sequence:
         rule = Message("'sticking' cannot be combined with impacts in 'sequence'")
         yield Fault(("effects", "sticking"), rule)
@@ -159,7 +156,7 @@ def sticking_fits(level: Level) -> Iterator[Fault]:
         held = [level.bodies[body] for body in pair.bodies if body in level.bodies]
         if len(held) == 2 and not any(body.type == "dynamic" for body in held):
             path = ("effects", "sticking", "pairs", index)
-            yield Fault(path, Message("at least one of the two must be a dynamic body"))
+            yield Fault(path, "at least one of the two must be a dynamic body")
     yield from _repeated_pairs(sticking.pairs, "sticking", Message("is already named"))
 
 
@@ -200,8 +197,7 @@ def impacts_of_constant_masses(level: Level) -> Iterator[Fault]:
         yield Fault(("effects", "restitution", "impacts"), rule)
     if contact and contact.located:
         rule = Message(
-            "the mass of '{effect}' changes; located impacts need constant masses",
-            effect=effect,
+            "the mass of '{effect}' changes; located impacts need constant masses", effect=effect
         )
         yield Fault(("effects", "contact", "located"), rule)
 
@@ -271,9 +267,9 @@ def belts_fit(level: Level) -> Iterator[Fault]:
         path = ("effects", "belt", index, "body")
         for needed in ("contact", "friction"):
             if getattr(level.effects, needed) is None:
-                yield Fault(path[:-1], Message("'belt' needs the effect '{needed}'", needed=needed))
+                yield Fault(path[:-1], "'belt' needs the effect '{needed}'", needed=needed)
         if belt.body in seen:
-            yield Fault(path, Message("'{body}' is a belt already", body=brief(belt.body)))
+            yield Fault(path, "'{body}' is a belt already", body=brief(belt.body))
         seen.add(belt.body)
         if body := level.bodies.get(belt.body):
             yield from (Fault(path, rule) for rule in _no_belt(belt.body, body))
@@ -295,10 +291,7 @@ def _no_belt(name: str, body: Body) -> Iterator[Message]:
 def undeclared(path: Path, used: str, effect: str) -> Fault:
     """Return the fault of a field whose effect is not declared."""
     return Fault(
-        path,
-        Message(
-            "'{used}' is used but the effect '{effect}' is not declared", used=used, effect=effect
-        ),
+        path, "'{used}' is used but the effect '{effect}' is not declared", used=used, effect=effect
     )
 
 
@@ -310,10 +303,8 @@ def _repeated_pairs(pairs: Sequence[Pair], kind: str, message: Message) -> Itera
             path = ("effects", kind, "pairs", index)
             yield Fault(
                 path,
-                Message(
-                    "the pair {bodies} {message}",
-                    bodies=both(map(brief, pair.bodies)),
-                    message=message,
-                ),
+                "the pair {bodies} {message}",
+                bodies=both(map(brief, pair.bodies)),
+                message=message,
             )
         seen.add(bodies)

@@ -9,7 +9,7 @@ another.
 
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
-from itertools import product
+from itertools import pairwise, product
 
 import numpy as np
 import pymunk
@@ -21,9 +21,10 @@ from sandbox.physics.contacts.direct.convex_parts import Pair, Placed, Shapes
 from sandbox.physics.contacts.direct.corner_contacts import LEAST
 from sandbox.physics.contacts.direct.hollow_pairs import HollowCorner, HollowPairs
 from sandbox.physics.contacts.direct.linear_systems import most
+from sandbox.physics.contacts.direct.outlines import PARALLEL
 from sandbox.physics.contacts.direct.row_layout import Surfaces
 from sandbox.physics.contacts.direct.separation import Separation, spread
-from sandbox.physics.contacts.time_of_impact import Hit, Path, meet, nearest, touching
+from sandbox.physics.contacts.time_of_impact import Hit, Motion, Path, meet, nearest, touching
 from sandbox.physics.engine.batch import Booleans, Contacts, Integers
 from sandbox.physics.geometry.distance import Outline, outlines
 from sandbox.physics.joints.exact.constraints import Coordinates, planes
@@ -140,7 +141,7 @@ class ApproachingPairs:
         for a, b in pairs:
             if not self._hollows.pairs[a, b]:
                 for first, second in separation.unsure((a, b)):
-                    yield self._outline(a)[first], self._outline(b)[second]
+                    yield self.outlines(a)[first], self.outlines(b)[second]
 
     def touching(
         self, path: Path, soon: float, pairs: Iterable[Pair]
@@ -156,12 +157,12 @@ class ApproachingPairs:
             if self._hollows.pairs[a, b]:
                 corners += self._hollows.touching((a, b), here, later)
                 continue
-            for one, other in product(self._outline(a), self._outline(b)):
+            for one, other in product(self.outlines(a), self.outlines(b)):
                 if touching(path, one, other, soon):
-                    hits.append(nearest(path, one, other, 0.0))
+                    hits.append(_on_sides(nearest(path, one, other, 0.0), path, (one, other)))
         return corners, hits
 
-    def _outline(self, body: int) -> list[Outline]:
+    def outlines(self, body: int) -> list[Outline]:
         """Return the outlines of a body's shapes, in the order of its parts."""
         if body not in self._outlines:
             own = outlines([self._bodies[body]])
@@ -223,6 +224,18 @@ class ApproachingPairs:
         """Return whether two bodies do not collide, or are parts of one solid."""
         one, other = (self._bodies[body] for body in pair)
         return not meets(one, other) or _are_one(one, other)
+
+
+def _on_sides(hit: Hit, path: Path, both: tuple[Outline, Outline]) -> Hit:
+    """Return a hit with the normal of a side that is near: sharp corners are a little round."""
+    for outline, sign in zip(both, (1, -1), strict=True):
+        corners = Motion(path, outline.body, hit.time).put(outline.corners)
+        for here, there in pairwise((*corners, corners[0])):
+            if there != here:
+                normal = sign * -1j * (there - here) / abs(there - here)
+                if abs(normal - hit.normal) < PARALLEL:
+                    return hit._replace(normal=normal)
+    return hit
 
 
 def _are_one(one: pymunk.Body, other: pymunk.Body) -> bool:

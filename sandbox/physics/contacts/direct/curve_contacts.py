@@ -22,6 +22,9 @@ from sandbox.physics.geometry.distance import dot
 from sandbox.physics.geometry.plane_curve import Course, Foot
 from sandbox.physics.state.anchor import Plane
 
+ACROSS = 1e-7
+"""m, how far beyond its end a curve still counts as touched from the side, and not at its end."""
+
 FLAT = 1e-4
 """1/m, the curvature below which a straight side touches a curve only with its ends."""
 
@@ -132,13 +135,23 @@ def on_curves(
                     radius = figures.rounding[other]
                     place += out * radius
                 where, turned = (complex(values[curve]) for values in placed)
-                near, at = course.foot((on_curve - where) / turned), (place - where) / turned
+                touched, at = (on_curve - where) / turned, (place - where) / turned
+                near = course.foot(touched) or _end(course, touched, figures.rounding[curve])
                 if near:
                     foot = course.follow(at, near.at)
                     left = 1j * foot.tangent
                     hand = 1 if dot(out / turned, left) >= 0 else -1
                     start = dot(at - foot.point, left)
                     yield Curved(point, curve, other, sign, course, foot, hand, start, radius)
+
+
+def _end(course: Course, point: complex, half: float) -> Foot | None:
+    """Return the end of a curve, half as thick, that a point is across; None if it is beyond."""
+    for end in course.ends:
+        way = point - end.point
+        if abs(dot(way, end.tangent)) < ACROSS and abs(way) < half + ACROSS:
+            return end
+    return None
 
 
 def follow_curves(

@@ -10,7 +10,7 @@ import numpy as np
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.convex_parts import Pair
 from sandbox.physics.contacts.direct.drift_parts import Part
-from sandbox.physics.contacts.direct.kick_system import Kick
+from sandbox.physics.contacts.direct.level_surfaces import carries_on
 from sandbox.physics.contacts.direct.passing_contacts import Passing
 from sandbox.physics.contacts.direct.speculative_contacts import (
     AnyCorner,
@@ -31,10 +31,6 @@ end of a side: at the end itself, lines that continue each other leave it to eac
 
 TOGETHER = 1e-9
 """The share of a drift within which landings coincide, and the tolerance of their time."""
-
-
-BESIDE = 1e-3
-"""m, the largest distance of a contact that carries on what passes the end of a curve."""
 
 
 class Ahead(NamedTuple):
@@ -105,15 +101,13 @@ class Meetings:
         self._speculative, self._laws = speculative, laws
         self._order = order(len(laws) // 3 - 1)
 
-    def ahead(self, part: Part, carried: Sequence[Passing]) -> Ahead:
-        """Return what may meet in a part of a drift; contacts that are carried on do not count."""
+    def ahead(self, part: Part) -> Ahead:
+        """Return what may meet in a part of a drift."""
         look, kick, way = self._speculative, part.kick, part.drift * part.moved
-        known = {(one.bodies, one.foot) for one in carried}
-        passing = look.ends.passing(kick, way, part.forces)
         return Ahead(
             look.approaching.near(kick.contacts, kick.place, way),
             look.corners(kick, part.moved),
-            [one for one in passing if (one.bodies, one.foot) not in known],
+            look.ends.passing(kick, way, part.forces),
         )
 
     def first(self, part: Part, longest: float, ahead: Ahead) -> Met | None:
@@ -131,7 +125,9 @@ class Meetings:
             return one.left(at(t))
 
         path = Path(place[self._order], begun[self._order], total[self._order])
-        hits = self._speculative.approaching.meet(path, longest, pairs) if pairs else []
+        near = self._speculative.approaching
+        hits = near.meet(path, longest, pairs) if pairs else []
+        hits = [hit for hit in hits if not carries_on(part, path, hit, near.outlines)]
         falls = [root(partial(height, corner), longest) for corner in corners]
         passes = [root(partial(left, one), longest) for one in passing]
         first = min((*(hit.time for hit in hits), *falls, *passes), default=inf)
@@ -171,26 +167,3 @@ class Meetings:
         gives = left * np.abs(path.acceleration[:, :2]).max()
         rests = [hit for hit in hits if hit.parting >= -gives]
         return look.contacts(corners, place, ended.kick.joints.origin, rests)
-
-
-def goes_on(kick: Kick, passing: Sequence[Passing], beside: Contacts) -> bool:
-    """Return whether a curve goes on as another body, or another body as a curve, where it ends.
-
-    At its very end a curve counts as a disc. So a drift is not cut there: what passes stays on its
-    side, as if that went on, until the step ends.
-    """
-    curves = kick.layout.touching.figures.courses
-    if any(body in curves for body in beside.bodies.ravel().tolist()):
-        return True
-    ends = [one for one in passing if one.bodies[0] in curves]
-    return bool(ends and len(beside.bodies)) or any(_joins(kick, one) for one in ends)
-
-
-def _joins(kick: Kick, passing: Passing) -> bool:
-    """Return whether the body that passes an end already touches another one there."""
-    own, guest = passing.bodies
-    foot = kick.place.plane[own] + passing.foot * kick.place.turned[own] + kick.joints.origin
-    points = np.ascontiguousarray(kick.contacts.points[:, 0]).view(complex)[:, 0]
-    near = np.abs(points - foot) < BESIDE
-    touches = (kick.contacts.bodies == guest).any(axis=1)
-    return bool((near & touches & (kick.contacts.bodies != own).all(axis=1)).any())

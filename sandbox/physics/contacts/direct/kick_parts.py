@@ -72,6 +72,8 @@ class Taken(NamedTuple):
         (3 N,), the velocities right after its impacts, or at its beginning [m/s, rad/s].
     lasts
         The length of the kick from there [s].
+    slides
+        Whether anything slips in it, or did in the kick before.
     strikes
         Whether a corner strikes within the drift after it.
     """
@@ -85,6 +87,7 @@ class Taken(NamedTuple):
     stages: tuple[Stage, ...]
     begun: Array
     lasts: float
+    slides: bool
     strikes: bool = False
 
     @property

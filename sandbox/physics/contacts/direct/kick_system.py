@@ -120,7 +120,7 @@ class Kick:
 
         Contact points move with their corner or disc, and along their side.
         """
-        if len(self.contacts.bodies) == self.closes:
+        if not len(self.contacts.bodies):
             return NO_CONTACTS
         there, touching = self.moved(place), self.layout.touching
         each = np.arange(len(touching.pair))
@@ -142,7 +142,7 @@ class Kick:
         moved = there.contacts._replace(
             points=np.stack((points.real, points.imag), 2), depths=depths
         )
-        return _shut(moved, len(moved.bodies) - self.closes, without)
+        return _shut(moved, without)
 
     def between(self, place: Coordinates, before: Array, after: Array) -> "Kick":
         """Return the system at other positions, for a drift between other lengths of the joints."""
@@ -263,16 +263,16 @@ class Kick:
         )
 
 
-def _shut(contacts: Contacts, count: int, without: Sequence[int]) -> Contacts:
-    """Return the first `count` contacts, `without` some, and only with points that are closed."""
+def _shut(contacts: Contacts, without: Sequence[int]) -> Contacts:
+    """Return contacts, `without` some, and only with points that are closed."""
     shut = (contacts.depths > -PROUD) & (np.arange(2) < contacts.touches[:, None])
     second = ~shut[:, 0]
     points, depths = contacts.points.copy(), contacts.depths.copy()
     points[second, 0], depths[second, 0] = points[second, 1], depths[second, 1]
     left = contacts._replace(touches=shut.sum(axis=1), points=points, depths=depths)
-    stay: Booleans = np.asarray(shut[:count].any(axis=1))
-    stay[[one for one in without if one < count]] = False
-    return Contacts._make(field[:count][stay] for field in left)
+    stay: Booleans = np.asarray(shut.any(axis=1))
+    stay[[*without]] = False
+    return Contacts._make(field[stay] for field in left)
 
 
 def rows_at(place: Coordinates, joints: ExactJoints, found: Features) -> Rows:

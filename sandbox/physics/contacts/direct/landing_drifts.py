@@ -11,12 +11,13 @@ A drift is also cut where a contact passes the end of a side: a disc that rolls 
 from there, and not from where the step ends; see `support_ends`. Nothing is struck there, but other
 contacts act from there on.
 
+It is cut where friction ends a slip as well; see `slip_stops`. From there on it holds, if it can.
+
 Bodies that take no part in a landing go on as they were.
 """
 
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -27,21 +28,19 @@ from sandbox.physics.contacts.direct.constraint_impulses import hold
 from sandbox.physics.contacts.direct.constraint_rows import Active
 from sandbox.physics.contacts.direct.convex_parts import Pair
 from sandbox.physics.contacts.direct.crowds import crowd, moving
-from sandbox.physics.contacts.direct.drift_meetings import SOON, TOGETHER, Meetings, Met, goes_on
+from sandbox.physics.contacts.direct.drift_meetings import SOON, TOGETHER, Meetings, Met
 from sandbox.physics.contacts.direct.drift_parts import Part, concerned
 from sandbox.physics.contacts.direct.kick_builder import KickBuilder
 from sandbox.physics.contacts.direct.kick_parts import Stage
 from sandbox.physics.contacts.direct.kick_system import Kick
 from sandbox.physics.contacts.direct.landing_record import LandingRecord
+from sandbox.physics.contacts.direct.slip_stops import slip_ends, until_it_stops
 from sandbox.physics.contacts.direct.speculative_contacts import SpeculativeContacts
 from sandbox.physics.contacts.direct.warm_start import recalled
-from sandbox.physics.engine.batch import Booleans
+from sandbox.physics.engine.batch import NO_CONTACTS, Booleans
 from sandbox.physics.geometry.roots import secant
 from sandbox.physics.joints.exact.constraints import order
 from sandbox.physics.state.errors import JointFailure, NoForces
-
-if TYPE_CHECKING:
-    from sandbox.physics.contacts.direct.passing_contacts import Passing
 
 SHORT = 0.1
 """The share of a drift below which the forces of its last part are solved for a whole one: those of
@@ -50,8 +49,11 @@ a short part follow from small differences of positions, and their rounding is t
 MOST = 16
 """The most landings of one drift that are located. With more of them all bodies are a crowd."""
 
+STOPS = 2
+"""The most ends of slips that are located in a drift."""
+
 AGAIN = 4
-"""The most times that a drift is followed anew, since more bodies take part in its landings."""
+"""The most times that a drift is followed anew, since more bodies take part in it."""
 
 REFINED = 6
 """The most refinements of a landing's time: the forces of joints depend on it."""
@@ -60,20 +62,9 @@ REFINED = 6
 class Landings:
     """Cuts a drift where bodies land in it; N bodies with the plane.
 
-    Parameters
-    ----------
-    speculative
-        Finds the landings.
-    build
-        Builds the systems of kicks.
-    laws
-        (3 N,), the accelerations by gravity and force laws [m/s², rad/s²].
-    until
-        The time at the end of the drift [s].
-    driven
-        Whether running surfaces or kinematic bodies may add energy.
-    crowds
-        Whether crowds are left out.
+    `laws`, (3 N,), are the accelerations by gravity and force laws [m/s², rad/s²]; the drift ends
+    at the time `until` [s]. `driven` tells whether running surfaces or kinematic bodies may add
+    energy, and `crowds` whether these are left out.
 
     Attributes
     ----------
@@ -125,8 +116,8 @@ class Landings:
     def _begin(self, reached: Booleans) -> None:
         """Begin a drift in whose landings some bodies, (n,), are known to take part."""
         self.reached = reached
+        self._stops = 0  # the ends of slips that were located
         self._early: Booleans | None = None  # who takes part from the first landing on
-        self._carried: list[Passing] = []  # those at the ends of curves that go on
         self.record = LandingRecord(len(reached))
 
     def _is_late(self, whole: Part) -> bool:
@@ -164,29 +155,38 @@ class Landings:
     def _cut(self, part: Part) -> tuple[Part, Part] | None:
         """Return a part up to its first landing, and the rest of it; None if nothing lands."""
         kick, known = part.kick, self.reached
+        stopped = self._until_it_stops(part)
         kick.joints.time(part.drift, part.drift)
-        ahead = self._meetings.ahead(part, self._carried)
-        met = self._meetings.first(part, part.drift, ahead) if any(ahead) else None
-        if met is None or self._is_crowd(part, met):
+        seen = stopped or part
+        ahead = self._meetings.ahead(seen)
+        met = self._meetings.first(seen, seen.drift, ahead) if any(ahead) else None
+        if not (met or stopped) or (met and self._is_crowd(part, met)):
             return None
-        self.reached = early = known | self._around(kick, met.pairs)
         try:
-            shorter, met = self._until_it_meets(part, met)
-            left = part.drift - shorter.drift
-            if met.passing:
-                after = self._pass(shorter, left, met, ahead.pairs)
-            else:
-                after = self._land(shorter, left, met)
+            self._stops += met is None
+            if met:
+                self.reached = self.reached | self._around(kick, met.pairs)
+                seen, met = self._until_it_meets(seen, met)
+            if self._early is None:
+                self._early = self.reached
+            left = part.drift - seen.drift
+            if met and met.passing:
+                return seen, self._pass(seen, left, met, ahead.pairs)
+            return seen, self._land(seen, left, met)
         except (JointFailure, NoForces):
             self.reached = known  # it is found where the drift ends
             return None
-        if after is None:
-            self._carried += met.passing
+
+    def _until_it_stops(self, part: Part) -> Part | None:
+        """Return a part up to where its first slip ends; None if none does."""
+        ends = slip_ends(part, self._laws)
+        if not len(ends) or self._stops == STOPS:
+            return None
+        known, slides = self.reached, part.kick.layout.touching.sliding[:, ends]
+        self.reached = known | self._around(part.kick, slides.T.tolist())
+        if (stopped := until_it_stops(part, ends, self._laws, self._shortened)) is None:
             self.reached = known
-            return self._cut(part)
-        if self._early is None:
-            self._early = early
-        return shorter, after
+        return stopped
 
     def _is_crowd(self, part: Part, met: Met) -> bool:
         """Return whether so many bodies land from the start of the drift on that they are a crowd.
@@ -235,10 +235,11 @@ class Landings:
         moved = part.begun + lasts * (self._laws + part.pulls)
         return part._replace(drift=drift, lasts=lasts, moved=moved)
 
-    def _land(self, shorter: Part, left: float, met: Met) -> Part:
-        """Return the part after a landing, of length `left` [s]."""
-        place, joints = shorter.end, shorter.kick.joints
-        down = self._speculative.contacts(met.corners, place, joints.origin, met.hits)
+    def _land(self, shorter: Part, left: float, met: Met | None) -> Part:
+        """Return the part after a landing, of length `left` [s]; None where only a slip ends."""
+        place, joints, down = shorter.end, shorter.kick.joints, NO_CONTACTS
+        if met:
+            down = self._speculative.contacts(met.corners, place, joints.origin, met.hits)
         joints.time(left, left)
         lengths = joints.lengths(self._until - left), joints.lengths(self._until)
         kick = self._build.anew(place, shorter.kick.contacts_at(place).and_(down), lengths)
@@ -246,32 +247,27 @@ class Landings:
         self.reached = self.reached | self._around(kick, down.bodies.tolist())
         part = shorter._replace(kick=kick, forces=forces, active=active)
         struck = kick.layout.touching.pair >= len(kick.contacts.bodies) - len(down.bodies)
-        begun, stages = self._struck(part, struck)
+        begun, stages = self._struck(part, struck) if met else self._arrived(part, struck)[1:]
         after = part._replace(left=left, drift=left, begun=begun, before=stages, moved=begun)
         return self._closed(self._solved(after, left, left / 2))
 
-    def _pass(self, shorter: Part, left: float, met: Met, near: Sequence[Pair]) -> Part | None:
-        """Return the part after contacts pass the ends of sides, of length `left` [s].
-
-        None where a curve goes on as another body; see `goes_on`.
-        """
+    def _pass(self, shorter: Part, left: float, met: Met, near: Sequence[Pair]) -> Part:
+        """Return the part after contacts pass the ends of sides, of length `left` [s]."""
         place, joints, ends = shorter.end, shorter.kick.joints, self._speculative.ends
         joints.time(left, left)
         lengths = joints.lengths(self._until - left), joints.lengths(self._until)
         ended = shorter._replace(kick=shorter.kick.between(place, *lengths))
-        _, begun, stage = self._arrived(ended, np.zeros(len(ended.kick.ahead), dtype=bool))
+        _, begun, stages = self._arrived(ended, np.zeros(len(ended.kick.ahead), dtype=bool))
         beside = self._meetings.beside(ended, begun, met, near)
-        if goes_on(ended.kick, met.passing, beside):
-            return None
         after, at_ends = ends.after(ended.kick, met.passing, begun)
         known = shorter.kick.contacts_at(place, [one.contact for one in met.passing])
         kick = self._build.anew(place, known.and_(beside).and_(after), lengths, at_ends)
         self.reached = self.reached | self._around(kick, beside.bodies.tolist())
         forces, active = recalled(shorter.kick, shorter.forces, shorter.active, kick)
-        part = Part(kick, left, left, begun, left / 2, forces, active, begun, (stage,))
+        part = Part(kick, left, left, begun, left / 2, forces, active, begun, stages)
         return self._closed(self._solved(part, left, left / 2))
 
-    def _arrived(self, part: Part, struck: Booleans) -> tuple[Kick, Array, Stage]:
+    def _arrived(self, part: Part, struck: Booleans) -> tuple[Kick, Array, tuple[Stage, ...]]:
         """Return the velocities at the end of a part, before any impact, and the stage up to there.
 
         See `_struck`; also the rows of bodies that are `reached`.
@@ -280,7 +276,7 @@ class Landings:
         some = replace(part.kick, layout=part.kick.layout.around(mine))
         half = part.drift / 2
         came, to_it = impacts.come(some, part.moved + half * drive, struck, part.active)
-        return some, came, Stage.of(part.kick, half, came[self._order], to_it + half * others)
+        return some, came, (Stage.of(part.kick, half, came[self._order], to_it + half * others),)
 
     def _struck(self, part: Part, struck: Booleans) -> tuple[Array, tuple[Stage, ...]]:
         """Return the velocities after the impact at the end of a part, and its stages.
@@ -289,7 +285,7 @@ class Landings:
         """
         some, came, before = self._arrived(part, struck)
         begun, pushes, pairs = impacts.bounce(some, came, struck, part.active)
-        stages = before, Stage.of(part.kick, 0.0, begun[self._order], pushes)
+        stages = *before, Stage.of(part.kick, 0.0, begun[self._order], pushes)
         landed = part.kick.layout.touching.pair[struck]
         self.record.note(pairs, self._whole - part.left + part.drift, stages[1].contacts, landed)
         return begun, stages

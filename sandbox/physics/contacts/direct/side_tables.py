@@ -68,9 +68,9 @@ class Sides:
         self.any: Booleans = np.array([bool(own) for own in sides], dtype=bool)
 
     def facing(self, body: Integers, out: Plane, at: Plane) -> tuple[Booleans, Array]:
-        """Return which sides face a direction and go through a point: (k, s).
+        """Return which sides face a direction and go through a point, or past the core of one.
 
-        Also the positions of the points along them, (k,) [m].
+        These are (k, s). Also the positions of the points along them, (k,) [m].
 
         Parameters
         ----------
@@ -80,7 +80,8 @@ class Sides:
             (k,), the directions and the points, along the axes of the bodies.
         """
         seen = at * out.conj()
-        level = np.abs(self.height[body] - seen.real[:, None]) < NEAR
+        depth = self.height[body] - seen.real[:, None]
+        level = (np.abs(depth) < NEAR) | (np.abs(depth - self.rounding[body]) < NEAR)
         return level & (np.abs(self.normal[body] - out[:, None]) < PARALLEL), seen.imag
 
     def at(self, body: int, corner: complex) -> Iterator[tuple[complex, complex, int]]:

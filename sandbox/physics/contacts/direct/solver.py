@@ -34,6 +34,7 @@ from sandbox.physics.contacts.direct.kick_parts import Stage, Taken
 from sandbox.physics.contacts.direct.kick_system import Kick
 from sandbox.physics.contacts.direct.landing_drifts import Landings
 from sandbox.physics.contacts.direct.row_layout import Surfaces
+from sandbox.physics.contacts.direct.slip_stops import slip_ends
 from sandbox.physics.contacts.direct.speculative_contacts import SpeculativeContacts
 from sandbox.physics.contacts.direct.warm_start import WarmStart
 from sandbox.physics.contacts.direct.whole_kick import Beginning, take
@@ -126,9 +127,8 @@ class Direct:
         there are no such impulses.
         """
         self._build.find_contacts(self._moved)
-        self._pushed, self._until = None, until
+        self._pushed, self._until, self._taken = None, until, None
         self.last, self.stages = self._calm, ()
-        self._taken = None
         self.drifts.begin(self._build.contacts)
         self._build.follow(until)
         if len(self._build.contacts.bodies) or np.count_nonzero(self._joints.added):
@@ -272,9 +272,12 @@ class Direct:
         place, motion = taken.coordinates if taken else self._joints.coordinates()
         way = self._dt * motion.values
         ends = taken and (taken.strikes or look.ends.passing(taken.kick, way, taken.forces))
-        if not (ends or look.approaching.near(self._build.contacts, place, way)):
+        lands = ends or look.approaching.near(self._build.contacts, place, way)
+        if not (lands or (taken and taken.slides)):
             return None
         whole, (laws,) = self._whole(place, motion.values), self._spread(self._acceleration)
+        if not (lands or len(slip_ends(whole, laws))):
+            return None
         driven = self._driven()
         landings = Landings(look, self._build, laws, until, driven=driven, crowds=crowds)
         parts = landings.follow(whole)

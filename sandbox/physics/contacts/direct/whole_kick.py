@@ -84,4 +84,5 @@ def _onwards(
     motion = begun + start.acceleration * lasts
     guess = known.guess(kick, motion, lasts)
     impulse, moved, active = hold(kick, motion, guess, driven=start.driven, placed=placed)
-    return Taken(kick, moved, impulse / lasts, active, impulse, None, (), begun, lasts)
+    slides = bool(np.count_nonzero(active.slip) or np.count_nonzero(guess[1].slip))
+    return Taken(kick, moved, impulse / lasts, active, impulse, None, (), begun, lasts, slides)

@@ -83,11 +83,6 @@ class Banded:
         """Return the impulses along the Jacobian `here` that change the values `there`: (m,).
 
         The violation, (m,), is the change. Raises `LinAlgError` if the matrix is singular.
-
-        Raises
-        ------
-        LinAlgError
-            If the matrix is singular.
         """
         from scipy.linalg.lapack import dgbsv  # slow to import, and few scenes need it
 

@@ -17,17 +17,10 @@ from sandbox.physics.joints.exact.joint_system import JointSystem
 class ConstraintForces(JointSystem):
     """The forces of all exact joints, from kick to kick; n bodies, m equations.
 
-    Attributes
-    ----------
-    tension
-        (m,), the force along each row in the last kick [N]; positive where it pulls.
-    parts
-        The number of kicks in a step. The forces of a kick are predicted from the same kick of
-        earlier steps.
-    added
-        (m,), the equations that were added since the last kick.
-    kick, drift
-        The durations of the next kick, and of the drift after it [s].
+    `tension`, (m,), is the force along each row in the last kick [N], positive where it pulls;
+    `added`, (m,), are the equations added since then. `parts` is the number of kicks in a step: the
+    forces of a kick are predicted from the same kick of earlier steps. `kick` and `drift` are the
+    durations of the next kick, and of the drift after it [s].
     """
 
     def __init__(

@@ -15,10 +15,7 @@ _kernel = getattr(np.linalg, "_umath_linalg", None)
 def solve(matrix: Array, wanted: Array) -> Array:
     """Return the solution of a square system, (m,) or (m, s) as `wanted`.
 
-    Raises
-    ------
-    LinAlgError
-        If the matrix is singular.
+    Raises `LinAlgError` if the matrix is singular.
     """
     if _kernel is None:
         return np.linalg.solve(matrix, wanted).astype(float, copy=False)

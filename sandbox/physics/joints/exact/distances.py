@@ -20,7 +20,6 @@ class Row:
     """One equation: a sum of lengths is kept."""
 
     joint: str
-    """The name of its joint."""
     reaches: Sequence[tuple[Anchor, Anchor]]
     """The segments whose lengths are added, each between two ends."""
     length: float

@@ -38,12 +38,8 @@ def check_independent(joints: JointSystem, here: Rows, response: Array, length: 
     """Return the ratio of smallest to largest singular value; 1 if nothing is taut.
 
     `here` has the values and the Jacobian at the present positions, `response` is J M⁻¹, (m, 3 N),
-    and `length`, (m,), the values to keep [m, rad]. Taut joints that are redundant are refused.
-
-    Raises
-    ------
-    JointFailure
-        If some are redundant.
+    and `length`, (m,), the values to keep [m, rad]. Raises `JointFailure` if some of the taut
+    joints are redundant.
     """
     taut = np.flatnonzero(here.total - length > -REACHED)
     if not len(taut):

@@ -24,24 +24,14 @@ class JointSystem:
     """All exact joints of a scene; n bodies, m equations C(q) = 0 over q = (x, y, θ).
 
     Sums of lengths, the rows, are evaluated together; the other equations one by one. Points of the
-    plane and all positions in the equations are relative to the origin [m]. `inverse_mass` and
+    plane and all positions in the equations are relative to the `origin` [m]. `inverse_mass` and
     `inverse_moment`, (n,), are 0 of bodies that do not move or turn [1/kg, 1/(kg m²)].
 
-    Attributes
-    ----------
-    inverse
-        (3 N,), the inverse mass or moment of inertia of each coordinate, the plane last.
-    equations
-        The tables of all equations.
-    length
-        (m,), the values to keep, without changes in time [m, rad].
-    bodies
-        The bodies of each equation; the plane is the last of all, or −1.
-    origin
-        The origin of all positions in the equations [m].
-    alike
-        (m,), the first equation of the same joint; for an equation that keeps an angle, itself. A
-        pin has two equations, one along each axis.
+    `inverse`, (3 N,), has the inverse mass or moment of inertia of each coordinate, the plane last.
+    `equations` holds the tables of all equations, and `length`, (m,), the values to keep, without
+    changes in time [m, rad]. `bodies` are those of each equation; the plane is the last of all, or
+    −1. `alike`, (m,), is the first equation of the same joint, since a pin has two, one along each
+    axis; for an equation that keeps an angle, it is the equation itself.
     """
 
     def __init__(

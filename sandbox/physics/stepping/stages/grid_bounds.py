@@ -35,10 +35,7 @@ def beyond(name: str, scene: Scene, t: float) -> SimulationError:
 class Fence:
     """Checks that all bodies of a scene stay within its grid, beyond which pymunk never returns.
 
-    Parameters
-    ----------
-    scene, kicks
-        The scene, with so many bodies that pairs are found in a grid, and its kicks.
+    The scene has so many bodies that pairs are found in a grid.
     """
 
     def __init__(self, scene: Scene, kicks: Kicks) -> None:
@@ -46,13 +43,7 @@ class Fence:
         self._look_again = 0  # the step of the next check
 
     def look(self) -> None:
-        """Stop if a body would leave the grid in the coming drift.
-
-        Raises
-        ------
-        SimulationError
-            If one would.
-        """
+        """Raise `SimulationError` if a body would leave the grid in the coming drift."""
         kicks = self._kicks
         if name := self._leaver(kicks.clock.steps, kicks.clock.dt):
             raise beyond(name, self._scene, kicks.clock.after(0))

@@ -23,8 +23,7 @@ def _by(module: str) -> Callable[[Setup], Stage]:
     """Return a maker that calls the function `make` of a module of this folder."""
 
     def make(setup: Setup) -> Stage:
-        made: Stage = import_module(f"{_ROOM}.{module}").make(setup)
-        return made
+        return import_module(f"{_ROOM}.{module}").make(setup)
 
     return make
 

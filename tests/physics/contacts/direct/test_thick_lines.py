@@ -85,3 +85,22 @@ def test_a_thick_line_turns_a_box_as_a_disc_in_its_end_does() -> None:
     ball = disc(radius=0.1)["shape"]
 
     assert fallen(bar) == pytest.approx(fallen(ball), abs=1e-7)
+
+
+@pytest.mark.parametrize("rate", [60, 240])
+def test_a_bar_stays_level_until_its_middle_has_passed_the_edge(rate: float) -> None:
+    """It turned by a milliradian at 60 Hz as its front passed, a contact too little for a step."""
+    table = fixed({"type": "segment", "start": [-5, 0], "end": [0, 0]})
+    bar = {
+        "shape": {"type": "segment", "start": [-0.1, 0], "end": [0.1, 0], "thickness": 0.1},
+        "mass": 1,
+        "position": [-0.31, 0.05],
+        "velocity": [2, 0],
+    }
+    effects = {**GRAVITY, "contact": {"solver": "direct"}, "rotation": {}}
+    world = build(level({"table": table, "bar": bar}, effects, stepping={"rate": rate}))
+
+    world.advance(int(0.145 * rate))
+
+    assert world.snapshot.angle[-1] == pytest.approx(0, abs=1e-13)
+    assert world.snapshot.velocity[-1] == pytest.approx([2, 0], abs=1e-13)

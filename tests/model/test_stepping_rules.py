@@ -4,7 +4,7 @@ from typing import Any
 
 import pytest
 
-from sandbox.model.rules.consistency import step_cost
+from sandbox.model.rules.consistency import stepping
 from tests.model.levels import Data, mistakes
 
 BASE = {"format": 1, "title": "Sizes", "effects": {}}
@@ -25,12 +25,14 @@ def test_more_bodies_than_a_step_can_go_through_do_not_attract_each_other(
 ) -> None:
     data = {**BASE, "bodies": crowd(count), "effects": {"gravitation": {"constant": 1}}}
 
-    rule = f"{count:,} bodies attract each other; a step can take at most 2,000"
+    rule = (
+        f"'gravitation' acts between every two of {count:,} bodies; a step can take at most 2,000"
+    )
     assert told(data) == ([("effects.gravitation", rule)] if refused else [])
 
 
 def test_only_those_that_attract_each_other_are_counted(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(step_cost, "MOST_PULLS", 9)
+    monkeypatch.setattr(stepping, "MOST_PULLS", 9)
     effects = {"gravitation": {"constant": 1, "bodies": ["b0", "b1", "b2"]}}
 
     assert told({**BASE, "bodies": crowd(8), "effects": effects}) == []
