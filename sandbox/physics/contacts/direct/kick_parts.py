@@ -74,6 +74,8 @@ class Taken(NamedTuple):
         The length of the kick from there [s].
     strikes
         Whether a corner strikes within the drift after it.
+    flat
+        Whether contacts constrain velocities in it, and may end deeper than they began.
     """
 
     kick: Kick
@@ -86,6 +88,7 @@ class Taken(NamedTuple):
     begun: Array
     lasts: float
     strikes: bool = False
+    flat: bool = False
 
     @property
     def coordinates(self) -> tuple[Coordinates, Coordinates]:

@@ -27,7 +27,7 @@ from sandbox.physics.contacts.direct.constraint_impulses import hold
 from sandbox.physics.contacts.direct.constraint_rows import Active
 from sandbox.physics.contacts.direct.convex_parts import Pair
 from sandbox.physics.contacts.direct.drift_meetings import SOON, TOGETHER, Meetings, Met, goes_on
-from sandbox.physics.contacts.direct.drift_parts import Part, concerned
+from sandbox.physics.contacts.direct.drift_parts import Part, around, concerned, others_of
 from sandbox.physics.contacts.direct.kick_builder import KickBuilder
 from sandbox.physics.contacts.direct.kick_parts import Stage
 from sandbox.physics.contacts.direct.kick_system import Kick
@@ -48,6 +48,10 @@ if TYPE_CHECKING:
 SHORT = 0.1
 """The share of a drift below which the forces of its last part are solved for a whole one: those of
 a short part follow from small differences of positions, and their rounding is traced far back."""
+
+LEAST = 0.06
+"""The share of a drift below which it is not divided where contacts do not keep their gaps: bodies
+that turn far in it would gain energy on its curved path, by the third power of its length."""
 
 MOST = 8
 """The most landings of one drift that are located. What would land later comes to touch in it, and
@@ -152,7 +156,7 @@ class Landings:
             if not len(ahead.bodies):
                 break
             more = self._build.with_ahead(part.kick, ahead)
-            self.reached = self.reached | self._around(more, ahead.bodies.tolist())
+            self.reached = self.reached | around(more, ahead.bodies.tolist())
             try:
                 part = self._again(part, more)
             except (JointFailure, NoForces):
@@ -179,16 +183,18 @@ class Landings:
         kick.joints.time(part.drift, part.drift)
         ahead = self._meetings.ahead(part, self._carried)
         met = self._meetings.first(part, part.drift, ahead) if any(ahead) else None
-        if met is None:
+        sunk = part.sunk if part.drift > LEAST * self._whole else []
+        if not (met or sunk):
             return None
-        self.reached = early = known | self._around(kick, met.pairs)
+        met = met or Met(part.drift / 2, (), (), ())
+        self.reached = early = known | around(kick, [*met.pairs, *sunk])
         try:
-            shorter, met = self._until_it_meets(part, met)
+            shorter, met = self._kept(part, *self._until_it_meets(part, met))
             left = part.drift - shorter.drift
             if met.passing:
                 after = self._pass(shorter, left, met, ahead.pairs)
             else:
-                after = self._land(shorter, left, met)
+                after = self._land(shorter, left, met, ahead.pairs)
         except (JointFailure, NoForces):
             self.reached = known  # it is found where the drift ends
             return None
@@ -217,16 +223,12 @@ class Landings:
             known = tried
         return shorter, met
 
-    def _around(self, kick: Kick, pairs: Sequence[Pair]) -> Booleans:
-        """Return which bodies are in the islands of some pairs: (n,)."""
-        reached = np.zeros(len(self.reached), dtype=bool)
-        reached[[body for pair in pairs for body in pair]] = True
-        reached &= kick.joints.inverse[self._order].any(axis=1)
-        for rows, _, _ in kick.layout.islands:
-            bodies = kick.acts[rows].any(axis=0)
-            if (bodies & reached).any():
-                reached |= bodies
-        return reached
+    def _kept(self, part: Part, shorter: Part, met: Met) -> tuple[Part, Met]:
+        """Return a part so short that its contacts keep their gaps, and what meets at its end."""
+        while shorter.drift > LEAST * self._whole and shorter.sunk:
+            met = Met(shorter.drift / 2, (), (), ())
+            shorter = self._shortened(part, met.time, shorter)
+        return shorter, met
 
     def _shortened(self, part: Part, drift: float, near: Part) -> Part:
         """Return a part with a shorter drift [s]; Newton's method begins with a similar part."""
@@ -236,15 +238,17 @@ class Landings:
         moved = part.begun + lasts * (self._laws + part.pulls)
         return part._replace(drift=drift, lasts=lasts, moved=moved)
 
-    def _land(self, shorter: Part, left: float, met: Met) -> Part:
-        """Return the part after a landing, of length `left` [s]."""
+    def _land(self, shorter: Part, left: float, met: Met, near: Sequence[Pair]) -> Part:
+        """Return the part after a landing, or after a mere cut, of length `left` [s]."""
         place, joints = shorter.end, shorter.kick.joints
         down = self._speculative.contacts(met.corners, place, joints.origin, met.hits)
         joints.time(left, left)
         lengths = joints.lengths(self._until - left), joints.lengths(self._until)
-        kick = self._build.anew(place, shorter.kick.contacts_at(place).and_(down), lengths)
+        rest = self._meetings.resting(shorter, [pair for pair in near if pair not in met.pairs])
+        known = shorter.kick.contacts_at(place).and_(rest)
+        kick = self._build.anew(place, known.and_(down), lengths)
         forces, active = recalled(shorter.kick, shorter.forces, shorter.active, kick)
-        self.reached = self.reached | self._around(kick, down.bodies.tolist())
+        self.reached = self.reached | around(kick, down.and_(rest).bodies.tolist())
         part = shorter._replace(kick=kick, forces=forces, active=active)
         struck = kick.layout.touching.pair >= len(kick.contacts.bodies) - len(down.bodies)
         begun, stages = self._struck(part, struck)
@@ -267,7 +271,7 @@ class Landings:
         after, at_ends = ends.after(ended.kick, met.passing, begun)
         known = shorter.kick.contacts_at(place, [one.contact for one in met.passing])
         kick = self._build.anew(place, known.and_(beside).and_(after), lengths, at_ends)
-        self.reached = self.reached | self._around(kick, beside.bodies.tolist())
+        self.reached = self.reached | around(kick, beside.bodies.tolist())
         forces, active = recalled(shorter.kick, shorter.forces, shorter.active, kick)
         part = Part(kick, left, left, begun, left / 2, forces, active, begun, (stage,))
         return self._closed(self._solved(part, left, left / 2))
@@ -277,7 +281,7 @@ class Landings:
 
         See `_struck`; also the rows of bodies that are `reached`.
         """
-        mine, others, drive = self._others(part)
+        mine, others, drive = others_of(part, self._laws, self.reached)
         some = replace(part.kick, layout=part.kick.layout.around(mine))
         half = part.drift / 2
         came, to_it = impacts.come(some, part.moved + half * drive, struck, part.active)
@@ -289,27 +293,20 @@ class Landings:
         The part already has the rows there; `struck` tells which of its gaps land, (k,).
         """
         some, came, before = self._arrived(part, struck)
+        if not struck.any():
+            return came, (before,)
         begun, pushes, pairs = impacts.bounce(some, came, struck, part.active)
         stages = before, Stage.of(part.kick, 0.0, begun[self._order], pushes)
         landed = part.kick.layout.touching.pair[struck]
         self.record.note(pairs, self._whole - part.left + part.drift, stages[1].contacts, landed)
         return begun, stages
 
-    def _others(self, part: Part) -> tuple[Booleans, Array, Array]:
-        """Return which rows act on `reached` bodies, and the forces of the others: (r,) each.
-
-        Also the accelerations by these forces and by laws, (3 N,).
-        """
-        mine = concerned(part.kick, self.reached)
-        others = np.where(mine, 0.0, part.forces)
-        return mine, others, self._laws + others @ part.kick.response
-
     def _solved(self, part: Part, drift: float, lasts: float) -> Part:
         """Return a part solved for given lengths of its drift and of its kick [s]."""
         joints, start = part.kick.joints, self._until - part.left
         joints.time(drift, drift)
         kick = part.kick.lasting(joints.lengths(start), joints.lengths(start + drift))
-        mine, _, drive = self._others(part)
+        mine, _, drive = others_of(part, self._laws, self.reached)
         motion = part.begun + lasts * drive
         part = part._replace(kick=kick, drift=drift, lasts=lasts, moved=motion)
         if not mine.any():
@@ -317,12 +314,13 @@ class Landings:
         slips = mine[kick.layout.slips]
         some = replace(kick, layout=kick.layout.around(mine))
         guess = Active(part.active.on & mine, np.where(slips, part.active.slip, 0))
-        impulse, moved, held = hold(
+        impulse, moved, held, flat = hold(
             some, motion, (np.where(mine, part.forces * lasts, 0.0), guess), driven=self._driven
         )
         leaning = some.leaning(moved, impulse)
         if leaning is not None:
-            impulse, moved, held = hold(leaning, motion, (impulse, held), driven=self._driven)
+            found = impulse, held
+            impulse, moved, held, flat = hold(leaning, motion, found, driven=self._driven)
             kick = replace(leaning, layout=kick.layout)
         return part._replace(
             kick=kick,
@@ -332,6 +330,7 @@ class Landings:
                 np.where(slips, held.slip, part.active.slip),
             ),
             moved=moved,
+            flat=flat,
         )
 
     def _closed(self, part: Part, *, locates: bool = True) -> Part:

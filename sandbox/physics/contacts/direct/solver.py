@@ -285,7 +285,9 @@ class Direct:
         taken, look = self._taken, self._speculative
         place, motion = taken.coordinates if taken else self._joints.coordinates()
         way = self._dt * motion.values
-        ends = taken and (taken.strikes or look.ends.passing(taken.kick, way, taken.forces))
+        ends = taken and (
+            taken.strikes or taken.flat or look.ends.passing(taken.kick, way, taken.forces)
+        )
         if not (ends or look.approaching.near(self._build.contacts, place, way)):
             return None
         whole, (laws,) = self._whole(place, motion.values), self._spread(self._acceleration)

@@ -83,5 +83,7 @@ def _onwards(
     """Return a kick without impacts, or the rest of a kick after them, of length `lasts` [s]."""
     motion = begun + start.acceleration * lasts
     guess = known.guess(kick, motion, lasts)
-    impulse, moved, active = hold(kick, motion, guess, driven=start.driven, placed=placed)
-    return Taken(kick, moved, impulse / lasts, active, impulse, None, (), begun, lasts)
+    held = hold(kick, motion, guess, driven=start.driven, placed=placed)
+    impulse, moved, active, flat = held
+    forces = impulse / lasts
+    return Taken(kick, moved, forces, active, impulse, None, (), begun, lasts, flat=flat)
