@@ -1,5 +1,7 @@
 """The impulses that satisfy contacts and joints at the end of a drift."""
 
+from typing import NamedTuple
+
 import numpy as np
 
 from sandbox.model.expressions import Array
@@ -17,8 +19,26 @@ GIVES = 1e-3
 they would add none. Measured: 2e-4 in smooth motion, 8e-2 where heavy bodies squeeze out a light
 one between them."""
 
-Held = tuple[Array, Array, Active]
-"""Impulses, (r,), the velocities with them, (3 N,), and the active rows."""
+
+class Held(NamedTuple):
+    """The impulses that satisfy all rows; r of them, N bodies with the plane.
+
+    Attributes
+    ----------
+    impulse
+        (r,), the impulses.
+    moved
+        (3 N,), the velocities with them [m/s, rad/s].
+    active
+        The active rows.
+    flat
+        Whether contacts constrain velocities instead of positions.
+    """
+
+    impulse: Array
+    moved: Array
+    active: Active
+    flat: bool = False
 
 
 def hold(
@@ -52,7 +72,7 @@ def hold(
         return _found(kick, kick.layout, motion, guess, driven=driven, placed=placed)
     rest, decided = found
     held = _found(kick, rest, motion, guess, driven=driven, placed=placed)
-    check_held(kick, decided, held[1])
+    check_held(kick, decided, held.moved)
     return held
 
 
@@ -68,7 +88,8 @@ def _found(
     joints, wanted, (impulse, active) = kick.joints, kick.targets(), guess
     found: Held | None = None
     try:
-        found = newton(kick, layout, kick.rows, motion, joints.drift, wanted, impulse, active)
+        args = motion, joints.drift, wanted, impulse, active
+        found = Held(*newton(kick, layout, kick.rows, *args))
         energy = joints.kinetic(motion)
         grown = _grows(kick, motion, found, energy)
         if not (grown or _squeezes(kick, motion, found, energy)):
@@ -79,15 +100,16 @@ def _found(
         grown = True
     none = 0.0 * impulse
     try:
-        flat = newton(kick, layout, kick.flat_rows, motion, joints.drift, wanted, none, active)
+        args = motion, joints.drift, wanted, none, active
+        flat = Held(*newton(kick, layout, kick.flat_rows, *args), flat=True)
     except (JointFailure, NoForces):
         if found is None or grown:
             raise
         return found
     held = kick.layout.joints
     if held.stop and not driven:
-        work = (flat[0] * (kick.here.jacobian @ (motion + flat[1])))[held]
-        joints.refuse_gain(motion, flat[1], work)
+        work = (flat.impulse * (kick.here.jacobian @ (motion + flat.moved)))[held]
+        joints.refuse_gain(motion, flat.moved, work)
     return flat
 
 
@@ -96,7 +118,7 @@ def _grows(kick: Kick, motion: Array, found: Held, energy: float) -> bool:
 
     `energy` is the kinetic energy without impulses [J].
     """
-    impulse, moved, _ = found
+    impulse, moved, *_ = found
     joints, jacobian, layout = kick.joints, kick.here.jacobian, kick.layout
     grown = joints.kinetic(moved) - GROWS * energy
     if grown <= 0:
@@ -115,7 +137,7 @@ def _squeezes(kick: Kick, motion: Array, found: Held, energy: float) -> bool:
     Their work is compared with the free motion, and with the motion that the joints allow: without
     its joints a body that is lifted at one end would turn, and its other end would come free.
     """
-    impulse, moved, _ = found
+    impulse, moved, *_ = found
     gaps, least = kick.layout.gaps, GIVES * energy
     closing, pushes = kick.here.jacobian[gaps], impulse[gaps]
 

@@ -167,3 +167,23 @@ class Meetings:
         gives = left * np.abs(path.acceleration[:, :2]).max()
         rests = [hit for hit in hits if hit.parting >= -gives]
         return look.contacts(corners, place, ended.kick.joints.origin, rests)
+
+    def resting(self, ended: Part, pairs: Sequence[Pair]) -> Contacts:
+        """Return the contacts of bodies that already overlap where a part of a drift ends.
+
+        They came together a little before what ends the part, and more slowly than forces in the
+        rest of the drift explain: nothing would stop them. Those that are faster land.
+
+        Parameters
+        ----------
+        ended
+            The part.
+        pairs
+            The pairs of bodies to consider, which did not touch before.
+        """
+        look, place, total = self._speculative, ended.end, self._laws + ended.pulls
+        path = Path(*(rates[self._order] for rates in (place.values, ended.moved, total)))
+        corners, hits = look.approaching.touching(path, 0.0, pairs)
+        gives = (ended.left - ended.drift) * np.abs(path.acceleration[:, :2]).max()
+        rests = [hit for hit in hits if abs(hit.parting) <= gives]
+        return look.contacts(corners, place, ended.kick.joints.origin, rests)

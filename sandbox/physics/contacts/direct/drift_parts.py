@@ -9,11 +9,18 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.constraint_rows import Active
+from sandbox.physics.contacts.direct.convex_parts import Pair
 from sandbox.physics.contacts.direct.drift_subdivision import Between, Divided
 from sandbox.physics.contacts.direct.kick_parts import Stage, Taken
 from sandbox.physics.contacts.direct.kick_system import Kick
 from sandbox.physics.engine.batch import Booleans, Integers
-from sandbox.physics.joints.exact.constraints import GROWS, Coordinates, inertia_of, order
+from sandbox.physics.joints.exact.constraints import (
+    GROWS,
+    QUADRATIC,
+    Coordinates,
+    inertia_of,
+    order,
+)
 
 
 class Part(NamedTuple):
@@ -39,6 +46,8 @@ class Part(NamedTuple):
         The stages at its beginning before that kick.
     lasting
         (r,), the forces that last beyond it, if its own are too rough for that; else None [N].
+    flat
+        See `Taken`.
     """
 
     kick: Kick
@@ -51,13 +60,15 @@ class Part(NamedTuple):
     moved: Array
     before: tuple[Stage, ...] = ()
     lasting: Array | None = None
+    flat: bool = False
 
     @classmethod
     def after(cls, taken: Taken, drift: float, moved: Array) -> "Part":
         """Return the whole drift after a kick, of a length [s] and with velocities (3 N,)."""
         begun, lasts, forces, active = taken.begun, taken.lasts, taken.forces, taken.active
         before = taken.stages[:-1]
-        return cls(taken.kick, drift, drift, begun, lasts, forces, active, moved, before)
+        first = cls(taken.kick, drift, drift, begun, lasts, forces, active, moved, before)
+        return first._replace(flat=taken.flat)
 
     @property
     def pulls(self) -> Array:
@@ -70,6 +81,15 @@ class Part(NamedTuple):
         return self.forces if self.lasting is None else self.lasting
 
     @property
+    def sunk(self) -> list[Pair]:
+        """The pairs of bodies that end deeper in each other than they should."""
+        if not self.flat:
+            return []
+        kick, gaps = self.kick, self.kick.layout.gaps
+        left = (kick.rows(self.drift * self.moved).total - kick.targets())[gaps]
+        return kick.layout.touching.pairs(np.flatnonzero(left < -QUADRATIC))
+
+    @property
     def end(self) -> Coordinates:
         """The positions at its end."""
         return Coordinates(self.kick.place.values + self.drift * self.moved)
@@ -78,6 +98,29 @@ class Part(NamedTuple):
 def concerned(kick: Kick, reached: Booleans) -> Booleans:
     """Return which rows of a kick act on some of the bodies, (n,): (r,)."""
     return np.asarray(kick.acts[:, reached].any(axis=1))
+
+
+def around(kick: Kick, pairs: Sequence[Pair]) -> Booleans:
+    """Return which bodies are in the islands of some pairs: (n,)."""
+    count = kick.acts.shape[1]
+    reached = np.zeros(count, dtype=bool)
+    reached[[body for pair in pairs for body in pair]] = True
+    reached &= kick.joints.inverse[order(count)].any(axis=1)
+    for rows, _, _ in kick.layout.islands:
+        bodies = kick.acts[rows].any(axis=0)
+        if (bodies & reached).any():
+            reached |= bodies
+    return reached
+
+
+def others_of(part: Part, laws: Array, reached: Booleans) -> tuple[Booleans, Array, Array]:
+    """Return which rows act on `reached` bodies, and the forces of the others: (r,) each.
+
+    Also the accelerations by these forces and by laws, (3 N,).
+    """
+    mine = concerned(part.kick, reached)
+    others = np.where(mine, 0.0, part.forces)
+    return mine, others, laws + others @ part.kick.response
 
 
 @dataclass(frozen=True)

@@ -218,7 +218,7 @@ def _in_parts(
     for before, after in pairwise(lengths[1:]):
         now = kick.between(place, before, after)
         motion = moved + drift * acceleration
-        impulse, moved, active = hold(
+        impulse, moved, active, _ = hold(
             now, motion, (drift * forces, active), driven=False, placed=placed
         )
         inner.append(Inner(now, drift, impulse, moved))

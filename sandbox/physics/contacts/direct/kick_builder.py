@@ -127,8 +127,9 @@ class KickBuilder:
         state[:, :3] += self.shift
         self._batch.set_state(state)
         there = Coordinates(place.values + way)
-        found = self._false.since(self.contacts, state, self.shift, self._surfaces.slop)
-        if found is self.contacts:
+        carried = kick.carried(there)
+        found = self._false.since(carried, state, self.shift, self._surfaces.slop)
+        if found is carried:
             return kick.moved(there)
         self.contacts = found
         return self.at(there)
@@ -145,7 +146,10 @@ class KickBuilder:
     def with_ahead(self, kick: Kick, ahead: Contacts) -> Kick:
         """Return the system with rows for contacts that close within the drift."""
         contacts = kick.contacts.and_(ahead)
-        layout = self._layouts.anew(contacts)
+        layout, ends = self._layouts.anew(contacts), kick.layout.touching.ends
+        if ends is not None:
+            known = ends[:, : len(kick.contacts.bodies)]  # the first points of all come first
+            layout = layout.at_ends(np.pad(known, ((0, 0), (0, len(ahead.bodies)))))
         running, closes = self._surfaces.running, kick.closes + len(ahead.bodies)
         lengths = kick.before, kick.after
         return Kick.at(kick.place, self._joints, contacts, layout, running, lengths, closes)

@@ -76,6 +76,8 @@ class Taken(NamedTuple):
         Whether anything slips in it, or did in the kick before.
     strikes
         Whether a corner strikes within the drift after it.
+    flat
+        Whether contacts constrain velocities in it, and may end deeper than they began.
     """
 
     kick: Kick
@@ -89,6 +91,7 @@ class Taken(NamedTuple):
     lasts: float
     slides: bool
     strikes: bool = False
+    flat: bool = False
 
     @property
     def coordinates(self) -> tuple[Coordinates, Coordinates]:

@@ -116,12 +116,14 @@ class Kick:
         return bool((closing < -np.maximum(*np.abs(others)) * self.joints.drift).any())
 
     def contacts_at(self, place: Coordinates, without: Sequence[int] = ()) -> Contacts:
-        """Return the contacts that are still closed at other positions, `without` some.
+        """Return the contacts that are still closed at other positions, `without` some."""
+        return _shut(self.carried(place), without) if len(self.contacts.bodies) else NO_CONTACTS
+
+    def carried(self, place: Coordinates) -> Contacts:
+        """Return the contacts at other positions.
 
         Contact points move with their corner or disc, and along their side.
         """
-        if not len(self.contacts.bodies):
-            return NO_CONTACTS
         there, touching = self.moved(place), self.layout.touching
         each = np.arange(len(touching.pair))
         guest = (self.features.side[each] == touching.bodies[0]).astype(np.intp)
@@ -139,10 +141,9 @@ class Kick:
         tip = last + (tip - first) * (new / old)
         points.reshape(-1)[number] = tip - sense * new * depth / 2 + origin
         depths.reshape(-1)[number] = depth
-        moved = there.contacts._replace(
+        return there.contacts._replace(
             points=np.stack((points.real, points.imag), 2), depths=depths
         )
-        return _shut(moved, without)
 
     def between(self, place: Coordinates, before: Array, after: Array) -> "Kick":
         """Return the system at other positions, for a drift between other lengths of the joints."""
@@ -271,7 +272,7 @@ def _shut(contacts: Contacts, without: Sequence[int]) -> Contacts:
     points[second, 0], depths[second, 0] = points[second, 1], depths[second, 1]
     left = contacts._replace(touches=shut.sum(axis=1), points=points, depths=depths)
     stay: Booleans = np.asarray(shut.any(axis=1))
-    stay[[*without]] = False
+    stay[list(without)] = False
     return Contacts._make(field[stay] for field in left)
 
 

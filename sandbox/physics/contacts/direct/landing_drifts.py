@@ -29,7 +29,7 @@ from sandbox.physics.contacts.direct.constraint_rows import Active
 from sandbox.physics.contacts.direct.convex_parts import Pair
 from sandbox.physics.contacts.direct.crowds import crowd, moving
 from sandbox.physics.contacts.direct.drift_meetings import SOON, TOGETHER, Meetings, Met
-from sandbox.physics.contacts.direct.drift_parts import Part, concerned
+from sandbox.physics.contacts.direct.drift_parts import Part, around, concerned, others_of
 from sandbox.physics.contacts.direct.kick_builder import KickBuilder
 from sandbox.physics.contacts.direct.kick_parts import Stage
 from sandbox.physics.contacts.direct.kick_system import Kick
@@ -45,6 +45,10 @@ from sandbox.physics.state.errors import JointFailure, NoForces
 SHORT = 0.1
 """The share of a drift below which the forces of its last part are solved for a whole one: those of
 a short part follow from small differences of positions, and their rounding is traced far back."""
+
+LEAST = 0.06
+"""The share of a drift below which it is not divided where contacts do not keep their gaps: bodies
+that turn far in it would gain energy on its curved path, by the third power of its length."""
 
 MOST = 16
 """The most landings of one drift that are located. With more of them all bodies are a crowd."""
@@ -64,7 +68,8 @@ class Landings:
 
     `laws`, (3 N,), are the accelerations by gravity and force laws [m/s², rad/s²]; the drift ends
     at the time `until` [s]. `driven` tells whether running surfaces or kinematic bodies may add
-    energy, and `crowds` whether these are left out.
+    energy, and `stops` how often crowds were stopped before: what they leave is not a crowd again,
+    and after the second time all is located that may be.
 
     Attributes
     ----------
@@ -84,11 +89,11 @@ class Landings:
         until: float,
         *,
         driven: bool,
-        crowds: bool,
+        stops: int,
     ) -> None:
         self._speculative, self._build = speculative, build
         self._laws, self._until = laws, until
-        self._driven, self._crowds = driven, crowds
+        self._driven, self._stops_before = driven, stops
         self._meetings = Meetings(speculative, laws)
         count = len(laws) // 3 - 1
         self._order, self._whole = order(count), 0.0
@@ -132,7 +137,7 @@ class Landings:
         parts = [whole]
         while len(parts) <= MOST and (found := self._cut(parts[-1])):
             parts[-1:] = found
-        if len(parts) > MOST:
+        if len(parts) > MOST and self._stops_before < 2:
             self.crowd, parts = moving(whole.kick), [whole]
         elif len(parts) > 1:
             parts[-1] = self._lasting(parts[-1], whole.drift)
@@ -160,19 +165,22 @@ class Landings:
         seen = stopped or part
         ahead = self._meetings.ahead(seen)
         met = self._meetings.first(seen, seen.drift, ahead) if any(ahead) else None
-        if not (met or stopped) or (met and self._is_crowd(part, met)):
+        sunk = seen.sunk if seen.drift > LEAST * self._whole else []
+        if not (met or stopped or sunk) or (met and self._is_crowd(part, met)):
             return None
+        self.reached = self.reached | around(kick, [*(met.pairs if met else ()), *sunk])
         try:
-            self._stops += met is None
             if met:
-                self.reached = self.reached | self._around(kick, met.pairs)
                 seen, met = self._until_it_meets(seen, met)
+            elif stopped:
+                self._stops += 1
+            seen, met = self._kept(part, seen, met)
             if self._early is None:
                 self._early = self.reached
             left = part.drift - seen.drift
             if met and met.passing:
                 return seen, self._pass(seen, left, met, ahead.pairs)
-            return seen, self._land(seen, left, met)
+            return seen, self._land(seen, left, met, ahead.pairs)
         except (JointFailure, NoForces):
             self.reached = known  # it is found where the drift ends
             return None
@@ -183,7 +191,7 @@ class Landings:
         if not len(ends) or self._stops == STOPS:
             return None
         known, slides = self.reached, part.kick.layout.touching.sliding[:, ends]
-        self.reached = known | self._around(part.kick, slides.T.tolist())
+        self.reached = known | around(part.kick, slides.T.tolist())
         if (stopped := until_it_stops(part, ends, self._laws, self._shortened)) is None:
             self.reached = known
         return stopped
@@ -193,7 +201,7 @@ class Landings:
 
         They are then left to `crowds.stopped`.
         """
-        if part.left < self._whole or not self._crowds:
+        if part.left < self._whole or self._stops_before:
             return False
         dull = self._speculative.dull
         self.crowd = crowd(part.kick, [pair for pair in met.landings if dull[pair]])
@@ -216,16 +224,11 @@ class Landings:
             known = tried
         return shorter, met
 
-    def _around(self, kick: Kick, pairs: Sequence[Pair]) -> Booleans:
-        """Return which bodies are in the islands of some pairs: (n,)."""
-        reached = np.zeros(len(self.reached), dtype=bool)
-        reached[[body for pair in pairs for body in pair]] = True
-        reached &= moving(kick)
-        for rows, _, _ in kick.layout.islands:
-            bodies = kick.acts[rows].any(axis=0)
-            if (bodies & reached).any():
-                reached |= bodies
-        return reached
+    def _kept(self, part: Part, shorter: Part, met: Met | None) -> tuple[Part, Met | None]:
+        """Return a part so short that its contacts keep their gaps, and what meets at its end."""
+        while shorter.drift > LEAST * self._whole and shorter.sunk:
+            shorter, met = self._shortened(part, shorter.drift / 2, shorter), None
+        return shorter, met
 
     def _shortened(self, part: Part, drift: float, near: Part) -> Part:
         """Return a part with a shorter drift [s]; Newton's method begins with a similar part."""
@@ -235,16 +238,19 @@ class Landings:
         moved = part.begun + lasts * (self._laws + part.pulls)
         return part._replace(drift=drift, lasts=lasts, moved=moved)
 
-    def _land(self, shorter: Part, left: float, met: Met | None) -> Part:
-        """Return the part after a landing, of length `left` [s]; None where only a slip ends."""
+    def _land(self, shorter: Part, left: float, met: Met | None, near: Sequence[Pair]) -> Part:
+        """Return the part after a landing, of length `left` [s]; None where it is merely cut."""
         place, joints, down = shorter.end, shorter.kick.joints, NO_CONTACTS
         if met:
             down = self._speculative.contacts(met.corners, place, joints.origin, met.hits)
+            near = [pair for pair in near if pair not in met.pairs]
         joints.time(left, left)
         lengths = joints.lengths(self._until - left), joints.lengths(self._until)
-        kick = self._build.anew(place, shorter.kick.contacts_at(place).and_(down), lengths)
+        rest = self._meetings.resting(shorter, near)
+        known = shorter.kick.contacts_at(place).and_(rest)
+        kick = self._build.anew(place, known.and_(down), lengths)
         forces, active = recalled(shorter.kick, shorter.forces, shorter.active, kick)
-        self.reached = self.reached | self._around(kick, down.bodies.tolist())
+        self.reached = self.reached | around(kick, down.and_(rest).bodies.tolist())
         part = shorter._replace(kick=kick, forces=forces, active=active)
         struck = kick.layout.touching.pair >= len(kick.contacts.bodies) - len(down.bodies)
         begun, stages = self._struck(part, struck) if met else self._arrived(part, struck)[1:]
@@ -262,7 +268,7 @@ class Landings:
         after, at_ends = ends.after(ended.kick, met.passing, begun)
         known = shorter.kick.contacts_at(place, [one.contact for one in met.passing])
         kick = self._build.anew(place, known.and_(beside).and_(after), lengths, at_ends)
-        self.reached = self.reached | self._around(kick, beside.bodies.tolist())
+        self.reached = self.reached | around(kick, beside.bodies.tolist())
         forces, active = recalled(shorter.kick, shorter.forces, shorter.active, kick)
         part = Part(kick, left, left, begun, left / 2, forces, active, begun, stages)
         return self._closed(self._solved(part, left, left / 2))
@@ -272,7 +278,7 @@ class Landings:
 
         See `_struck`; also the rows of bodies that are `reached`.
         """
-        mine, others, drive = self._others(part)
+        mine, others, drive = others_of(part, self._laws, self.reached)
         some = replace(part.kick, layout=part.kick.layout.around(mine))
         half = part.drift / 2
         came, to_it = impacts.come(some, part.moved + half * drive, struck, part.active)
@@ -290,21 +296,12 @@ class Landings:
         self.record.note(pairs, self._whole - part.left + part.drift, stages[1].contacts, landed)
         return begun, stages
 
-    def _others(self, part: Part) -> tuple[Booleans, Array, Array]:
-        """Return which rows act on `reached` bodies, and the forces of the others: (r,) each.
-
-        Also the accelerations by these forces and by laws, (3 N,).
-        """
-        mine = concerned(part.kick, self.reached)
-        others = np.where(mine, 0.0, part.forces)
-        return mine, others, self._laws + others @ part.kick.response
-
     def _solved(self, part: Part, drift: float, lasts: float) -> Part:
         """Return a part solved for given lengths of its drift and of its kick [s]."""
         joints, start = part.kick.joints, self._until - part.left
         joints.time(drift, drift)
         kick = part.kick.lasting(joints.lengths(start), joints.lengths(start + drift))
-        mine, _, drive = self._others(part)
+        mine, _, drive = others_of(part, self._laws, self.reached)
         motion = part.begun + lasts * drive
         part = part._replace(kick=kick, drift=drift, lasts=lasts, moved=motion)
         if not mine.any():
@@ -312,12 +309,13 @@ class Landings:
         slips = mine[kick.layout.slips]
         some = replace(kick, layout=kick.layout.around(mine))
         guess = Active(part.active.on & mine, np.where(slips, part.active.slip, 0))
-        impulse, moved, held = hold(
+        impulse, moved, held, flat = hold(
             some, motion, (np.where(mine, part.forces * lasts, 0.0), guess), driven=self._driven
         )
         leaning = some.leaning(moved, impulse)
         if leaning is not None:
-            impulse, moved, held = hold(leaning, motion, (impulse, held), driven=self._driven)
+            found = impulse, held
+            impulse, moved, held, flat = hold(leaning, motion, found, driven=self._driven)
             kick = replace(leaning, layout=kick.layout)
         return part._replace(
             kick=kick,
@@ -327,6 +325,7 @@ class Landings:
                 np.where(slips, held.slip, part.active.slip),
             ),
             moved=moved,
+            flat=flat,
         )
 
     def _closed(self, part: Part) -> Part:

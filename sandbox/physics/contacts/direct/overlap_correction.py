@@ -19,6 +19,10 @@ from sandbox.physics.state.errors import JointFailure, NoForces
 NOTHING = 1e-12
 """m, the rounding of an overlap from step to step; smaller corrections are not made."""
 
+FURTHEST = 100.0
+"""The most that bodies may be moved [m, rad], as a multiple of the overlap that is to be removed:
+jammed ones could only be freed by turning them far, through others."""
+
 
 class OverlapCorrection:
     """Corrects overlaps, step by step.
@@ -66,7 +70,8 @@ class OverlapCorrection:
         except (JointFailure, NoForces):
             self._lost = asked
             return None
-        return self._together(kick, wanted, way)
+        way = self._together(kick, wanted, way)
+        return way if np.abs(way).max() <= FURTHEST * back.max() else None
 
     def _apart(
         self, kick: Kick, wanted: Array, layout: Layout, start: Active

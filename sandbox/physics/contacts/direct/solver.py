@@ -261,17 +261,19 @@ class Direct:
         self._known.note(first.kick, first.forces, first.active)
         self._report(first.kick, found.whole, first.active)
 
-    def _land(self, until: float, *, crowds: bool = True) -> Landed | None:
+    def _land(self, until: float, stops: int = 0) -> Landed | None:
         """Locate the landings in the drift after a kick, which ends at a time [s].
 
-        First, those of `crowds` are stopped.
+        Crowds are stopped, and what is left is looked at again: so many `stops` there were already.
         """
         if not self._locates:
             return None
         taken, look = self._taken, self._speculative
         place, motion = taken.coordinates if taken else self._joints.coordinates()
         way = self._dt * motion.values
-        ends = taken and (taken.strikes or look.ends.passing(taken.kick, way, taken.forces))
+        ends = taken and (
+            taken.strikes or taken.flat or look.ends.passing(taken.kick, way, taken.forces)
+        )
         lands = ends or look.approaching.near(self._build.contacts, place, way)
         if not (lands or (taken and taken.slides)):
             return None
@@ -279,11 +281,11 @@ class Direct:
         if not (lands or len(slip_ends(whole, laws))):
             return None
         driven = self._driven()
-        landings = Landings(look, self._build, laws, until, driven=driven, crowds=crowds)
+        landings = Landings(look, self._build, laws, until, driven=driven, stops=stops)
         parts = landings.follow(whole)
         if landings.crowd.any():
             self._stop(whole.kick, landings.crowd)
-            return self._land(until, crowds=False) if crowds else None
+            return self._land(until, stops + 1)
         if len(parts) == 1:
             return None
         last, start = parts[-1], self._batch.state()[:, :3]

@@ -75,7 +75,9 @@ class SupportEnds:
         self._calm = 0.0  # how far all points were from the ends of sides [m]
 
     def passing(self, kick: Kick, way: Array, forces: Array) -> list[Passing]:
-        """Return the contacts that bear a force and pass the end of a side within a drift.
+        """Return the contacts that pass the end of a side within a drift.
+
+        Only those that bear a force, or that would overlap at its end beside the corner.
 
         Parameters
         ----------
@@ -93,7 +95,9 @@ class SupportEnds:
         return [
             one
             for one in self._all(kick, ahead)
-            if bears[one.gap] and self._lands[one.bodies] and one.left(there) < -LEAST
+            if self._lands[one.bodies]
+            and one.left(there) < -LEAST
+            and (bears[one.gap] or _comes_down(kick, one, there))
         ]
 
     def _is_far(self, kick: Kick, way: Array) -> bool:
@@ -251,6 +255,15 @@ class SupportEnds:
     def _note(self, left: float) -> None:
         """Note how far a point is from passing [m]."""
         self._calm = max(0.0, min(self._calm, left))
+
+
+def _comes_down(kick: Kick, one: Passing, there: Coordinates) -> bool:
+    """Return whether a disc that turns about a corner overlaps the next side at some positions."""
+    if one.leaves:
+        return False
+    depth = float(kick.contacts.depths.take(kick.layout.touching.number)[one.gap])
+    reach = abs(kick.features.apart[one.gap]) + depth
+    return abs(dot(one.seen(there) - one.foot, 1j * one.onwards)) < reach
 
 
 def _tips(kick: Kick) -> Plane:

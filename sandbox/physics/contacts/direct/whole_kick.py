@@ -83,6 +83,8 @@ def _onwards(
     """Return a kick without impacts, or the rest of a kick after them, of length `lasts` [s]."""
     motion = begun + start.acceleration * lasts
     guess = known.guess(kick, motion, lasts)
-    impulse, moved, active = hold(kick, motion, guess, driven=start.driven, placed=placed)
+    held = hold(kick, motion, guess, driven=start.driven, placed=placed)
+    impulse, moved, active, flat = held
     slides = bool(np.count_nonzero(active.slip) or np.count_nonzero(guess[1].slip))
-    return Taken(kick, moved, impulse / lasts, active, impulse, None, (), begun, lasts, slides)
+    forces, whole = impulse / lasts, (impulse, None, ())
+    return Taken(kick, moved, forces, active, *whole, begun, lasts, slides=slides, flat=flat)
