@@ -17,7 +17,7 @@ from sandbox.physics.contacts.direct.speculative_contacts import (
     SpeculativeContacts,
 )
 from sandbox.physics.contacts.time_of_impact import TOUCH, Hit, Path
-from sandbox.physics.engine.batch import Contacts
+from sandbox.physics.engine.batch import Booleans, Contacts
 from sandbox.physics.geometry.roots import root
 from sandbox.physics.joints.exact.constraints import Coordinates, order
 
@@ -101,13 +101,18 @@ class Meetings:
         self._speculative, self._laws = speculative, laws
         self._order = order(len(laws) // 3 - 1)
 
-    def ahead(self, part: Part) -> Ahead:
-        """Return what may meet in a part of a drift."""
+    def ahead(self, part: Part, stopped: Booleans) -> Ahead:
+        """Return what may meet in a part of a drift, but for bodies that are `stopped`, (n,)."""
         look, kick, way = self._speculative, part.kick, part.drift * part.moved
+
+        def lands(*bodies: int) -> bool:
+            return not stopped[[*bodies]].any()
+
+        pairs = look.approaching.near(kick.contacts, kick.place, way)
         return Ahead(
-            look.approaching.near(kick.contacts, kick.place, way),
-            look.corners(kick, part.moved),
-            look.ends.passing(kick, way, part.forces),
+            [pair for pair in pairs if lands(*pair)],
+            [one for one in look.corners(kick, part.moved) if lands(*one.pair)],
+            [one for one in look.ends.passing(kick, way, part.forces) if lands(*one.bodies)],
         )
 
     def first(self, part: Part, longest: float, ahead: Ahead) -> Met | None:

@@ -68,8 +68,7 @@ class Landings:
 
     `laws`, (3 N,), are the accelerations by gravity and force laws [m/s², rad/s²]; the drift ends
     at the time `until` [s]. `driven` tells whether running surfaces or kinematic bodies may add
-    energy, and `stops` how often crowds were stopped before: what they leave is not a crowd again,
-    and after the second time all is located that may be.
+    energy, and `stopped`, (n,), which bodies are in crowds that were stopped: they do not land.
 
     Attributes
     ----------
@@ -89,11 +88,11 @@ class Landings:
         until: float,
         *,
         driven: bool,
-        stops: int,
+        stopped: Booleans,
     ) -> None:
         self._speculative, self._build = speculative, build
         self._laws, self._until = laws, until
-        self._driven, self._stops_before = driven, stops
+        self._driven, self._stopped = driven, stopped
         self._meetings = Meetings(speculative, laws)
         count = len(laws) // 3 - 1
         self._order, self._whole = order(count), 0.0
@@ -137,7 +136,7 @@ class Landings:
         parts = [whole]
         while len(parts) <= MOST and (found := self._cut(parts[-1])):
             parts[-1:] = found
-        if len(parts) > MOST and self._stops_before < 2:
+        if len(parts) > MOST:
             self.crowd, parts = moving(whole.kick), [whole]
         elif len(parts) > 1:
             parts[-1] = self._lasting(parts[-1], whole.drift)
@@ -163,9 +162,9 @@ class Landings:
         stopped = self._until_it_stops(part)
         kick.joints.time(part.drift, part.drift)
         seen = stopped or part
-        ahead = self._meetings.ahead(seen)
+        ahead = self._meetings.ahead(seen, self._stopped)
         met = self._meetings.first(seen, seen.drift, ahead) if any(ahead) else None
-        sunk = seen.sunk if seen.drift > LEAST * self._whole else []
+        sunk = self._sunk(seen)
         if not (met or stopped or sunk) or (met and self._is_crowd(part, met)):
             return None
         self.reached = self.reached | around(kick, [*(met.pairs if met else ()), *sunk])
@@ -188,6 +187,7 @@ class Landings:
     def _until_it_stops(self, part: Part) -> Part | None:
         """Return a part up to where its first slip ends; None if none does."""
         ends = slip_ends(part, self._laws)
+        ends = ends[~self._stopped[part.kick.layout.touching.sliding[:, ends]].any(axis=0)]
         if not len(ends) or self._stops == STOPS:
             return None
         known, slides = self.reached, part.kick.layout.touching.sliding[:, ends]
@@ -201,7 +201,7 @@ class Landings:
 
         They are then left to `crowds.stopped`.
         """
-        if part.left < self._whole or self._stops_before:
+        if part.left < self._whole or self._stopped.any():
             return False
         dull = self._speculative.dull
         self.crowd = crowd(part.kick, [pair for pair in met.landings if dull[pair]])
@@ -224,9 +224,15 @@ class Landings:
             known = tried
         return shorter, met
 
+    def _sunk(self, part: Part) -> list[Pair]:
+        """Return the pairs of bodies because of which a part is divided."""
+        if part.drift <= LEAST * self._whole:
+            return []
+        return [pair for pair in part.sunk if not self._stopped[[*pair]].any()]
+
     def _kept(self, part: Part, shorter: Part, met: Met | None) -> tuple[Part, Met | None]:
         """Return a part so short that its contacts keep their gaps, and what meets at its end."""
-        while shorter.drift > LEAST * self._whole and shorter.sunk:
+        while self._sunk(shorter):
             shorter, met = self._shortened(part, shorter.drift / 2, shorter), None
         return shorter, met
 

@@ -73,7 +73,7 @@ class Direct:
     ) -> None:
         self._batch, self._joints, self._dt = batch, joints, dt
         self._moves: Booleans = inertia[:, 0] > 0
-        self._fixed = np.flatnonzero(~self._moves)
+        self._fixed, self._none = np.flatnonzero(~self._moves), np.zeros(len(inertia), dtype=bool)
         self._lands, self._runs = bool(surfaces.lands.any()), bool(surfaces.running.any())
         self._order = order(len(inertia))
         self._calm = ImpactOutcome.none(len(inertia))
@@ -261,10 +261,10 @@ class Direct:
         self._known.note(first.kick, first.forces, first.active)
         self._report(first.kick, found.whole, first.active)
 
-    def _land(self, until: float, stops: int = 0) -> Landed | None:
+    def _land(self, until: float, stopped: Booleans | None = None) -> Landed | None:
         """Locate the landings in the drift after a kick, which ends at a time [s].
 
-        Crowds are stopped, and what is left is looked at again: so many `stops` there were already.
+        Crowds are stopped, and what is left is looked at again, without those that are `stopped`.
         """
         if not self._locates:
             return None
@@ -280,12 +280,12 @@ class Direct:
         whole, (laws,) = self._whole(place, motion.values), self._spread(self._acceleration)
         if not (lands or len(slip_ends(whole, laws))):
             return None
-        driven = self._driven()
-        landings = Landings(look, self._build, laws, until, driven=driven, stops=stops)
+        driven, calm = self._driven(), self._none if stopped is None else stopped
+        landings = Landings(look, self._build, laws, until, driven=driven, stopped=calm)
         parts = landings.follow(whole)
         if landings.crowd.any():
-            self._stop(whole.kick, landings.crowd)
-            return self._land(until, stops + 1)
+            self._stop(whole.kick, crowd := landings.crowd | calm)
+            return None if crowd[self._moves].all() else self._land(until, crowd)
         if len(parts) == 1:
             return None
         last, start = parts[-1], self._batch.state()[:, :3]
