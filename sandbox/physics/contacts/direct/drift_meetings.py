@@ -1,6 +1,6 @@
 """What meets first in a drift, or passes the end of its support, and when."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from functools import partial
 from math import inf
 from typing import NamedTuple
@@ -17,7 +17,7 @@ from sandbox.physics.contacts.direct.speculative_contacts import (
     SpeculativeContacts,
 )
 from sandbox.physics.contacts.time_of_impact import TOUCH, Hit, Path
-from sandbox.physics.engine.batch import Booleans, Contacts
+from sandbox.physics.engine.batch import Contacts
 from sandbox.physics.geometry.roots import root
 from sandbox.physics.joints.exact.constraints import Coordinates, order
 
@@ -101,18 +101,15 @@ class Meetings:
         self._speculative, self._laws = speculative, laws
         self._order = order(len(laws) // 3 - 1)
 
-    def ahead(self, part: Part, stopped: Booleans) -> Ahead:
-        """Return what may meet in a part of a drift, but for bodies that are `stopped`, (n,)."""
+    def ahead(self, part: Part, calm: Callable[[Pair], bool]) -> Ahead:
+        """Return what may meet in a part of a drift, but for pairs that are `calm`."""
         look, kick, way = self._speculative, part.kick, part.drift * part.moved
-
-        def lands(*bodies: int) -> bool:
-            return not stopped[[*bodies]].any()
 
         pairs = look.approaching.near(kick.contacts, kick.place, way)
         return Ahead(
-            [pair for pair in pairs if lands(*pair)],
-            [one for one in look.corners(kick, part.moved) if lands(*one.pair)],
-            [one for one in look.ends.passing(kick, way, part.forces) if lands(*one.bodies)],
+            [pair for pair in pairs if not calm(pair)],
+            [one for one in look.corners(kick, part.moved) if not calm(one.pair)],
+            [one for one in look.ends.passing(kick, way, part.forces) if not calm(one.bodies)],
         )
 
     def first(self, part: Part, longest: float, ahead: Ahead) -> Met | None:

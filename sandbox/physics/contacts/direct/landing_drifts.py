@@ -162,7 +162,7 @@ class Landings:
         stopped = self._until_it_stops(part)
         kick.joints.time(part.drift, part.drift)
         seen = stopped or part
-        ahead = self._meetings.ahead(seen, self._stopped)
+        ahead = self._meetings.ahead(seen, self._is_calm)
         met = self._meetings.first(seen, seen.drift, ahead) if any(ahead) else None
         sunk = self._sunk(seen)
         if not (met or stopped or sunk) or (met and self._is_crowd(part, met)):
@@ -228,7 +228,12 @@ class Landings:
         """Return the pairs of bodies because of which a part is divided."""
         if part.drift <= LEAST * self._whole:
             return []
-        return [pair for pair in part.sunk if not self._stopped[[*pair]].any()]
+        return [pair for pair in part.sunk if not self._is_calm(pair)]
+
+    def _is_calm(self, pair: Pair) -> bool:
+        """Return whether one of two bodies was stopped, and nothing has struck them since."""
+        both = [*pair]
+        return bool(self._stopped[both].any() and not self.reached[both].any())
 
     def _kept(self, part: Part, shorter: Part, met: Met | None) -> tuple[Part, Met | None]:
         """Return a part so short that its contacts keep their gaps, and what meets at its end."""
