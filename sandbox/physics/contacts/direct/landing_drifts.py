@@ -228,7 +228,7 @@ class Landings:
         """Return the pairs of bodies because of which a part is divided."""
         if part.drift <= LEAST * self._whole:
             return []
-        return [pair for pair in part.sunk if not self._is_calm(pair)]
+        return part.sunk
 
     def _is_calm(self, pair: Pair) -> bool:
         """Return whether one of two bodies was stopped, and nothing has struck them since."""
