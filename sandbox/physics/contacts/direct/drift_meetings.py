@@ -68,12 +68,15 @@ class Met(NamedTuple):
         The corners that land on a side of a body which theirs already touches.
     passing
         The contacts that pass the end of a side, if nothing lands.
+    coming
+        All pairs of bodies that meet in the drift, these and those that follow.
     """
 
     time: float
     hits: Sequence[Hit]
     corners: Sequence[AnyCorner]
     passing: Sequence[Passing]
+    coming: Sequence[Pair]
 
     @property
     def again(self) -> Ahead:
@@ -134,11 +137,12 @@ class Meetings:
         first = min((*(hit.time for hit in hits), *falls, *passes), default=inf)
         if first > longest * (1 - SOON):
             return None
+        coming = sorted({hit.bodies for hit in hits})
         last = first + TOGETHER * longest
         hits = [hit for hit in hits if hit.time <= last]
         down = [corner for corner, time in zip(corners, falls, strict=True) if time <= last]
         gone = [one for one, time in zip(passing, passes, strict=True) if time <= last]
-        return Met(first, hits, down, [] if hits or down else gone)
+        return Met(first, hits, down, [] if hits or down else gone, coming)
 
     def beside(self, ended: Part, begun: Array, met: Met, pairs: Sequence[Pair]) -> Contacts:
         """Return the contacts with bodies beside the ends of sides that others pass.

@@ -9,6 +9,7 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.constraint_rows import Active
+from sandbox.physics.contacts.direct.convex_parts import Pair
 from sandbox.physics.contacts.direct.drift_subdivision import Between, Divided
 from sandbox.physics.contacts.direct.kick_parts import Stage, Taken
 from sandbox.physics.contacts.direct.kick_system import Kick
@@ -86,6 +87,18 @@ class Part(NamedTuple):
 def concerned(kick: Kick, reached: Booleans) -> Booleans:
     """Return which rows of a kick act on some of the bodies, (n,): (r,)."""
     return np.asarray(kick.acts[:, reached].any(axis=1))
+
+
+def around(kick: Kick, pairs: Sequence[Pair]) -> Booleans:
+    """Return which bodies are in the islands of some pairs: (n,)."""
+    reached = np.zeros(kick.acts.shape[1], dtype=bool)
+    reached[[body for pair in pairs for body in pair]] = True
+    reached &= kick.joints.inverse[order(len(reached))].any(axis=1)
+    for rows, _, _ in kick.layout.islands:
+        bodies = kick.acts[rows].any(axis=0)
+        if (bodies & reached).any():
+            reached |= bodies
+    return reached
 
 
 @dataclass(frozen=True)

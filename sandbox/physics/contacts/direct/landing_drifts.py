@@ -15,6 +15,7 @@ Bodies that take no part in a landing go on as they were.
 """
 
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -26,19 +27,19 @@ from sandbox.physics.contacts.direct.closing_gaps import closed
 from sandbox.physics.contacts.direct.constraint_impulses import hold
 from sandbox.physics.contacts.direct.constraint_rows import Active
 from sandbox.physics.contacts.direct.convex_parts import Pair
-from sandbox.physics.contacts.direct.drift_meetings import SOON, TOGETHER, Meetings, Met, goes_on
-from sandbox.physics.contacts.direct.drift_parts import Part, concerned
+from sandbox.physics.contacts.direct.drift_meetings import SOON, Meetings, Met, goes_on
+from sandbox.physics.contacts.direct.drift_parts import Part, around, concerned
 from sandbox.physics.contacts.direct.kick_builder import KickBuilder
 from sandbox.physics.contacts.direct.kick_parts import Stage
 from sandbox.physics.contacts.direct.kick_system import Kick
 from sandbox.physics.contacts.direct.landing_record import LandingRecord
+from sandbox.physics.contacts.direct.landing_times import until_first
 from sandbox.physics.contacts.direct.speculative_contacts import (
     LOOKS,
     SpeculativeContacts,
 )
 from sandbox.physics.contacts.direct.warm_start import recalled
 from sandbox.physics.engine.batch import Booleans
-from sandbox.physics.geometry.roots import secant
 from sandbox.physics.joints.exact.constraints import order
 from sandbox.physics.state.errors import JointFailure, NoForces
 
@@ -56,8 +57,9 @@ its impact is at its end."""
 AGAIN = 4
 """The most times that a drift is followed anew, since more bodies take part in its landings."""
 
-REFINED = 6
-"""The most refinements of a landing's time: the forces of joints depend on it."""
+
+class _Late(Exception):  # noqa: N818 (no error: the drift is followed once more)
+    """Somebody takes part in a landing who should have been followed from the first one on."""
 
 
 class Landings:
@@ -97,24 +99,24 @@ class Landings:
         self._laws, self._until, self._driven = laws, until, driven
         self._meetings = Meetings(speculative, laws)
         count = len(laws) // 3 - 1
-        self._order, self._whole = order(count), 0.0
+        self._order, self._anew = order(count), True
+        self._whole: Part  # the drift
         self._begin(np.zeros(count, dtype=bool))
 
     def follow(self, whole: Part) -> list[Part]:
         """Return the parts of the drift after a kick: the drift itself if nothing lands.
 
         Whoever takes part in a later landing has to be followed from the first one on, where other
-        bodies press on it. So then the drift is followed once more.
+        bodies press on it. So then the drift is followed once more from its start.
         """
-        joints, kick, self._whole = whole.kick.joints, whole.kick.joints.kick, whole.drift
+        joints, kick, self._whole = whole.kick.joints, whole.kick.joints.kick, whole
         try:
-            parts = self._parts(whole)
             for _ in range(AGAIN):
-                if not self._is_late(whole):
-                    break
-                self._begin(self.reached)
-                parts = self._parts(whole)
-            return parts
+                with suppress(_Late):
+                    return self._parts(whole)
+                self._begin(self.reached | around(whole.kick, self._near))
+            self._anew = False
+            return self._parts(whole)
         finally:
             joints.time(kick, whole.drift)
 
@@ -122,15 +124,20 @@ class Landings:
         """Begin a drift in whose landings some bodies, (n,), are known to take part."""
         self.reached = reached
         self._early: Booleans | None = None  # who takes part from the first landing on
+        self._near: list[Pair] = []  # who might take part
         self._carried: list[Passing] = []  # those at the ends of curves that go on
         self.record = LandingRecord(len(reached))
 
-    def _is_late(self, whole: Part) -> bool:
-        """Return whether bodies take part that press on others, but not from the first landing."""
-        if self._early is None:
-            return False
-        late = self.reached & ~self._early
-        return bool(late.any() and whole.forces[concerned(whole.kick, late)].any())
+    def _take_in(self, bodies: Booleans) -> None:
+        """Note who takes part: (n,).
+
+        Raises `_Late` if some press on others, but did not take part from the first landing on.
+        """
+        self.reached = self.reached | bodies
+        if self._early is not None and self._anew:
+            late, whole = self.reached & ~self._early, self._whole
+            if np.count_nonzero(whole.forces[concerned(whole.kick, late)]):
+                raise _Late
 
     def _parts(self, whole: Part) -> list[Part]:
         """Return the parts of a drift."""
@@ -152,7 +159,7 @@ class Landings:
             if not len(ahead.bodies):
                 break
             more = self._build.with_ahead(part.kick, ahead)
-            self.reached = self.reached | self._around(more, ahead.bodies.tolist())
+            self._take_in(around(more, ahead.bodies.tolist()))
             try:
                 part = self._again(part, more)
             except (JointFailure, NoForces):
@@ -175,58 +182,30 @@ class Landings:
 
     def _cut(self, part: Part) -> tuple[Part, Part] | None:
         """Return a part up to its first landing, and the rest of it; None if nothing lands."""
-        kick, known = part.kick, self.reached
+        kick, known = part.kick, (self.reached, self._early)
         kick.joints.time(part.drift, part.drift)
         ahead = self._meetings.ahead(part, self._carried)
+        self._near += ahead.pairs
         met = self._meetings.first(part, part.drift, ahead) if any(ahead) else None
         if met is None:
             return None
-        self.reached = early = known | self._around(kick, met.pairs)
+        self._take_in(around(kick, met.pairs))
+        self._early = self.reached if self._early is None else self._early
         try:
-            shorter, met = self._until_it_meets(part, met)
+            shorter, met = until_first(part, met, self._meetings, self._shortened)
             left = part.drift - shorter.drift
             if met.passing:
                 after = self._pass(shorter, left, met, ahead.pairs)
             else:
                 after = self._land(shorter, left, met)
         except (JointFailure, NoForces):
-            self.reached = known  # it is found where the drift ends
+            self.reached, self._early = known  # it is found where the drift ends
             return None
         if after is None:
             self._carried += met.passing
-            self.reached = known
+            self.reached, self._early = known
             return self._cut(part)
-        if self._early is None:
-            self._early = early
         return shorter, after
-
-    def _until_it_meets(self, part: Part, met: Met) -> tuple[Part, Met]:
-        """Return a part that ends with its first landing, and that landing.
-
-        The time of the landing depends on the length for which the part is solved. The secant
-        method finds where the two are equal.
-        """
-        shorter, known = part, (part.drift, part.drift - met.time)
-        for _ in range(REFINED):
-            shorter = self._shortened(part, met.time, shorter)
-            again = self._meetings.first(shorter, part.drift, met.again)
-            if again is None or abs(again.time - met.time) <= TOGETHER * part.drift:
-                break
-            tried = met.time, met.time - again.time
-            met = again._replace(time=secant(known, tried, again.time, part.drift))
-            known = tried
-        return shorter, met
-
-    def _around(self, kick: Kick, pairs: Sequence[Pair]) -> Booleans:
-        """Return which bodies are in the islands of some pairs: (n,)."""
-        reached = np.zeros(len(self.reached), dtype=bool)
-        reached[[body for pair in pairs for body in pair]] = True
-        reached &= kick.joints.inverse[self._order].any(axis=1)
-        for rows, _, _ in kick.layout.islands:
-            bodies = kick.acts[rows].any(axis=0)
-            if (bodies & reached).any():
-                reached |= bodies
-        return reached
 
     def _shortened(self, part: Part, drift: float, near: Part) -> Part:
         """Return a part with a shorter drift [s]; Newton's method begins with a similar part."""
@@ -244,7 +223,7 @@ class Landings:
         lengths = joints.lengths(self._until - left), joints.lengths(self._until)
         kick = self._build.anew(place, shorter.kick.contacts_at(place).and_(down), lengths)
         forces, active = recalled(shorter.kick, shorter.forces, shorter.active, kick)
-        self.reached = self.reached | self._around(kick, down.bodies.tolist())
+        self._take_in(around(kick, down.bodies.tolist()))
         part = shorter._replace(kick=kick, forces=forces, active=active)
         struck = kick.layout.touching.pair >= len(kick.contacts.bodies) - len(down.bodies)
         begun, stages = self._struck(part, struck)
@@ -267,7 +246,7 @@ class Landings:
         after, at_ends = ends.after(ended.kick, met.passing, begun)
         known = shorter.kick.contacts_at(place, [one.contact for one in met.passing])
         kick = self._build.anew(place, known.and_(beside).and_(after), lengths, at_ends)
-        self.reached = self.reached | self._around(kick, beside.bodies.tolist())
+        self._take_in(around(kick, beside.bodies.tolist()))
         forces, active = recalled(shorter.kick, shorter.forces, shorter.active, kick)
         part = Part(kick, left, left, begun, left / 2, forces, active, begun, (stage,))
         return self._closed(self._solved(part, left, left / 2))
@@ -292,7 +271,8 @@ class Landings:
         begun, pushes, pairs = impacts.bounce(some, came, struck, part.active)
         stages = before, Stage.of(part.kick, 0.0, begun[self._order], pushes)
         landed = part.kick.layout.touching.pair[struck]
-        self.record.note(pairs, self._whole - part.left + part.drift, stages[1].contacts, landed)
+        time = self._whole.drift - part.left + part.drift
+        self.record.note(pairs, time, stages[1].contacts, landed)
         return begun, stages
 
     def _others(self, part: Part) -> tuple[Booleans, Array, Array]:
