@@ -64,6 +64,8 @@ class Candidate(NamedTuple):
     """the run in which the error was measured; None if it is extrapolated by the order"""
     work: float
     """the counted work per second of the scene [s]"""
+    decided_by: str = ""
+    """the quantity with the largest error, if that was not found in the trace"""
 
     def offer(self, step: float) -> Offer:
         """Return the offer for it, given the cost of a step [s]."""
