@@ -82,6 +82,13 @@ class Offers:
     """The counted work of a step of each [s], by which the cheapest is chosen."""
 
     @property
+    def without_stock(self) -> "Offers":
+        """The settings that are not stock pymunk's."""
+        pairs = zip(self.refinements, self.work, strict=True)
+        left = [(found, work) for found, work in pairs if not found.traces[0].stepping.is_stock]
+        return Offers(*zip(*left, strict=True))
+
+    @property
     def fine(self) -> Stepping:
         """A setting nearly as accurate as the best run, at half its cost."""
         return self.refinements[0].traces[-2].stepping

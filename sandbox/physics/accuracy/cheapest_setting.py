@@ -25,7 +25,7 @@ from sandbox.physics.accuracy.compared_runs import (
     stride,
 )
 from sandbox.physics.accuracy.errors import AccuracyError
-from sandbox.physics.accuracy.event_errors import Onsets, onsets
+from sandbox.physics.accuracy.event_errors import Onsets, onsets, velocities
 from sandbox.physics.accuracy.refinement import NEARLY, foot, furthest, in_step, step_durations
 from sandbox.physics.accuracy.refinement_search import FEWEST, Progress, Refiner, cost, refine
 from sandbox.physics.accuracy.richardson import ORDERS
@@ -104,14 +104,22 @@ class Seeker:
         if not refinements:
             raise AccuracyError("the level takes too long to run to search for its accuracy")
         offers = Offers(refinements, [cost(refiners, refinement) for refinement in refinements])
+        chosen = self._chosen(offers, wanted)
+        if chosen.error > self.target and chosen.stepping.is_stock:
+            others = chosen, self._chosen(offers.without_stock, wanted)
+            chosen = min(others, key=lambda found: max(found.error, self.target))
+        return Found(self.level, self.values, self.target, wanted, offers, chosen)
+
+    def _chosen(self, offers: Offers, wanted: Sequence[Watched]) -> Candidate:
+        """Return the cheapest setting of those offered, or the most accurate."""
         chosen = offers.best(self.target)
         if chosen.trace is None:
             chosen = self._confirmed(chosen, wanted)
         elif chosen.error <= self.target:
             chosen = self._refined(chosen, offers, wanted)
-        if chosen.error <= self.target:
-            chosen = self._at_every_step(chosen, offers.refinements[0].traces[-1], wanted)
-        return Found(self.level, self.values, self.target, wanted, offers, chosen)
+        if chosen.error <= self.target and stride(chosen.stepping.rate) > 1:
+            return self._at_every_step(chosen, offers.refinements[0].traces[-1], wanted)
+        return chosen
 
     def _run(self, stepping: Stepping, wanted: Sequence[Watched]) -> Trace:
         return record(self.level, self.values, stepping, wanted, self.stop)
@@ -148,14 +156,15 @@ class Seeker:
     ) -> Candidate:
         """Return a setting that is as accurate where forces set in or end, if there is one.
 
-        These steps may not be among those that were compared. If no rate is sufficient, the setting
-        is returned with its error there.
+        These steps may not be among those that were compared, nor the first ones, in which stock
+        pymunk lets bodies fall that rest. If no rate is sufficient, the setting is returned with
+        its error there.
         """
-        if stride(chosen.stepping.rate) == 1:
-            return chosen
         found = onsets(best, wanted, chosen.stepping.rate, self.target)
+        if chosen.stepping.is_stock:
+            found = Onsets([0.0, *found.times], velocities(best, wanted), found.rate)
         here = self._around(chosen, found)
-        if here.error > self.target and found.rate <= HIGHEST_RATE:
+        if here.error > self.target and 0 < found.rate <= HIGHEST_RATE:
             rate = in_step(found.rate, chosen.stepping.rate)
             times = rate / chosen.stepping.rate
             finer = chosen._replace(stepping=chosen.stepping.at(rate), work=times * chosen.work)

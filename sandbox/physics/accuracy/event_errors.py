@@ -69,20 +69,25 @@ def onsets(trace: Trace, wanted: Sequence[Watched], rate: float, error: float) -
     At a rate [Hz] it may be off by half of the change of the acceleration, which is seen in a finer
     run, times a step.
     """
-    velocities = {item.quantity: item for item in wanted if item.at is None}
+    known = {item.quantity: item for item in velocities(trace, wanted)}
     times, items, needed = set[float](), [], 0.0
     for place, motion in _motions(trace, wanted):
-        item = velocities.get(place.rates[0]) if place.rates else None
+        item = known.get(place.rates[0]) if place.rates else None
         if item is None:
             continue
-        largest = size(trace, item)
-        rates = motion.changes / 2 / (error * scale(largest, 0.0))
+        rates = motion.changes / 2 / (error * scale(item.scale, 0.0))
         found = np.flatnonzero(rates > rate)
         if len(found):
             times.update(((motion.t[:-1] + motion.t[1:]) / 2)[found].tolist())
-            items.append(replace(item, scale=largest))
+            items.append(item)
             needed = max(needed, float(rates.max()))
     return Onsets(sorted(times), items, needed)
+
+
+def velocities(trace: Trace, wanted: Sequence[Watched]) -> list[Watched]:
+    """Return the velocities that are watched, with their largest values in a run as scales."""
+    found = [item for item in wanted if item.at is None and "velocity" in item.quantity]
+    return [replace(item, scale=size(trace, item)) for item in found]
 
 
 def _found_late(trace: Trace, wanted: Sequence[Watched]) -> Iterator[tuple[Watched, "_Motion"]]:
