@@ -1,7 +1,7 @@
 """What meets first in a drift, or passes the end of its support, and when."""
 
 from collections.abc import Sequence
-from functools import partial
+from functools import cache, partial
 from math import inf
 from typing import NamedTuple
 
@@ -121,6 +121,7 @@ class Meetings:
         total, (pairs, corners, passing) = self._laws + part.pulls, ahead
         begun, place = part.moved - total * (part.drift / 2), part.kick.place.values
 
+        @cache  # all look at the beginning and at the end
         def at(t: float) -> Coordinates:
             return Coordinates(place + t * (begun + total * (t / 2)))
 
