@@ -36,9 +36,6 @@ class Setting:
     """The most accurate setting that runs in real time, if the chosen one does not."""
     decided_by: str = ""
     """The quantity with the largest error; empty if no quantity has any."""
-    onset: float = 0.0
-    """The error of a velocity at the one step in which a force sets in or ends, if it exceeds the
-    target; else 0."""
 
     @property
     def playable(self) -> Offer:
@@ -51,10 +48,6 @@ class Setting:
             text += f", of which {self.decided_by} decided"
         if not self.verified:
             text += "; expected of its order, for a run that shows it takes too long"
-        if self.onset:
-            text += (
-                f"; velocities are off by {self.onset:.1g} at a step where a force sets in or ends"
-            )
         if self.in_real_time is None:
             return text
         return f"{text}; not in real time, in which there is {self.in_real_time}"
@@ -122,9 +115,7 @@ def _setting(found: Found, judged_by: str) -> Setting:
     offer = found.timed()
     affordable = None if offer.cost <= REAL_TIME else found.in_real_time()
     verified = found.chosen.trace is not None
-    return Setting(
-        found.target, offer, judged_by, verified, affordable, found.decided_by, found.onset
-    )
+    return Setting(found.target, offer, judged_by, verified, affordable, found.decided_by)
 
 
 def _refused(found: Found, target: float, judged_by: Message, until: Message) -> AccuracyError:

@@ -64,6 +64,8 @@ class Candidate(NamedTuple):
     """the run in which the error was measured; None if it is extrapolated by the order"""
     work: float
     """the counted work per second of the scene [s]"""
+    decided_by: str = ""
+    """the quantity with the largest error, if that was not found in the trace"""
 
     def offer(self, step: float) -> Offer:
         """Return the offer for it, given the cost of a step [s]."""
@@ -78,6 +80,13 @@ class Offers:
     """Refined runs; the first refinement is the reference for the others."""
     work: Sequence[float]
     """The counted work of a step of each [s], by which the cheapest is chosen."""
+
+    @property
+    def without_stock(self) -> "Offers":
+        """The settings that are not stock pymunk's."""
+        pairs = zip(self.refinements, self.work, strict=True)
+        left = [(found, work) for found, work in pairs if not found.traces[0].stepping.is_stock]
+        return Offers(*zip(*left, strict=True))
 
     @property
     def fine(self) -> Stepping:

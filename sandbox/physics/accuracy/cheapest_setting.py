@@ -15,10 +15,18 @@ from sandbox.model.expressions import Values
 from sandbox.model.level import HIGHEST_RATE, Level, Stepping, is_direct, may_be_direct
 from sandbox.model.schemes import unsmooth
 from sandbox.physics.accuracy.candidates import Candidate, Offer, Offers
-from sandbox.physics.accuracy.compared_runs import Stop, Watched, never, record, scaled, stride
+from sandbox.physics.accuracy.compared_runs import (
+    Stop,
+    Watched,
+    never,
+    record,
+    record_around,
+    scaled,
+    stride,
+)
 from sandbox.physics.accuracy.errors import AccuracyError
-from sandbox.physics.accuracy.event_errors import onset
-from sandbox.physics.accuracy.refinement import NEARLY, foot, furthest, step_durations
+from sandbox.physics.accuracy.event_errors import Onsets, onsets, velocities
+from sandbox.physics.accuracy.refinement import NEARLY, foot, furthest, in_step, step_durations
 from sandbox.physics.accuracy.refinement_search import FEWEST, Progress, Refiner, cost, refine
 from sandbox.physics.accuracy.richardson import ORDERS
 from sandbox.physics.guarding.rate_limits import needed
@@ -31,6 +39,9 @@ CONFIRMED = 2.0
 
 FEW = 400
 """The most steps of the first run: a long run may begin at a rate that nobody would choose."""
+
+CLOSER = 4
+"""The rate of the run that shows the errors where forces set in or end, as a multiple."""
 
 LONGEST = 4.0
 """The first rate of a long run is halved until it is no higher than this [Hz]."""
@@ -53,19 +64,7 @@ class Found:
     @property
     def decided_by(self) -> str:
         """The quantity with the largest error; empty if no quantity has any."""
-        return self.offers.decisive(self.chosen, self.wanted)
-
-    @property
-    def onset(self) -> float:
-        """The error of a velocity at the step in which a force sets in or ends.
-
-        0 if it is within the target, or if every step is observed.
-        """
-        best, rate = self.offers.refinements[0].traces[-1], self.chosen.stepping.rate
-        if stride(rate) == 1:
-            return 0.0
-        off = onset(best, self.wanted, rate).error
-        return off if off > self.target else 0.0
+        return self.chosen.decided_by or self.offers.decisive(self.chosen, self.wanted)
 
     def timed(self) -> Offer:
         """Return the setting with its cost, which is timed."""
@@ -105,12 +104,22 @@ class Seeker:
         if not refinements:
             raise AccuracyError("the level takes too long to run to search for its accuracy")
         offers = Offers(refinements, [cost(refiners, refinement) for refinement in refinements])
+        chosen = self._chosen(offers, wanted)
+        if chosen.error > self.target and chosen.stepping.is_stock:
+            others = chosen, self._chosen(offers.without_stock, wanted)
+            chosen = min(others, key=lambda found: max(found.error, self.target))
+        return Found(self.level, self.values, self.target, wanted, offers, chosen)
+
+    def _chosen(self, offers: Offers, wanted: Sequence[Watched]) -> Candidate:
+        """Return the cheapest setting of those offered, or the most accurate."""
         chosen = offers.best(self.target)
         if chosen.trace is None:
             chosen = self._confirmed(chosen, wanted)
         elif chosen.error <= self.target:
             chosen = self._refined(chosen, offers, wanted)
-        return Found(self.level, self.values, self.target, wanted, offers, chosen)
+        if chosen.error <= self.target and stride(chosen.stepping.rate) > 1:
+            return self._at_every_step(chosen, offers.refinements[0].traces[-1], wanted)
+        return chosen
 
     def _run(self, stepping: Stepping, wanted: Sequence[Watched]) -> Trace:
         return record(self.level, self.values, stepping, wanted, self.stop)
@@ -141,6 +150,48 @@ class Seeker:
             return chosen._replace(error=float("inf"))
         spare = 1 + 1 / (2 ** (NEARLY * ORDERS[chosen.stepping.scheme]) - 1)
         return chosen._replace(error=spare * furthest(here, finer, wanted)[0], trace=here)
+
+    def _at_every_step(
+        self, chosen: Candidate, best: Trace, wanted: Sequence[Watched]
+    ) -> Candidate:
+        """Return a setting that is as accurate where forces set in or end, if there is one.
+
+        These steps may not be among those that were compared, nor the first ones, in which stock
+        pymunk lets bodies fall that rest. If no rate is sufficient, the setting is returned with
+        its error there.
+        """
+        found = onsets(best, wanted, chosen.stepping.rate, self.target)
+        if chosen.stepping.is_stock:
+            found = Onsets([0.0, *found.times], velocities(best, wanted), found.rate)
+        here = self._around(chosen, found)
+        if here.error > self.target and 0 < found.rate <= HIGHEST_RATE:
+            rate = in_step(found.rate, chosen.stepping.rate)
+            times = rate / chosen.stepping.rate
+            finer = chosen._replace(stepping=chosen.stepping.at(rate), work=times * chosen.work)
+            there = self._around(finer, found)
+            return there if there.error <= self.target else here
+        return here
+
+    def _around(self, chosen: Candidate, onsets: Onsets) -> Candidate:
+        """Return a setting with its error around the times when forces set in or end."""
+        if not onsets.times:
+            return chosen
+        rate = chosen.stepping.rate
+        if (1 + CLOSER) * chosen.work * self.level.duration(self.values) > CONFIRMED * self.budget:
+            worst, item = self.target * onsets.rate / rate, onsets.items[0]
+        else:
+            run, finer = (
+                record_around(
+                    self.level, self.values, chosen.stepping.at(parts * rate),
+                    onsets.items, onsets.times, self.stop, parts,
+                )
+                for parts in (1, CLOSER)
+            )  # fmt: skip
+            off, found = furthest(run, finer, onsets.items)
+            worst, item = off * CLOSER / (CLOSER - 1), found or onsets.items[0]
+        if worst <= chosen.error:
+            return chosen
+        return chosen._replace(error=worst, decided_by=item.quantity)
 
 
 def with_scales(

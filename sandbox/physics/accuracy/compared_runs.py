@@ -164,6 +164,35 @@ def record(
     return recorder.trace
 
 
+def record_around(
+    level: Level,
+    values: Values,
+    stepping: Stepping,
+    wanted: Sequence[Watched],
+    times: Iterable[float],
+    stop: Stop = never,
+    parts: int = 1,
+) -> Trace:
+    """Run a level and record quantities at each step, or each few `parts`, around some times [s].
+
+    For the other parameters and the errors see `record`.
+    """
+    world = make_world(level, values, stepping)
+    recorder = Recorder(world, dict.fromkeys(name for item in wanted for name in _needed(item)))
+    rate, count, done = stepping.rate / parts, count_steps(world) // parts, 0
+    spans = (np.array([time - 2 / SEEN, time + 2 / SEEN]) * rate for time in times)
+    near = {
+        n for first, last in spans for n in range(max(int(first), 1), min(int(last), count) + 1)
+    }
+    for step in sorted(near):
+        if stop():
+            raise Cancelled
+        world.advance((step - done) * parts)
+        recorder.note()
+        done = step
+    return recorder.trace
+
+
 def _needed(item: Watched) -> Iterator[str]:
     """Yield the quantities to record: the quantity itself, and a coordinate's derivatives."""
     yield from needed_at(item.quantity, item.at)

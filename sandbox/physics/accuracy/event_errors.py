@@ -10,6 +10,7 @@ between which it changed.
 """
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
@@ -51,16 +52,42 @@ def timely(trace: Trace, wanted: Sequence[Watched], error: float) -> float:
     return until
 
 
-def onset(trace: Trace, wanted: Sequence[Watched], rate: float) -> Off:
-    """Return the error of a velocity at a step in which a force sets in or ends.
+class Onsets(NamedTuple):
+    """When forces set in or end."""
 
-    It is half of the change of the acceleration, seen in a finer run, times a step at a rate [Hz].
+    times: Sequence[float]
+    """the times [s]"""
+    items: Sequence[Watched]
+    """the velocities that change there, with their largest values of the whole run as scales"""
+    rate: float = 0.0
+    """the rate from which they are certainly known well enough at each step [Hz]"""
+
+
+def onsets(trace: Trace, wanted: Sequence[Watched], rate: float, error: float) -> Onsets:
+    """Return when forces set in or end so that a velocity may be off by more than an error.
+
+    At a rate [Hz] it may be off by half of the change of the acceleration, which is seen in a finer
+    run, times a step.
     """
-    velocities = {item.quantity: item for item in wanted if item.at is None}
-    found = _motions(trace, wanted)
-    named = ((velocities.get(item.rates[0]), motion) for item, motion in found if item.rates)
-    changes = ((item, motion.change / 2) for item, motion in named if item)
-    return _worst(trace, changes, rate)
+    known = {item.quantity: item for item in velocities(trace, wanted)}
+    times, items, needed = set[float](), [], 0.0
+    for place, motion in _motions(trace, wanted):
+        item = known.get(place.rates[0]) if place.rates else None
+        if item is None:
+            continue
+        rates = motion.changes / 2 / (error * scale(item.scale, 0.0))
+        found = np.flatnonzero(rates > rate)
+        if len(found):
+            times.update(((motion.t[:-1] + motion.t[1:]) / 2)[found].tolist())
+            items.append(item)
+            needed = max(needed, float(rates.max()))
+    return Onsets(sorted(times), items, needed)
+
+
+def velocities(trace: Trace, wanted: Sequence[Watched]) -> list[Watched]:
+    """Return the velocities that are watched, with their largest values in a run as scales."""
+    found = [item for item in wanted if item.at is None and "velocity" in item.quantity]
+    return [replace(item, scale=size(trace, item)) for item in found]
 
 
 def _found_late(trace: Trace, wanted: Sequence[Watched]) -> Iterator[tuple[Watched, "_Motion"]]:
@@ -73,9 +100,9 @@ def _found_late(trace: Trace, wanted: Sequence[Watched]) -> Iterator[tuple[Watch
         yield from _motions(trace, [i for i in wanted if i.quantity.partition(".")[0] not in exact])
 
 
-def _worst(trace: Trace, found: Iterator[tuple[Watched, float]], rate: float = 0.0) -> Off:
-    """Return the largest error by changes per second, in a step of the run or at a rate [Hz]."""
-    step, worst = 1 / (rate or trace.stepping.rate), Off()
+def _worst(trace: Trace, found: Iterator[tuple[Watched, float]]) -> Off:
+    """Return the largest error by changes per second, in a step of the run."""
+    step, worst = 1 / trace.stepping.rate, Off()
     for item, change in found:
         off = change * step
         worst = max(worst, Off(off / scale(size(trace, item), off), item), key=lambda o: o.error)
@@ -95,10 +122,10 @@ class _Motion(NamedTuple):
         return np.where(self._at_once, self._beyond, 0.0)
 
     @property
-    def change(self) -> float:
-        """The largest jump of the acceleration where the velocity does not jump."""
+    def changes(self) -> Array:
+        """The jumps of the acceleration between observations where the velocity does not jump."""
         sharp = np.logical_and(jumps(self.acceleration), np.logical_not(self._at_once))
-        return float(np.abs(np.diff(self.acceleration))[sharp].max(initial=0.0))
+        return np.where(sharp, np.abs(np.diff(self.acceleration)), 0.0)
 
     @property
     def _pushed(self) -> Array:

@@ -259,11 +259,11 @@ def answer(scene: Level, values: Values) -> tuple[object, ...]:
         found = calibrate(scene, values, 1e-3)
     except AccuracyError as error:
         return (str(error).partition("foretold")[2],)
-    return found.chosen.stepping, found.chosen.error, found.judged_by, found.decided_by, found.onset
+    return found.chosen.stepping, found.chosen.error, found.judged_by, found.decided_by
 
 
 @pytest.mark.sweep
-def test_that_velocities_are_off_where_a_force_sets_in_is_told() -> None:
+def test_a_velocity_counts_at_the_step_where_a_force_sets_in() -> None:
     """A block breaks loose within a step that is not compared; the velocity there is off."""
     scene = catalog_level("newton/breaking-loose")
     values = {"mu_s": 0.7343, "mu_k": 0.1731, "mass": 3.287, "pull": 2.017, "g": 9.454}
@@ -274,9 +274,41 @@ def test_that_velocities_are_off_where_a_force_sets_in_is_told() -> None:
     pairs = zip(run.columns[name], best.columns[name][::8], strict=False)
     off = np.sort([abs(a - b) for a, b in pairs]) / np.abs(best.columns[name]).max()
 
-    assert setting.chosen.error < 1e-5
-    assert off[-3] < 1e-5 < 1e-4 < off[-1] <= setting.onset
-    assert "at a step where a force sets in or ends" in str(setting)
+    assert off[-3] < 1e-5 < 1e-4 < off[-1] <= setting.chosen.error <= 1e-3
+    assert setting.decided_by == name
+
+
+@pytest.mark.sweep
+@pytest.mark.parametrize(
+    "values",
+    [
+        {"mu_s": 0.4788, "mu_k": 0.0312, "mass": 3.825, "pull": 9.014, "g": 10.235},
+        {"mu_s": 0.6738, "mu_k": 0.2327, "mass": 1.374, "pull": 6.833, "g": 7.2},
+        {"mu_s": 0.7451, "mu_k": 0.2783, "mass": 3.272, "pull": 8.304, "g": 6.745},
+    ],
+)
+def test_an_accuracy_that_does_not_hold_where_a_force_sets_in_is_refused(values: Values) -> None:
+    """The error there was not counted, and was up to 100 times as large as the estimate."""
+    with pytest.raises(AccuracyError, match=r"of which block\.velocity\.x decided"):
+        calibrate(catalog_level("newton/breaking-loose"), values, 1e-6)
+
+
+@pytest.mark.sweep
+def test_the_first_steps_of_stock_pymunk_count() -> None:
+    """Bodies that rest fall in its first step: 1.2e-2 off at 960 Hz, where 9.1e-4 was told."""
+    values = {"angle": 13.69, "r": 0.3476, "mass": 60.88, "g": 20.41}
+    setting = calibrate(catalog_level("rotation/race"), values, 1e-3)
+
+    assert not setting.chosen.stepping.is_stock
+    assert setting.chosen.error < 1e-12
+
+
+@pytest.mark.sweep
+def test_an_acceleration_that_only_varies_fast_is_no_force_that_sets_in() -> None:
+    """On this helix velocities were told to be off by 0.02, and are off by 5e-7."""
+    values = {"height": 2.685, "mass": 0.3278, "g": 20.74}
+
+    assert calibrate(catalog_level("energy/helix"), values, 1e-6).chosen.error <= 1e-6
 
 
 @pytest.mark.sweep

@@ -41,7 +41,8 @@ def on_side(both: Both, own: int, side: int, corner: int) -> Spot:
     owner, guest = both[own], both[1 - own]
     normal = owner.normals[side]
     tip = guest.corners[corner] - normal * guest.rounding
-    return Spot(own, normal, tip, owner.seen(guest, side)[corner].real)
+    way = (guest.corners[corner] - owner.corners[side]) * normal.conjugate()
+    return Spot(own, normal, tip, way.real - (owner.rounding + guest.rounding))
 
 
 def within(ended: Both) -> Iterator[tuple[int, int, int]]:

@@ -64,15 +64,18 @@ class Met(NamedTuple):
         The corners that land on a side of a body which theirs already touches.
     passing
         The contacts that pass the end of a side, if nothing lands.
-    landings
-        All pairs that would land in the drift, if the others did not.
+    coming
+        All pairs of bodies that meet in the drift, these and those that follow.
+    falling
+        The pairs of which a corner lands in the drift.
     """
 
     time: float
     hits: Sequence[Hit]
     corners: Sequence[AnyCorner]
     passing: Sequence[Passing]
-    landings: Sequence[Pair]
+    coming: Sequence[Pair]
+    falling: Sequence[Pair]
 
     @property
     def again(self) -> Ahead:
@@ -137,11 +140,11 @@ class Meetings:
             return None
         last = first + TOGETHER * longest
         falling = [one.pair for one, time in zip(corners, falls, strict=True) if time < longest]
-        landings = [*sorted({hit.bodies for hit in hits}), *falling]
+        coming = sorted({hit.bodies for hit in hits})
         hits = [hit for hit in hits if hit.time <= last]
         down = [corner for corner, time in zip(corners, falls, strict=True) if time <= last]
         gone = [one for one, time in zip(passing, passes, strict=True) if time <= last]
-        return Met(first, hits, down, [] if hits or down else gone, landings)
+        return Met(first, hits, down, [] if hits or down else gone, coming, falling)
 
     def beside(self, ended: Part, begun: Array, met: Met, pairs: Sequence[Pair]) -> Contacts:
         """Return the contacts with bodies beside the ends of sides that others pass.

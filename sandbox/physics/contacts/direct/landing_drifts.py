@@ -17,6 +17,7 @@ Bodies that take no part in a landing go on as they were.
 """
 
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import replace
 
 import numpy as np
@@ -28,17 +29,17 @@ from sandbox.physics.contacts.direct.constraint_impulses import hold
 from sandbox.physics.contacts.direct.constraint_rows import Active
 from sandbox.physics.contacts.direct.convex_parts import Pair
 from sandbox.physics.contacts.direct.crowds import crowd, moving
-from sandbox.physics.contacts.direct.drift_meetings import SOON, TOGETHER, Meetings, Met
+from sandbox.physics.contacts.direct.drift_meetings import SOON, Meetings, Met
 from sandbox.physics.contacts.direct.drift_parts import Part, around, concerned, others_of
 from sandbox.physics.contacts.direct.kick_builder import KickBuilder
 from sandbox.physics.contacts.direct.kick_parts import Stage
 from sandbox.physics.contacts.direct.kick_system import Kick
 from sandbox.physics.contacts.direct.landing_record import LandingRecord
+from sandbox.physics.contacts.direct.landing_times import until_first
 from sandbox.physics.contacts.direct.slip_stops import slip_ends, until_it_stops
 from sandbox.physics.contacts.direct.speculative_contacts import SpeculativeContacts
 from sandbox.physics.contacts.direct.warm_start import recalled
 from sandbox.physics.engine.batch import NO_CONTACTS, Booleans
-from sandbox.physics.geometry.roots import secant
 from sandbox.physics.joints.exact.constraints import order
 from sandbox.physics.state.errors import JointFailure, NoForces
 
@@ -59,8 +60,9 @@ STOPS = 2
 AGAIN = 4
 """The most times that a drift is followed anew, since more bodies take part in it."""
 
-REFINED = 6
-"""The most refinements of a landing's time: the forces of joints depend on it."""
+
+class _Late(Exception):  # noqa: N818 (no error: the drift is followed once more)
+    """Somebody takes part in a landing who should have been followed from the first one on."""
 
 
 class Landings:
@@ -95,7 +97,8 @@ class Landings:
         self._driven, self._stopped = driven, stopped
         self._meetings = Meetings(speculative, laws)
         count = len(laws) // 3 - 1
-        self._order, self._whole = order(count), 0.0
+        self._order, self._anew = order(count), True
+        self._whole: Part  # the drift
         self.crowd: Booleans = np.zeros(count, dtype=bool)
         self._begin(np.zeros(count, dtype=bool))
 
@@ -103,17 +106,16 @@ class Landings:
         """Return the parts of the drift after a kick: the drift itself if nothing lands.
 
         Whoever takes part in a later landing has to be followed from the first one on, where other
-        bodies press on it. So then the drift is followed once more.
+        bodies press on it. So then the drift is followed once more from its start.
         """
-        joints, kick, self._whole = whole.kick.joints, whole.kick.joints.kick, whole.drift
+        joints, kick, self._whole = whole.kick.joints, whole.kick.joints.kick, whole
         try:
-            parts = self._parts(whole)
             for _ in range(AGAIN):
-                if not self._is_late(whole):
-                    break
-                self._begin(self.reached)
-                parts = self._parts(whole)
-            return parts
+                with suppress(_Late):
+                    return self._parts(whole)
+                self._begin(self.reached | around(whole.kick, self._near))
+            self._anew = False
+            return self._parts(whole)
         finally:
             joints.time(kick, whole.drift)
 
@@ -122,14 +124,19 @@ class Landings:
         self.reached = reached
         self._stops = 0  # the ends of slips that were located
         self._early: Booleans | None = None  # who takes part from the first landing on
+        self._near: list[Pair] = []  # who might take part
         self.record = LandingRecord(len(reached))
 
-    def _is_late(self, whole: Part) -> bool:
-        """Return whether bodies take part that press on others, but not from the first landing."""
-        if self._early is None:
-            return False
-        late = self.reached & ~self._early
-        return bool(late.any() and whole.forces[concerned(whole.kick, late)].any())
+    def _take_in(self, bodies: Booleans) -> None:
+        """Note who takes part: (n,).
+
+        Raises `_Late` if some press on others, but did not take part from the first landing on.
+        """
+        self.reached = self.reached | bodies
+        if self._early is not None and self._anew:
+            late, whole = self.reached & ~self._early, self._whole
+            if np.count_nonzero(whole.forces[concerned(whole.kick, late)]):
+                raise _Late
 
     def _parts(self, whole: Part) -> list[Part]:
         """Return the parts of a drift."""
@@ -158,30 +165,30 @@ class Landings:
 
     def _cut(self, part: Part) -> tuple[Part, Part] | None:
         """Return a part up to its first landing, and the rest of it; None if nothing lands."""
-        kick, known = part.kick, self.reached
+        kick, known = part.kick, (self.reached, self._early)
         stopped = self._until_it_stops(part)
         kick.joints.time(part.drift, part.drift)
         seen = stopped or part
         ahead = self._meetings.ahead(seen, self._is_calm)
+        self._near += ahead.pairs
         met = self._meetings.first(seen, seen.drift, ahead) if any(ahead) else None
         sunk = self._sunk(seen)
         if not (met or stopped or sunk) or (met and self._is_crowd(part, met)):
             return None
-        self.reached = self.reached | around(kick, [*(met.pairs if met else ()), *sunk])
+        self._take_in(around(kick, [*(met.pairs if met else ()), *sunk]))
+        self._early = self.reached if self._early is None else self._early
         try:
             if met:
-                seen, met = self._until_it_meets(seen, met)
+                seen, met = until_first(seen, met, self._meetings, self._shortened)
             elif stopped:
                 self._stops += 1
             seen, met = self._kept(part, seen, met)
-            if self._early is None:
-                self._early = self.reached
             left = part.drift - seen.drift
             if met and met.passing:
                 return seen, self._pass(seen, left, met, ahead.pairs)
             return seen, self._land(seen, left, met, ahead.pairs)
         except (JointFailure, NoForces):
-            self.reached = known  # it is found where the drift ends
+            self.reached, self._early = known  # it is found where the drift ends
             return None
 
     def _until_it_stops(self, part: Part) -> Part | None:
@@ -201,32 +208,16 @@ class Landings:
 
         They are then left to `crowds.stopped`.
         """
-        if part.left < self._whole or self._stopped.any():
+        if part.left < self._whole.drift or self._stopped.any():
             return False
         dull = self._speculative.dull
-        self.crowd = crowd(part.kick, [pair for pair in met.landings if dull[pair]])
+        lands = [pair for pair in (*met.coming, *met.falling) if dull[pair]]
+        self.crowd = crowd(part.kick, lands)
         return bool(self.crowd.any())
-
-    def _until_it_meets(self, part: Part, met: Met) -> tuple[Part, Met]:
-        """Return a part that ends with its first landing, and that landing.
-
-        The time of the landing depends on the length for which the part is solved. The secant
-        method finds where the two are equal.
-        """
-        shorter, known = part, (part.drift, part.drift - met.time)
-        for _ in range(REFINED):
-            shorter = self._shortened(part, met.time, shorter)
-            again = self._meetings.first(shorter, part.drift, met.again)
-            if again is None or abs(again.time - met.time) <= TOGETHER * part.drift:
-                break
-            tried = met.time, met.time - again.time
-            met = again._replace(time=secant(known, tried, again.time, part.drift))
-            known = tried
-        return shorter, met
 
     def _sunk(self, part: Part) -> list[Pair]:
         """Return the pairs of bodies because of which a part is divided."""
-        if part.drift <= LEAST * self._whole:
+        if part.drift <= LEAST * self._whole.drift:
             return []
         return part.sunk
 
@@ -261,7 +252,7 @@ class Landings:
         known = shorter.kick.contacts_at(place).and_(rest)
         kick = self._build.anew(place, known.and_(down), lengths)
         forces, active = recalled(shorter.kick, shorter.forces, shorter.active, kick)
-        self.reached = self.reached | around(kick, down.and_(rest).bodies.tolist())
+        self._take_in(around(kick, down.and_(rest).bodies.tolist()))
         part = shorter._replace(kick=kick, forces=forces, active=active)
         struck = kick.layout.touching.pair >= len(kick.contacts.bodies) - len(down.bodies)
         begun, stages = self._struck(part, struck) if met else self._arrived(part, struck)[1:]
@@ -279,7 +270,7 @@ class Landings:
         after, at_ends = ends.after(ended.kick, met.passing, begun)
         known = shorter.kick.contacts_at(place, [one.contact for one in met.passing])
         kick = self._build.anew(place, known.and_(beside).and_(after), lengths, at_ends)
-        self.reached = self.reached | around(kick, beside.bodies.tolist())
+        self._take_in(around(kick, beside.bodies.tolist()))
         forces, active = recalled(shorter.kick, shorter.forces, shorter.active, kick)
         part = Part(kick, left, left, begun, left / 2, forces, active, begun, stages)
         return self._closed(self._solved(part, left, left / 2))
@@ -304,7 +295,8 @@ class Landings:
         begun, pushes, pairs = impacts.bounce(some, came, struck, part.active)
         stages = *before, Stage.of(part.kick, 0.0, begun[self._order], pushes)
         landed = part.kick.layout.touching.pair[struck]
-        self.record.note(pairs, self._whole - part.left + part.drift, stages[1].contacts, landed)
+        time = self._whole.drift - part.left + part.drift
+        self.record.note(pairs, time, stages[1].contacts, landed)
         return begun, stages
 
     def _solved(self, part: Part, drift: float, lasts: float) -> Part:

@@ -130,12 +130,15 @@ def poured(scene: Level, seconds: float) -> tuple[float, Closer]:
 
 
 @pytest.mark.sweep
-@pytest.mark.parametrize("scene", [funnel(60), funnel(240), bin_of_discs(60)])
+@pytest.mark.parametrize("scene", [funnel(60), funnel(240), funnel(241), bin_of_discs(60)])
 def test_what_lands_after_the_last_located_landing_does_not_overlap(scene: Level) -> None:
-    """They were 49, 11 and 16 mm deep; now 1e-9, 3.9e-5 and 2.2e-5 m."""
+    """They were up to 49 mm deep; now at most 6e-9 m.
+
+    Two of them were 4e-7 and 7e-7 m deep where another pair turned out to be the first to land.
+    """
     deepest, books = poured(scene, 1.0)
 
-    assert deepest <= 1e-4
+    assert deepest <= 1e-7
     assert abs(books.closing.unexplained) <= 4e-3 * books.closing.turned
 
 
