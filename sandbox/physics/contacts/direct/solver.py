@@ -285,7 +285,7 @@ class Direct:
         parts = landings.follow(whole)
         if landings.crowd.any():
             self._stop(whole.kick, crowd := landings.crowd | calm)
-            return None if crowd[self._moves].all() else self._land(until, crowd)
+            return None if calm[self._moves].all() else self._land(until, crowd)
         if len(parts) == 1:
             return None
         last, start = parts[-1], self._batch.state()[:, :3]

@@ -133,13 +133,16 @@ class SpeculativeContacts:
         return [corner for corner, is_new in zip(found, new, strict=True) if is_new]
 
     def _down(self, pair: Pair, here: Placed, there: Placed) -> Iterator[AnyCorner]:
-        """Yield the corners of two bodies that come down between two placements."""
+        """Yield the corners of two bodies that come down between two placements.
+
+        A side that has landed flat touches with one corner only. The other one is then as deep.
+        """
         if self._hollows.pairs[pair]:
             yield from self._hollows.corners(pair, here.place, there.place)
             return
         for parts in self._shapes.close(pair, there):
             for down in within(there.both(pair, parts)):
-                if on_side(here.both(pair, parts), *down).gap > 0:
+                if on_side(here.both(pair, parts), *down).gap > -LEAST:
                     yield Corner(pair, parts, *down)
 
     def ahead(self, kick: Kick, motion: Array, some: Booleans) -> Contacts:
