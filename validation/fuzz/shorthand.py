@@ -1,6 +1,7 @@
 """Random levels, some of them with parts in shorthand: repeats, groups and copies of them."""
 
 from collections.abc import Sequence
+from copy import deepcopy
 from random import Random
 from typing import Any
 
@@ -77,4 +78,4 @@ def _repeat(random: Random, part: Any, key: Any) -> None:  # noqa: ANN401 (whate
 def _bounds(random: Random) -> Document:
     """Return the indices of a repeat."""
     names = random.choice((("i",), ("i",), ("i", "j"), ("j", "i"), ("i", "j", "k"), ("p",)))
-    return {name: random.choice(BOUNDS) for name in names}
+    return {name: deepcopy(random.choice(BOUNDS)) for name in names}
