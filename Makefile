@@ -31,7 +31,7 @@ UNFINISHED := $(VENV)/.unfinished
 
 .DEFAULT_GOAL := help
 .NOTPARALLEL:
-.PHONY: help run test sweep lint check-levels pytest validate quick fuzz soak faults lock audit packages report format docs pictures texts site clean
+.PHONY: help run test sweep lint check-levels pytest validate quick fuzz bits soak faults lock audit packages report format docs pictures texts site clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "make %-13s %s\n", $$1, $$2}' Makefile
@@ -85,6 +85,9 @@ packages: $(FOR_TEST) ## wheel and sources, installed bare on every Python found
 
 report: $(FOR_TEST) ## all of the validation as one page, out/report/report.html: some minutes
 	$(HEADLESS) $(PY) -m validation report --output out/report
+
+bits: $(FOR_TEST) ## write states of a few levels anew, which machines of a kind must find to the bit
+	$(HEADLESS) $(PY) -m tests.levels.bits
 
 format: $(FOR_TEST) ## put the code into the project's format
 	$(PY) -m ruff check --fix .

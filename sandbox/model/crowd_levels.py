@@ -1,7 +1,7 @@
 """Generated levels of many bodies, to measure how a step's cost grows with their number."""
 
 from collections.abc import Callable, Mapping, Sequence
-from math import ceil, cos, pi, sin, sqrt
+from math import ceil, cos, fsum, pi, sin, sqrt
 from typing import Any, NamedTuple
 
 from sandbox.model.body import MAX_BODIES
@@ -43,7 +43,7 @@ def gas(count: int) -> Document:
         place = (round((i % columns + 0.5) * apart, 6), round((i // columns + 0.5) * apart, 6))
         disc = _disc(place, velocity=[round(cos(turn), 6), round(sin(turn), 6)], restitution=1)
         discs[f"disc{i + 1}"] = disc
-    energy = sum(v[0] ** 2 + v[1] ** 2 for v in (d["velocity"] for d in discs.values())) / 2
+    energy = fsum(v[0] ** 2 + v[1] ** 2 for v in (d["velocity"] for d in discs.values())) / 2
     corners: list[list[float]] = [[0, 0], [side, 0], [side, side], [0, side], [0, 0]]
     return _level(
         f"A gas of {count} discs",
@@ -114,7 +114,7 @@ def cluster(count: int) -> Document:
         place = (round(out * cos(turn), 6), round(out * sin(turn), 6))
         discs[f"disc{i + 1}"] = _disc(place)
     size = sqrt(count + 0.5)
-    middle = sum(disc["position"][0] for disc in discs.values()) / count
+    middle = fsum(disc["position"][0] for disc in discs.values()) / count
     return _level(
         f"A cluster of {count} bodies",
         "Bodies that attract each other. Their centre of mass stays where it is.",

@@ -3,6 +3,7 @@
 from cmath import rect
 from collections.abc import Mapping
 from itertools import pairwise
+from math import fsum
 from typing import cast
 
 from sandbox.model.body import Body
@@ -25,4 +26,4 @@ def place(end: End, bodies: Mapping[str, Body], values: Values) -> complex:
 def span(joint: Joint, bodies: Mapping[str, Body], values: Values) -> float:
     """Return the distance between a joint's ends at the start [m]."""
     path = [place(end, bodies, values) for end in points(joint)]
-    return sum(abs(b - a) for a, b in pairwise(path))
+    return fsum(abs(b - a) for a, b in pairwise(path))

@@ -12,7 +12,7 @@ import typer
 from sandbox.model import catalog
 from sandbox.model.errors import SandboxError
 from sandbox.model.loading import load
-from sandbox.physics.measuring.recording import count_steps
+from sandbox.physics.measuring.recording import Recorder, count_steps
 from sandbox.physics.run import build
 from tests.endurance.memory import held
 
@@ -21,6 +21,9 @@ USED = (
     "lagrange/simple-pendulum", "lagrange/double-pendulum", "rotation/rolling",
     "momentum/cradle", "momentum/bouncing-ball", "energy/kepler-ellipse", "machines/car-over-bumps",
 )  # fmt: skip
+BOOKS = ("system.energy", "system.unexplained_energy")
+"""What is recorded: the energy, and the ledger."""
+
 STRIDE = 10
 """Steps from one that is looked at to the next."""
 
@@ -48,31 +51,48 @@ class Run:
         return slower <= SLOWER and self.memory[-1] - self.memory[0] <= LEAK
 
 
-def play(name: str, steps: int) -> Run:
-    """Take a number of steps of a level, restarting it again and again."""
-    level, found = load(catalog.find(name)), Run([], [], 1)
-    world = build(level)
-    whole = count_steps(world)
+class Playing:
+    """A level that is restarted again and again; if recorded, every step is, with its energies."""
+
+    def __init__(self, name: str, *, recorded: bool) -> None:
+        self.level, self._recorded, self.runs = load(catalog.find(name)), recorded, 0
+        self.stride = 1 if recorded else STRIDE
+        self._begin()
+
+    def _begin(self) -> None:
+        self._world, self.runs = build(self.level), self.runs + 1
+        self._recorder = Recorder(self._world, BOOKS) if self._recorded else None
+
+    def go_on(self) -> None:
+        """Take some steps, and begin anew where the level has ended or had to stop."""
+        try:
+            self._world.advance(self.stride)
+            if self._recorder:
+                self._recorder.note()
+        except SandboxError:
+            self._begin()
+        if self._world.steps >= count_steps(self._world):
+            self._begin()
+
+
+def play(name: str, steps: int, *, recorded: bool) -> Run:
+    """Take a number of steps of a level."""
+    playing, found = Playing(name, recorded=recorded), Run([], [], 1)
     for _ in range(PARTS):
         begun = process_time()
-        for _ in range(steps // PARTS // STRIDE):
-            try:
-                world.advance(STRIDE)
-                over = world.steps >= whole
-            except SandboxError:
-                over = True
-            if over:
-                world, found.runs = build(level), found.runs + 1
+        for _ in range(steps // PARTS // playing.stride):
+            playing.go_on()
         found.seconds.append((process_time() - begun) / (steps // PARTS))
         found.memory.append(held())
+    found.runs = playing.runs
     return found
 
 
-def main(steps: int = 10_000_000) -> None:
+def main(steps: int = 10_000_000, recorded: bool = False) -> None:
     """Take a number of steps in all, and report the trends of time and memory."""
     sound = True
     for name in USED:
-        found = play(name, steps // len(USED))
+        found = play(name, steps // len(USED), recorded=recorded)
         sound &= found.sound
         micro = ", ".join(f"{1e6 * s:.0f}" for s in found.seconds)
         grown = found.memory[-1] - found.memory[0]

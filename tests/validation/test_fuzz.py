@@ -15,7 +15,8 @@ from typer.testing import CliRunner
 from sandbox.model.effects import Effects
 from sandbox.model.errors import SandboxError
 from sandbox.model.joints import Joint
-from sandbox.model.level import Level
+from sandbox.model.schema import schema
+from sandbox.model.shorthand.repeating import REPEAT
 from tests.elsewhere import python
 from tests.model.levels import bare, hanging
 from validation.cli import app
@@ -24,6 +25,7 @@ from validation.fuzz.command import Findings, made
 from validation.fuzz.explorer import Choices
 from validation.fuzz.grammar import Grammar
 from validation.fuzz.guided import guided
+from validation.fuzz.mutation import places
 from validation.fuzz.repair import mended
 from validation.fuzz.shrinking import shrunk
 from validation.fuzz.trial import (
@@ -59,16 +61,27 @@ def test_every_effect_and_joint_that_the_schema_declares_is_tried() -> None:
 
 
 def test_every_part_of_a_level_is_tried() -> None:
-    drawn = list(levels(120))
+    drawn = list(levels(240))
     events = [event for level in drawn for event in level.get("events", {}).values()]
 
-    assert set().union(*drawn) == Level.model_fields.keys() - {"schema_"}
+    assert set().union(*drawn) == schema()["properties"].keys() - {"$schema"}
     assert {"j1", "j2"} <= {joint for event in events for joint in event.get("cut", ())}
     assert Effects.model_fields.keys() & {name for event in events for name in event.get("off", ())}
 
 
+def test_shorthand_is_tried() -> None:
+    holders = [holder for level in levels(120) for holder, key in places(level) if key == REPEAT]
+    copies = [copy for level in levels(120) for copy in level["bodies"].values() if "copy" in copy]
+
+    assert any("each" in holder for holder in holders), "members that are not objects"
+    assert any("type" in holder for holder in holders), "joints or shapes"
+    assert {"g"} == {copy["copy"] for copy in copies}
+
+
 def test_the_same_number_is_the_same_level() -> None:
-    assert [made(1, number) for number in range(6)] == [made(1, number) for number in range(6)]
+    first = [json.dumps(made(1, number)) for number in range(80)]
+
+    assert first == [json.dumps(made(1, number)) for number in range(80)]
     assert made(1, 0) != made(2, 0)
 
 

@@ -17,10 +17,9 @@ import typer
 from sandbox.model.files import check_writable, folder_of_files, write_atomically
 from validation import output
 from validation.environment import environment
-from validation.fuzz.grammar import Grammar
 from validation.fuzz.guided import available, guided
-from validation.fuzz.mutation import mutated
 from validation.fuzz.repair import answered
+from validation.fuzz.shorthand import drawn_level
 from validation.fuzz.shrinking import shrunk
 from validation.fuzz.trial import Trial, Tried
 
@@ -44,7 +43,7 @@ class Findings:
 def made(seed: int, number: int) -> dict[str, Any]:
     """Return a level that depends only on the seed and the number."""
     random = Random(f"{seed}-{number}")
-    return mutated(random) if number % 2 else Grammar(random).level()
+    return drawn_level(random, changed=bool(number % 2))
 
 
 def drawn(seed: int, trial: Trial) -> Generator[Tried]:

@@ -44,9 +44,8 @@ def main() -> None:
     atheris = importlib.import_module("atheris")
     with atheris.instrument_imports(include=["sandbox"]):
         from validation.fuzz import trial
-        from validation.fuzz.grammar import Grammar
-        from validation.fuzz.mutation import mutated
         from validation.fuzz.repair import answered
+        from validation.fuzz.shorthand import drawn_level
     trial.load_libraries()
     numbers = count()
 
@@ -58,7 +57,7 @@ def main() -> None:
 
     def explore(data: bytes) -> None:
         choices = Choices(data)
-        level = mutated(choices) if choices.random() < 0.5 else Grammar(choices).level()
+        level = drawn_level(choices, changed=choices.random() < 0.5)
         for _ in answered(level, partial(attempt, next(numbers))):
             pass
 

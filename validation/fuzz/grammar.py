@@ -58,10 +58,7 @@ class Grammar:
         fields: Mapping[str, Part] = self._schema["properties"]
         random = self._random
         made: dict[str, Any] = {"format": 1, "title": "fuzz"}
-        made["parameters"] = {
-            name: {"value": 1, "min": random.choice((0.5, 1, -1, 0)), "max": random.choice((1, 2))}
-            for name in ("p", "q")
-        }
+        made["parameters"] = {name: self._parameter(fields["parameters"]) for name in ("p", "q")}
         made["bodies"] = {name: self._of_mapping(fields["bodies"]) for name in self._bodies}
         made["effects"] = self.value(fields["effects"])
         made["joints"] = {name: self._of_mapping(fields["joints"]) for name in self._joints}
@@ -69,6 +66,14 @@ class Grammar:
             if name not in made and name != "$schema" and random.random() < RARE:
                 made[name] = self.value(field)
         return made
+
+    def _parameter(self, part: Part) -> dict[str, Any]:
+        """Return a parameter, most likely with a default value inside its limits."""
+        random, drawn = self._random, self._of_mapping(part)
+        if random.random() < WILD:
+            return dict(drawn)
+        limits = {"min": random.choice((0.5, 1, -1, 0)), "max": random.choice((1, 2))}
+        return {**drawn, "value": 1, **limits}
 
     def value(self, part: Part) -> Any:  # noqa: ANN401 (whatever JSON holds)
         """Return a value that a part of the schema allows, or almost."""

@@ -50,10 +50,10 @@ class Drafts:
         return Draft(level.text, draft.path, level.text.encode())  # the file has mistakes now
 
     def add(self, draft: Draft) -> None:
-        """Keep a draft, and drop others that have a file and no edits."""
+        """Keep a draft, and drop others that nobody has edited."""
         for other in [other for other in self._kept if other is not draft]:
             other.rest()
-            if other.path is not None and not other.touched:
+            if not other.touched:
                 self._kept.pop(other).forget()
         self._kept[draft] = self._kept.pop(draft, Recovery())  # the latest last
         self.outside, self._since = False, OFTEN

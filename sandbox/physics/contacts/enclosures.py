@@ -54,9 +54,10 @@ class Enclosures:
             if not (isinstance(hoop, Arc) and isinstance(self._made[name].spec.shape, Hoop)):
                 continue
             middle, others = _place(self._bodies[name], hoop.center), self._made.keys() - {name}
-            within = [o for o in others if self._reach(o, middle) < hoop.radius * (1 + NEAR)]
-            outside = [o for o in others if self._distance(o, middle) > hoop.radius * (1 - NEAR)]
-            for pair in product(within, outside):
+            within = {o for o in others if self._reach(o, middle) < hoop.radius * (1 + NEAR)}
+            outside = {o for o in others if self._distance(o, middle) > hoop.radius * (1 - NEAR)}
+            # a hoop of the same size around the same point is on neither side
+            for pair in product(within - outside, outside - within):
                 if any(self._made[one].moves for one in pair):
                     yield min(pair), max(pair)
 

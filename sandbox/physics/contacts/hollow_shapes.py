@@ -111,11 +111,12 @@ def _pairs(level: Level, values: Values, made: Mapping[str, Made]) -> list[tuple
     effects = level.effects
     sticky = {frozenset(p.bodies) for p in effects.sticking.pairs} if effects.sticking else set()
     located = effects.contact and effects.contact.located
+    moving = {name: body for name, body in made.items() if body.moves}
     for name, hollow in made.items():
         if not isinstance(hollow.spec.shape, ArcShape | Hoop | CurveShape):
             continue
-        for other, body in made.items():
-            if other == name or not (hollow.moves or body.moves):
+        for other, body in (made if hollow.moves else moving).items():
+            if other == name:
                 continue
             if isinstance(hollow.spec.shape, Hoop):
                 radius = hollow.spec.shape.radius(values)

@@ -6,6 +6,9 @@ are neighbours, as the segments of a polyline are: no ball trips over the joint.
 
 from cmath import rect
 from collections.abc import Iterator, Mapping, Sequence
+from itertools import chain, groupby
+from math import floor
+from operator import itemgetter
 from typing import NamedTuple
 
 import pymunk
@@ -45,11 +48,12 @@ def make_ends(
         for name, line in lines.items()
         for end in _round_ends(made[name], line, values, skin)
     ]
-    ends = [*straight, *(end for end, _ in rounds)]
-    for own in {end.made.row: end.made for end in straight}.values():
-        _join(own, [end for end in straight if end.made is own], ends[len(straight) :])
+    curved = [end for end, _ in rounds]
+    every, curves = _Places([*straight, *curved]), _Places(curved)
+    for _, own in groupby(straight, key=lambda end: end.made.row):
+        _join(list(own), curves)
     for end, line in rounds:
-        onwards = next((-other.onwards for other in ends if _meets(end, other)), 0j)
+        onwards = next((-other.onwards for other in every.meeting(end)), 0j)
         if dot(onwards, end.onwards) > 1 - TANGENT:
             continue
         turned = complex(*end.made.body.rotation_vector)
@@ -62,6 +66,26 @@ def make_ends(
             feeler = make_feeler(cap, center, end.half + FELT * arc.radius)
             core = tuple(end.made.points[i] for i in (0, len(end.made.points) // 2, -1))
             yield feeler, Piece(end.made.row, core, end.half, arc, *ways, corner=center)
+
+
+class _Places:
+    """Ends of lines by their places: thousands are not all compared with each other."""
+
+    def __init__(self, ends: Sequence[_End]) -> None:
+        self._cells: dict[tuple[int, int], list[tuple[int, _End]]] = {}
+        for number, end in enumerate(ends):
+            self._cells.setdefault(_cell(end.place), []).append((number, end))
+
+    def meeting(self, end: _End) -> Iterator[_End]:
+        """Yield the ends at which a line joins that of `end`, in their order."""
+        x, y = _cell(end.place)
+        around = ((x + i, y + k) for i in (-1, 0, 1) for k in (-1, 0, 1))
+        near = chain.from_iterable(self._cells.get(cell, ()) for cell in around)
+        return (other for _, other in sorted(near, key=itemgetter(0)) if _meets(end, other))
+
+
+def _cell(place: complex) -> tuple[int, int]:
+    return floor(place.real / MET), floor(place.imag / MET)
 
 
 def _meets(end: _End, other: _End) -> bool:
@@ -99,13 +123,14 @@ def _line_ends(body: Made, values: Values, skin: float) -> Iterator[_End]:
         yield _End(at, (at - before) / abs(at - before), half, body, index == 0)
 
 
-def _join(line: Made, ends: Sequence[_End], arcs: Sequence[_End]) -> None:
+def _join(ends: Sequence[_End], arcs: _Places) -> None:
     """Give the end segments of a line the directions of the arcs and curves that join there."""
+    line = ends[0].made
     points, turned = line.points, complex(*line.body.rotation_vector)
     corners = [points[0], *points, points[-1]]
     joined = False
     for end in ends:
-        for arc in (arc for arc in arcs if _meets(end, arc)):
+        for arc in arcs.meeting(end):
             joined, beyond = True, -arc.onwards / turned
             corners[0 if end.first else -1] += beyond
     for index, shape in enumerate(line.shapes if joined else ()):

@@ -6,13 +6,14 @@ of explicit Euler. For that, a motor without strength has its callback there. Th
 joints are solved at the end of the step, after pymunk's. A level that needs neither has no hook.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from contextvars import copy_context
 from time import perf_counter
 
 import numpy as np
 import pymunk
 
+from sandbox.physics.engine.blas_threads import in_one_thread
 from sandbox.physics.state.kick import Kick, Work
 
 
@@ -37,8 +38,8 @@ class Hook:
         self.count = bool(before_kick) + bool(after_solve)
         self._before, self._after = _in_turn(before_kick), _in_turn(after_solve)
         with np.errstate(all="ignore"):  # values that are not finite end the run elsewhere
-            self._quiet = copy_context()  # entering it takes a tenth of the time of `errstate`
-        self._call: Callable[[Work, Kick], None] = self._quiet.run
+            quiet = copy_context()  # entering it takes a tenth of the time of `errstate`
+        self._call = self._run = in_one_thread(quiet.run, len(space.bodies))
         if before_kick:
             motor = pymunk.SimpleMotor(space.static_body, body, 0.0)
             motor.max_force = 0.0
@@ -64,7 +65,7 @@ class Hook:
 
     def _timing(self, work: Work, kick: Kick) -> None:
         start = perf_counter()
-        self._quiet.run(work, kick)
+        self._run(work, kick)
         self.seconds += perf_counter() - start
 
 

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from math import sqrt
 from typing import NamedTuple
 
-from sandbox.physics.geometry.distance import dot
+from sandbox.physics.geometry.distance import dot, mean
 from sandbox.physics.geometry.plane_curve import Side
 
 Placed = tuple[complex, complex]
@@ -178,7 +178,7 @@ def _at_side(side: Piece, other: Piece, at: Placed, there: Placed) -> Verdict:
     if other.corner is None and other.away:
         return False  # its feeler touches instead
     if other.corner is not None:
-        middle = put(there, _mean(other.core)) - center
+        middle = put(there, mean(other.core)) - center
         comes = _leaves(arc, middle, way, at[1])
         if not comes or _is_outside(arc, other, center, at[1], there):
             return False
@@ -221,7 +221,7 @@ def _is_outside(arc: Arc, other: Piece, center: complex, turned: complex, there:
     way = nearest(core, center) - center
     if not way or not arc.spans(way, turned):
         return False
-    beyond = dot(_mean(core) - center, way) / abs(way)
+    beyond = dot(mean(core) - center, way) / abs(way)
     return beyond > arc.radius * (1 - THIN)
 
 
@@ -270,10 +270,6 @@ def _ends_at(end: Piece, at: Placed, point: complex) -> bool:
 def put(there: Placed, point: complex) -> complex:
     """Return the position of a body's point in the plane [m]."""
     return there[0] + there[1] * point
-
-
-def _mean(core: Sequence[complex]) -> complex:
-    return sum(core) / len(core)
 
 
 def nearest(core: Sequence[complex], place: complex) -> complex:

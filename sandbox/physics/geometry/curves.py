@@ -17,7 +17,7 @@ from sandbox.model.shapes import Curve
 from sandbox.model.wires import along
 from sandbox.physics.geometry import arcs
 from sandbox.physics.geometry.arcs import THIN, Arc, Piece, Placed, Touch, Verdict, put
-from sandbox.physics.geometry.distance import dot
+from sandbox.physics.geometry.distance import dot, mean
 from sandbox.physics.geometry.plane_curve import Course, Foot, Side
 
 CENTRED = 1e-3
@@ -62,7 +62,7 @@ def closest_circle(foot: Foot, half: float, body: int) -> Arc:
 
 def _touch(side: Side, other: Piece, at: Placed, there: Placed) -> Verdict:
     core = [(put(there, corner) - at[0]) / at[1] for corner in other.core]
-    middle = sum(core) / len(core)
+    middle = mean(core)
     if other.corner is None and len(core) > 1:
         return _flat(side, other, core, at)
     point = middle if other.corner is None else (put(there, other.corner) - at[0]) / at[1]

@@ -7,8 +7,9 @@ the plane (here complex numbers) joined by straight edges, less both radii.
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from functools import reduce
 from math import inf
-from operator import itemgetter
+from operator import add, itemgetter
 from typing import NamedTuple
 
 import numpy as np
@@ -143,6 +144,11 @@ def gap(one: Sequence[complex], other: Sequence[complex], radii: float) -> Gap:
 def dot(a: complex, b: complex) -> float:
     """Return the scalar product of two vectors."""
     return a.real * b.real + a.imag * b.imag
+
+
+def mean(points: Sequence[complex]) -> complex:
+    """Return the mean of points, the same bits on every Python: some compensate for rounding."""
+    return reduce(add, points) / len(points)
 
 
 def _edges(core: Sequence[complex]) -> list[_Edge]:

@@ -5,7 +5,7 @@ All points are in the axes of the curve's body. The curve's parameter counts pie
 
 from dataclasses import dataclass
 from itertools import pairwise
-from math import sqrt
+from math import fsum, sqrt
 from typing import NamedTuple
 
 import numpy as np
@@ -157,7 +157,7 @@ class Course:
     def length(self, start: float, end: float) -> float:
         """Return the arc length between two close parameters [m], negative backwards."""
         way = end - start
-        return way * sum(w * abs(self._curve.at(start + x * way)[1]) for x, w in _GAUSS)
+        return way * fsum(w * abs(self._curve.at(start + x * way)[1]) for x, w in _GAUSS)
 
     def _ahead(self, at: float, point: complex) -> float:
         """Return a positive number if a point is ahead of a parameter, negative if behind it."""

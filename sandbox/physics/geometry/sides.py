@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, NamedTuple, Protocol
 import numpy as np
 
 from sandbox.physics.geometry.arcs import Arc, nearest
-from sandbox.physics.geometry.distance import dot
+from sandbox.physics.geometry.distance import dot, mean
 from sandbox.physics.geometry.plane_curve import Course, Foot
 
 if TYPE_CHECKING:
@@ -101,7 +101,7 @@ def side(line: Line, core: Sequence[complex], radii: float) -> tuple[int, float]
     `core` has the corners of a convex body, in order, or the centre of a disc [m]; `radii` is the
     sum of the radii around line and core [m].
     """
-    middle = sum(core) / len(core)
+    middle = mean(core)
     beside, point = min(
         (_between(line, core, start) for start in (*core, middle)),
         key=lambda found: abs(found[1] - found[0].point),

@@ -6,6 +6,7 @@ exact.
 """
 
 from collections.abc import Mapping
+from math import fsum
 
 import numpy as np
 import pymunk
@@ -237,7 +238,8 @@ def _anchor(end: End, index: Mapping[str, int], values: Values) -> Anchor:
 
 def _origin(bodies: Mapping[str, pymunk.Body]) -> complex:
     """Return the origin of positions [m]: the centre of the bodies, if that is far away, else 0."""
-    middle = sum(complex(*body.position) for body in bodies.values()) / len(bodies)
+    places = [body.position for body in bodies.values()]
+    middle = complex(fsum(p.x for p in places), fsum(p.y for p in places)) / len(places)
     return middle if abs(middle) > FAR else 0j
 
 

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Mapping, Sequence
 from itertools import pairwise
+from math import fsum
 from typing import Never
 
 import numpy as np
@@ -168,7 +169,7 @@ def _rows(
         case Rope(length=length) | Pulley(length=length):
             whole = span if length is None else length(values)
             moving = [(a, b) for a, b in reaches if a.body != b.body]
-            still = sum(abs(b.point - a.point) for a, b in reaches if a.body == b.body)
+            still = fsum(abs(b.point - a.point) for a, b in reaches if a.body == b.body)
             return [Row(name, moving, whole - still, pulls_only=True)]
         case _:
             raise _no_case(spec)

@@ -21,7 +21,7 @@ acts from the start of the kick, as a warm start that the solver of contacts tak
 """
 
 from itertools import pairwise
-from math import hypot
+from math import fsum, hypot
 
 import pymunk
 
@@ -58,8 +58,8 @@ class PulleyString:
         self._ends, self._pair = ends, Pair(*ends)
         self._pegs = pegs[0], pegs[-1]
         between = pairwise(pegs)
-        self._free_length = length - sum(hypot(q[0] - p[0], q[1] - p[1]) for p, q in between)
-        self._rounding = ROUNDING * (self._free_length + sum(hypot(*peg) for peg in self._pegs))
+        self._free_length = length - fsum(hypot(q[0] - p[0], q[1] - p[1]) for p, q in between)
+        self._rounding = ROUNDING * (self._free_length + fsum(hypot(*peg) for peg in self._pegs))
         self._inverse = _inverse_mass(ends[0]), _inverse_mass(ends[1])
         self.tension = 0.0
         """The force by which the string pulled in the last kick [N]."""
@@ -67,7 +67,7 @@ class PulleyString:
 
     def refit(self) -> None:
         """Keep the present length of the path, as after a body was moved."""
-        self._free_length = sum(hypot(*arm) for arm in self._arms())
+        self._free_length = fsum(hypot(*arm) for arm in self._arms())
         self.tension = 0.0
 
     def jacobian(self) -> tuple[XY, XY]:

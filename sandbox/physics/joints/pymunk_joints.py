@@ -9,6 +9,7 @@ force law.
 """
 
 from collections.abc import Iterable, Sequence
+from math import fsum
 
 import pymunk
 
@@ -86,7 +87,7 @@ class OwnJoint:
     @property
     def torque(self) -> float:
         """The size of the torque in the last kick [N m]."""
-        return sum(joint.impulse for joint in self._angular) / self._kick
+        return fsum(joint.impulse for joint in self._angular) / self._kick
 
 
 def pull_by_pymunk(spring: SpringForce, bodies: Sequence[pymunk.Body], space: pymunk.Space) -> None:

@@ -8,6 +8,7 @@ intended duration.
 
 from collections.abc import Sequence
 from itertools import accumulate, pairwise
+from math import fsum
 from typing import NamedTuple
 
 from sandbox.physics.scene.substeps import Substep
@@ -40,8 +41,8 @@ def _split(drifts: Sequence[float], kicks: Sequence[float], reach: float) -> Com
     The scheme begins with its first kick, which is half of the kick at the end of a step here.
     """
     first, *inner = kicks
-    middle = 1 - 2 * sum(kicks)
-    half = (*drifts, 0.5 - sum(drifts))
+    middle = 1 - 2 * fsum(kicks)
+    half = (*drifts, 0.5 - fsum(drifts))
     return Composition((*half, *half[::-1]), (*inner, middle, *inner[::-1], 2 * first), reach)
 
 

@@ -1,7 +1,6 @@
 """The rates that springs and drag need; below these, leapfrog is unstable."""
 
 from collections.abc import Mapping, Sequence
-from math import inf
 
 import numpy as np
 
@@ -84,14 +83,20 @@ def _braking(law: Law, start: Motion, inverse_mass: Array) -> Array:
     """
     found = np.zeros_like(inverse_mass)
     motion = Instant.of(start)
-    for row in np.flatnonzero(inverse_mass) if law.effect.twists else ():
+    if not law.effect.twists:
+        return found
+
+    def change(faster: Array) -> Array:
+        """Return how the torques change if bodies turn faster: (n,)."""
         torques = np.zeros((2, len(inverse_mass), 3))
-        for torque, more in zip(torques, (0.0, PROBE), strict=True):
-            spin = motion.angular_velocity.copy()
-            spin[row] += more
-            law.add(motion._replace(angular_velocity=spin), torque)
-        change = np.abs(torques[1, :, 2] - torques[0, :, 2]) / PROBE
-        found[row] = change @ inverse_mass
+        for torque, more in zip(torques, (np.zeros_like(faster), faster), strict=True):
+            law.add(motion._replace(angular_velocity=motion.angular_velocity + more), torque)
+        return np.asarray(np.abs(torques[1, :, 2] - torques[0, :, 2]))
+
+    uneven = PROBE * (1 + np.sin(np.arange(len(inverse_mass))) / 2)  # on two bodies, too
+    for row in np.flatnonzero(inverse_mass * change(uneven)):
+        alone = np.where(np.arange(len(inverse_mass)) == row, PROBE, 0.0)
+        found[row] = change(alone) @ inverse_mass / PROBE
     return found
 
 
@@ -100,14 +105,27 @@ def _held(taken: Array, inverse_mass: Array, joints: Joints) -> float:
 
     It is the largest eigenvalue of √M⁻¹ C √M⁻¹ in the directions that exact joints leave free.
     """
-    decay = np.stack((taken, taken, np.zeros_like(taken)), axis=1).ravel()
     if not joints.together:
-        return float(decay.max())
-    kept = joints.together.stiff().reshape(-1, decay.size) * np.sqrt(inverse_mass.ravel())
+        return float(taken.max())
+    stiff = joints.together.stiff()
+    joined = np.flatnonzero(stiff.any(axis=(0, 2)))
+    others = float(np.delete(taken, joined).max(initial=0.0))
+    kept = (stiff[:, joined] * np.sqrt(inverse_mass[joined])).reshape(len(stiff), -1)
     _, sizes, directions = np.linalg.svd(kept, full_matrices=False)
     kept = directions[sizes > SINGULAR * sizes.max(initial=0.0)]
-    free = np.eye(decay.size) - kept.T @ kept
-    return float(np.linalg.eigvalsh(free * decay @ free)[-1])
+    decay = np.stack((taken, taken, np.zeros_like(taken)), axis=1)[joined].ravel()
+
+    def matrix() -> Array:
+        free = np.eye(decay.size) - kept.T @ kept
+        return np.asarray(free * decay @ free)
+
+    def times(rates: Array) -> Array:
+        slowed = decay * (rates - kept.T @ (kept @ rates))
+        return np.asarray(slowed - kept.T @ (kept @ slowed))
+
+    from sandbox.physics.scene.largest_eigenvalue import largest_eigenvalue
+
+    return max(others, largest_eigenvalue(decay.size, matrix, times))
 
 
 def check_springs(
@@ -159,12 +177,14 @@ def limit(
     """
     if not springs:
         return 0.0, ""
-    delassus = _delassus(list(springs.values()), inverse_mass, angle)
+    from sandbox.physics.scene.spring_modes import SpringModes  # what few levels need
+
+    modes = SpringModes(list(springs.values()), inverse_mass, angle)
     stiffness = np.repeat([spring.steepness for spring in springs.values()], 2)
     damping = np.repeat([spring.damping for spring in springs.values()], 2)
     with np.errstate(all="ignore"):  # values beyond the range of floats become infinite
-        needed = just_stable(*(_largest(delassus, weight) for weight in (stiffness, damping)))
-        own = delassus.diagonal()
+        needed = just_stable(*(modes.largest(weight) for weight in (stiffness, damping)))
+        own = modes.own
         alone = [just_stable(k, c) for k, c in zip(stiffness * own, damping * own, strict=True)]
     return needed, list(springs)[int(np.argmax(alone)) // 2]
 
@@ -176,26 +196,3 @@ def just_stable(stiffness: float, damping: float) -> float:
     before, by weights 3/2 and −1/2, this gives k h² / 4 + c h = 1: ω h = 2 without damping.
     """
     return float(damping + np.sqrt(damping**2 + stiffness)) / 2
-
-
-def _largest(delassus: Array, weight: Array) -> float:
-    """Return the largest eigenvalue of M⁻¹ K, which is that of √k J M⁻¹ Jᵀ √k."""
-    root = np.sqrt(weight)
-    matrix = root[:, None] * delassus * root
-    return float(np.linalg.eigvalsh(matrix)[-1]) if np.isfinite(matrix).all() else inf
-
-
-def _delassus(springs: list[SpringForce], inverse_mass: Array, angle: Array) -> Array:
-    """Return the relative accelerations of springs' ends by unit forces: J M⁻¹ Jᵀ, (2 s, 2 s).
-
-    Each spring has rows for both axes of the plane, as its direction can change.
-    """
-    jacobian = np.zeros((len(springs), 2, len(inverse_mass), 3))
-    for row, spring in zip(jacobian, springs, strict=True):
-        for end, sign in zip(spring.ends, (-1.0, 1.0), strict=True):
-            if end.body is not None:
-                arm = end.point * np.exp(1j * angle[end.body])
-                row[0, end.body] += sign * np.array([1.0, 0.0, -arm.imag])
-                row[1, end.body] += sign * np.array([0.0, 1.0, arm.real])
-    flat = jacobian.reshape(2 * len(springs), -1)
-    return np.asarray(flat * inverse_mass.ravel() @ flat.T)

@@ -7,6 +7,7 @@ import pytest
 from sandbox.app.building.drafts import Drafts
 from sandbox.app.building.part_cache import Readings
 from sandbox.app.building.partial_level import Sketch, _body
+from sandbox.editing.draft import Draft
 from sandbox.model import catalog
 from sandbox.model.body import Body
 from sandbox.model.loading import load
@@ -22,6 +23,16 @@ def test_a_level_that_was_only_looked_at_is_let_go() -> None:
     drafts = Drafts()
     for name in LEVELS:
         last = drafts.of(load(catalog.find(name)))
+
+    assert list(drafts._kept) == [last]
+
+
+def test_new_levels_that_nobody_has_edited_are_let_go() -> None:
+    """Each press of the key for a new level kept one more."""
+    drafts = Drafts()
+    for _ in range(20):
+        last = Draft.empty()
+        drafts.add(last)
 
     assert list(drafts._kept) == [last]
 

@@ -3,6 +3,7 @@
 import pytest
 
 from sandbox.physics.run import build
+from sandbox.physics.state.errors import SimulationError
 from sandbox.physics.stepping.world import World
 from tests.physics.scenes import GRAVITY, G, Spec, disc, floor, level
 
@@ -50,6 +51,15 @@ def test_hoops_within_each_other_stand_on_each_other() -> None:
 
     weights = [7 * G, 7 * G + 5 * G, 5 * G + 3 * G, 3 * G]
     assert world.snapshot.normal == pytest.approx(weights, rel=1e-6)
+
+
+@pytest.mark.parametrize("contact", SOLVERS)
+def test_equal_hoops_around_one_point_are_told_to_overlap(contact: Spec) -> None:
+    """Each was within the other and outside of it, and was to be kept from touching itself."""
+    rings = {"one": hoop(10, 0, 0), "other": hoop(10, 0, 0)}
+
+    with pytest.raises(SimulationError, match="'one' and 'other' overlap by 20 m"):
+        world_of({**rings, "ball": disc((30, 0), friction=0.7)}, contact)
 
 
 def test_a_floor_that_crosses_a_hoop_bears_what_is_in_it() -> None:

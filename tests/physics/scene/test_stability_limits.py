@@ -1,6 +1,7 @@
 """Springs and drag that a step is too long for are refused before they explode."""
 
-from math import sqrt
+import tracemalloc
+from math import cos, pi, sqrt
 from pathlib import Path
 
 import numpy as np
@@ -9,6 +10,7 @@ import pytest
 from sandbox.model.level import Level
 from sandbox.model.loading import load
 from sandbox.physics.run import build
+from sandbox.physics.scene.stability_limits import MARGIN
 from sandbox.physics.state.errors import SimulationError
 from tests.physics.scenes import Spec, disc, level, measured
 
@@ -176,3 +178,44 @@ def test_what_is_welded_to_something_heavy_is_slowed_down_with_it(
             SimulationError, match="'drag' on 'light' needs a 'rate' of at least 1,000"
         ):
             build(scene)
+
+
+@pytest.mark.parametrize("count", [100, 600])
+def test_a_chain_of_any_length_needs_the_rate_of_its_stiffest_mode(count: int) -> None:
+    """Of many springs only that mode is sought: all of them would take seconds and gigabytes."""
+    with pytest.raises(SimulationError) as refused:
+        build(chain(count, stiffness=8e8))
+
+    stiffest = sqrt(8e8 / 2) * cos(pi / (2 * count + 2))  # half of 2 √(k/m) sin(...)
+    assert refused.value.rate == pytest.approx(MARGIN * stiffest, rel=2e-5)
+
+
+def test_a_drag_takes_no_more_room_than_the_joints_need() -> None:
+    """1,500 balls, two of them on a rod: all their directions would fill 160 MB, and then twice."""
+    bodies = {f"b{i}": disc((i, 0)) for i in range(1500)}
+    joints: dict[str, Spec] = {"rod": {"type": "rod", "ends": ["b0", "b1"]}}
+    scene = level(bodies, {"drag": {"linear": 1e4}}, joints=joints)
+    tracemalloc.start()
+    try:
+        with pytest.raises(SimulationError):
+            build(scene)
+        _, most = tracemalloc.get_traced_memory()
+    finally:
+        tracemalloc.stop()
+
+    assert most < 30e6
+
+
+def test_torques_on_two_of_many_bodies_are_tried_on_these_alone() -> None:
+    """A brake between two bodies; each body tried took as long as all of them together."""
+    bodies = {f"b{i}": disc((i, 0)) for i in range(40)}
+    brake = {"body": "b7", "against": "b9", "torque": "-1e4*omega"}
+    scene = level(bodies, {"rotation": {}, "torque": [brake]})
+
+    with pytest.raises(SimulationError) as refused:
+        build(scene)
+
+    alike = {"b7": bodies["b7"], "b9": bodies["b9"]}
+    with pytest.raises(SimulationError) as pair:
+        build(level(alike, {"rotation": {}, "torque": [brake]}))
+    assert (refused.value.rate, refused.value.reason) == (pair.value.rate, pair.value.reason)

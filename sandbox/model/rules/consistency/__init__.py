@@ -90,6 +90,7 @@ _SIZES: tuple[Rule, ...] = (
     joints.not_too_many_wires,
     stepping.not_too_many_pulls,
     stepping.not_too_many_sticking,
+    stepping.not_too_many_hollow,
 )
 """The rules that are checked before anything whose work grows with the level."""
 

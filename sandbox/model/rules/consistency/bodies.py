@@ -8,10 +8,13 @@ from sandbox.model.level import ApexEvent, LandingEvent, Level
 from sandbox.model.level_parts import Fault, instants
 from sandbox.model.message import Message, word
 from sandbox.model.quantities import ATTRIBUTES_OF_BODIES
-from sandbox.model.shapes import Area, Line, Polygon, Polyline, Shape
+from sandbox.model.shapes import Arc, Area, Curve, Hoop, Line, Polygon, Polyline, Shape
 
 MAX_SURFACES = 30_000
 """The most surfaces that may touch: pymunk takes more than 100 s to free 40,000 in a heap."""
+
+HOLLOW = 20
+"""The surfaces as which an arc, a curve or a hoop counts: each takes half a millisecond to make."""
 
 MAX_PAIRS_OF_EDGES = 10_000_000
 """The most pairs of polygon edges: checking so many takes a second."""
@@ -164,8 +167,10 @@ def not_too_many(level: Level) -> Iterator[Fault]:
 
 
 def _pieces(shape: Shape) -> int:
-    """Return the most convex pieces that a shape may be divided into."""
+    """Return the most convex pieces that a shape may be divided into, or what takes as long."""
     match shape:
+        case Arc() | Curve() | Hoop():
+            return HOLLOW
         case Polyline(points=corners):
             return len(corners) - 1
         case Polygon(vertices=corners):

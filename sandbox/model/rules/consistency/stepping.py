@@ -7,6 +7,7 @@ from sandbox.model.level_parts import Fault
 from sandbox.model.message import Message
 from sandbox.model.rules.consistency.mentions import bodies_of_effect
 from sandbox.model.schemes import unsmooth
+from sandbox.model.shapes import Arc, Curve, Hoop
 
 
 def scheme_fits(level: Level) -> Iterator[Fault]:
@@ -39,6 +40,9 @@ MOST_PULLS = 4_000_000
 
 MOST_STICKING = 20_000
 """The most pairs with static above kinetic friction: pymunk takes 50 µs to look up each."""
+
+MOST_HOLLOW = 100_000
+"""The most pairs of a hollow body and one that may be inside: a second to make."""
 
 
 def not_too_many_pulls(level: Level) -> Iterator[Fault]:
@@ -82,5 +86,24 @@ def not_too_many_sticking(level: Level) -> Iterator[Fault]:
             stick=stick,
             pairs=pairs,
             most=MOST_STICKING,
+        )
+        yield Fault(("bodies",), message)
+
+
+def not_too_many_hollow(level: Level) -> Iterator[Fault]:
+    """Arcs, hoops and curves are not too many for what may touch them from inside."""
+    if level.effects.contact is None:
+        return
+    solid = [body for body in level.bodies.values() if not body.sensor]
+    hollow = [body.type for body in solid if isinstance(body.shape, Arc | Hoop | Curve)]
+    moving, dynamic = hollow.count("dynamic"), sum(body.type == "dynamic" for body in solid)
+    pairs = moving * (len(solid) - 1) + (len(hollow) - moving) * dynamic
+    if pairs > MOST_HOLLOW:
+        message = Message(
+            "{hollow:,} arcs, hoops and curves make {pairs:,} pairs with bodies that may touch them"
+            " from inside; at most {most:,} are allowed",
+            hollow=len(hollow),
+            pairs=pairs,
+            most=MOST_HOLLOW,
         )
         yield Fault(("bodies",), message)

@@ -98,11 +98,6 @@ class Direct:
             self._build.contacts, self._pushed = kick.pushing(total), None
         return self._build.contacts
 
-    @property
-    def rows(self) -> int:
-        """An upper bound of the number of rows in the last kick."""
-        return len(self._joints.pulls_only) + 3 * len(self._build.contacts.bodies)
-
     def begin(self, acceleration: Array, *, start: bool) -> None:
         """Record the velocities before a kick, and the accelerations in it.
 

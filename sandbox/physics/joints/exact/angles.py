@@ -3,7 +3,7 @@
 from cmath import exp, phase
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
-from math import atan2, pi, sqrt, tau
+from math import atan2, fsum, pi, sqrt, tau
 from typing import TypeVar
 
 import numpy as np
@@ -42,7 +42,7 @@ class Turn:
             Share(self.a, 0j, -self.sense * self.ratio),
             Share(self.carrier, 0j, -self.sense * (1 - self.ratio)),
         )[: 3 if self.ratio != 1 else 2]
-        return sum(share.angle * float(place.angle[share.body]) for share in shares), shares
+        return fsum(share.angle * float(place.angle[share.body]) for share in shares), shares
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,6 +1,5 @@
 """The stage of the direct solver: contacts and exact joints together (see `contacts/direct`)."""
 
-from sandbox.physics.contacts.direct.blas_threads import single_thread
 from sandbox.physics.energy.step_record import StepRecord
 from sandbox.physics.state.kick import Kick
 from sandbox.physics.stepping.stage import Setup, Stage
@@ -16,8 +15,7 @@ def make(setup: Setup) -> Stage:
         direct.begin(forces.held(dt), start=kick.at_step)
 
     def solve(kick: Kick) -> None:
-        with single_thread(direct.rows):
-            direct.solve(kick.until)
+        direct.solve(kick.until)
 
     def refit(_t: float) -> None:
         direct.forget()
