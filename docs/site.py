@@ -10,7 +10,7 @@ from pathlib import Path
 from posixpath import dirname, normpath, relpath
 from typing import TYPE_CHECKING
 
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.loading import load, parse
 
 if TYPE_CHECKING:
@@ -37,10 +37,10 @@ def gallery() -> str:
         "",
         "Every level, drawn by the sandbox itself. Play one with `python -m sandbox play NAME`.",
     ]
-    for chapter, names in groupby(catalog.names(), key=dirname):
+    for chapter, names in groupby(level_catalog.names(), key=dirname):
         lines += ["", f"## {chapter.capitalize()}"]
         for name in names:
-            level = load(catalog.find(name))
+            level = load(level_catalog.find(name))
             lines += ["", f"### {level.title} {{: #{anchor(name)} }}"]
             lines += ["", f"`{name}`: {level.summary}"]
             lines += ["", f"![{level.title}](gallery/{name}.png){{: loading=lazy }}"]
@@ -57,8 +57,8 @@ def draw() -> None:
     os.environ.update(SDL_VIDEODRIVER="dummy", SDL_AUDIODRIVER="dummy")
     from sandbox.app.level_picture import save_picture
 
-    for name in catalog.names():
-        source, picture = catalog.find(name), PICTURES / f"{name}.png"
+    for name in level_catalog.names():
+        source, picture = level_catalog.find(name), PICTURES / f"{name}.png"
         if not picture.exists() or picture.stat().st_mtime < source.stat().st_mtime:
             picture.parent.mkdir(parents=True, exist_ok=True)
             level = load(source)
@@ -116,7 +116,7 @@ def on_files(files: "Files", config: "MkDocsConfig") -> "Files":
     files.append(File.generated(config, "gallery.md", content=gallery()))
     for name in FROM_ROOT:
         files.append(File.generated(config, name, abs_src_path=str(ROOT / name)))
-    for name in catalog.names():
+    for name in level_catalog.names():
         picture = PICTURES / f"{name}.png"
         files.append(File.generated(config, f"gallery/{name}.png", abs_src_path=str(picture)))
     for picture in chain.from_iterable(map(pictures_of, GUIDE)):

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.document import refuse
 from sandbox.model.level import Level, Stepping
 from sandbox.model.loading import choose, parse
@@ -29,7 +29,7 @@ def load(level: str | PathLike[str]) -> Level:
     LevelError
         If there is no such level, or it has mistakes: all of them, with their places.
     """
-    return load_file(catalog.find(fspath(level)))
+    return load_file(level_catalog.find(fspath(level)))
 
 
 def make(document: Mapping[str, Any]) -> Level:

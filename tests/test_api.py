@@ -14,7 +14,7 @@ from PIL import Image
 
 import sandbox
 from sandbox import api, notebook
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.errors import LevelError, SandboxError
 from sandbox.model.loading import choose
 from sandbox.physics import run
@@ -69,7 +69,7 @@ def test_all_mistakes_of_a_made_level_are_told() -> None:
 
 
 def test_numbers_of_numpy_are_numbers_and_other_things_are_told() -> None:
-    document = json.loads(catalog.find("kinematics/free-fall").read_text(encoding="utf-8"))
+    document = json.loads(level_catalog.find("kinematics/free-fall").read_text(encoding="utf-8"))
     level = sandbox.make({**document, "duration": np.float32(2.5)})
     assert level.duration(level.defaults) == 2.5
 

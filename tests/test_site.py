@@ -7,7 +7,7 @@ from types import ModuleType
 
 import pytest
 
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 
 ROOT = Path(__file__).resolve().parents[1]
 NAV = re.findall(r"[\w/-]+\.md", (ROOT / "mkdocs.yml").read_text(encoding="utf-8"))
@@ -34,7 +34,7 @@ def test_every_document_is_in_the_navigation(site: ModuleType) -> None:
 def test_the_gallery_shows_every_level_once(site: ModuleType) -> None:
     pictures = re.findall(r"\]\(gallery/(.+)\.png\)", site.gallery())
 
-    assert pictures == catalog.names()
+    assert pictures == level_catalog.names()
 
 
 def test_each_step_of_the_tutorial_stands_above_its_picture(site: ModuleType) -> None:

@@ -10,10 +10,10 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from sandbox.model.acting_events import tied
-from sandbox.model.catalog import find
 from sandbox.model.expressions import Array, Values
 from sandbox.model.joints import Own, is_exact
 from sandbox.model.level import Instant, Level, Stepping
+from sandbox.model.level_catalog import find
 from sandbox.model.level_parts import names_in
 from sandbox.model.loading import choose, load
 from sandbox.model.quantities import quantity

@@ -8,7 +8,7 @@ import tomllib
 from pathlib import Path
 from typing import NamedTuple
 
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.files import write_atomically
 from sandbox.model.generated_files import generate
 from sandbox.model.loading import load
@@ -38,14 +38,14 @@ PARTS = tuple(
 def parts() -> list[Part]:
     """Return all parts, and the references of levels that match none of them."""
     named = {name for part in PARTS for name in part.levels}
-    others = (name for name in catalog.textbook() if name not in named)
+    others = (name for name in level_catalog.textbook() if name not in named)
     every = [*PARTS, *map(_by_reference, others)]
     sections = list(dict.fromkeys(part.section for part in every))
     return sorted(every, key=lambda part: sections.index(part.section))
 
 
 def _by_reference(level: str) -> Part:
-    section, _, text = load(catalog.find(level)).reference.partition(": ")
+    section, _, text = load(level_catalog.find(level)).reference.partition(": ")
     return Part(section, text, (level,))
 
 
@@ -75,7 +75,7 @@ def main() -> int:
 
 
 def _write() -> list[Path]:
-    write_atomically(catalog.sources() / PAGE, page())
+    write_atomically(level_catalog.sources() / PAGE, page())
     return []
 
 

@@ -13,14 +13,14 @@ from sandbox.app.keys import AT_HOME
 from sandbox.app.pages.page import Desk, PageCommand
 from sandbox.app.pages.register import PAGES
 from sandbox.app.pages.table.stopwatch import Stopwatch
-from sandbox.app.panels.footer import FIRST, NEXT
 from sandbox.app.panels.layout import room
+from sandbox.app.panels.verdicts_and_energies import FIRST, NEXT
 from sandbox.app.runs.session import Session
 from sandbox.app.stage.overlays.register import OVERLAYS
 from sandbox.app.widgets.file_dialog import SMALLEST
 from sandbox.app.words.language import say
 from sandbox.app.workspace import Workspace
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.errors import SandboxError
 
 
@@ -226,7 +226,9 @@ class CommandActions:
     def _show_challenges(self) -> None:
         """Show the home page, scrolled to the challenges."""
         entries = self._space.files.entries
-        first = next((each.path for each in entries if each.chapter == catalog.CHALLENGES), None)
+        first = next(
+            (each.path for each in entries if each.chapter == level_catalog.CHALLENGES), None
+        )
         self._space.panels.home.leave()
         self._space.go_home(first)
 

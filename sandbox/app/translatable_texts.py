@@ -16,8 +16,8 @@ from sandbox.app.drawing import theme
 from sandbox.app.frame_time import Load
 from sandbox.app.pages.register import PAGES
 from sandbox.app.stage.overlays.register import OVERLAYS
-from sandbox.editing.suggest.scene import Setup
-from sandbox.model import catalog, ledger_accounts
+from sandbox.editing.suggested_checks.scene import Setup
+from sandbox.model import ledger_accounts, level_catalog
 from sandbox.model.base import Model
 from sandbox.model.effects import EFFECTS
 from sandbox.model.joints import KINDS
@@ -64,7 +64,7 @@ def _of_the_window() -> Iterator[str]:
         yield tool.caption
     yield from (overlay.caption for overlay in OVERLAYS)
     yield from map(theme.title, theme.NAMES)
-    chapters = (name.partition("/")[0] for name in catalog.names())
+    chapters = (name.partition("/")[0] for name in level_catalog.names())
     yield from (chapter.capitalize() for chapter in (*dict.fromkeys(chapters), "opened"))
 
 

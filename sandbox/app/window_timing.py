@@ -14,7 +14,7 @@ from sandbox.app.runs.live_run import LiveRun
 from sandbox.app.runs.session import Session
 from sandbox.app.startup_timing import first_picture
 from sandbox.app.window import RATE, Window
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.errors import SandboxError
 
 BEFORE = (FIRST, "newton/atwood")
@@ -87,8 +87,8 @@ def time_window(name: str, size: tuple[int, int], seconds: float) -> Timing:
 
 def _switch(window: Window, name: str) -> float:
     """Open another level, then this one, and return the time until this one is shown [s]."""
-    path = catalog.find(name).resolve()
-    window.open_level(next(one for one in BEFORE if catalog.find(one).resolve() != path))
+    path = level_catalog.find(name).resolve()
+    window.open_level(next(one for one in BEFORE if level_catalog.find(one).resolve() != path))
     _settle(window)
     begun = perf_counter()
     window.open_level(name)

@@ -25,7 +25,7 @@ from sandbox.app.runs.undoing import Undoing
 from sandbox.app.stage.stage import Stage
 from sandbox.app.words import language, level_words
 from sandbox.app.words.language import later, say
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.errors import SandboxError
 from sandbox.model.files import without_links
 from sandbox.model.level import Level, Stepping
@@ -135,7 +135,7 @@ class Workspace:
     ) -> None:
         """Open a level by its name or path, with options as for `open_file`; show any error."""
         try:
-            path = without_links(catalog.find(level))
+            path = without_links(level_catalog.find(level))
         except SandboxError as error:
             self._refuse(None, error)
             return
@@ -300,7 +300,7 @@ class Workspace:
 
     def _remember(self, path: Path) -> None:
         """Add the user's own file to the recent ones."""
-        if not path.is_relative_to(catalog.root()):
+        if not path.is_relative_to(level_catalog.root()):
             self.banner.tell(self.files.recent.add(path))
 
     @staticmethod

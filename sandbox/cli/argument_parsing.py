@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from math import isfinite
 
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.errors import MisuseError, brief
 from sandbox.model.level import Level, Stepping
 from sandbox.model.loading import load
@@ -23,9 +23,9 @@ class UsageError(MisuseError):
 
 def open_level(argument: str) -> tuple[str, Level]:
     """Return a level and its name or path; raise `LevelError` if it cannot be used."""
-    path = catalog.find(argument)
+    path = level_catalog.find(argument)
     level = load(path)
-    if path.parent.parent == catalog.root():
+    if path.parent.parent == level_catalog.root():
         return f"{path.parent.name}/{path.stem}", level
     return argument, level
 

@@ -14,7 +14,7 @@ from rich.progress import track
 from sandbox.cli import argument_parsing
 from sandbox.cli.render import go_headless
 from sandbox.cli.text_columns import aligned
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.files import check_writable, write_atomically
 
 if TYPE_CHECKING:
@@ -37,12 +37,12 @@ def measure(names: Sequence[str], size: str, seconds: float, json_file: Path | N
     if json_file is not None:
         check_writable(json_file)
     for name in names:
-        catalog.find(name)
+        level_catalog.find(name)
     go_headless()
     from sandbox.app.window_timing import time_window
 
     console = Console(stderr=True)
-    levels = track(list(names) or catalog.names(), "Playing", console=console, transient=True)
+    levels = track(list(names) or level_catalog.names(), "Playing", console=console, transient=True)
     found = [time_window(name, window, seconds) for name in levels]
     try:
         for line in aligned([_HEADER, *_rows(found)]):

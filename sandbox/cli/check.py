@@ -7,7 +7,7 @@ from typing import NamedTuple, NoReturn
 import typer
 
 from sandbox.cli.argument_parsing import levels, open_level
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.errors import SandboxError
 from sandbox.model.file_watching import PAUSE, Watch
 from sandbox.model.level import Level
@@ -32,7 +32,7 @@ def keep_checking(arguments: Sequence[str], jobs: int = 1) -> NoReturn:
     Processes share the levels the first time if there is more than one job. Raises `LevelError` if
     there is no such level at the beginning; a file that is deleted later may come back.
     """
-    paths = [catalog.find(argument) for argument in arguments]
+    paths = [level_catalog.find(argument) for argument in arguments]
     watch = Watch(paths)
     check(arguments, jobs)
     while True:

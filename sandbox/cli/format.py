@@ -5,7 +5,7 @@ from collections.abc import Sequence
 import typer
 
 from sandbox.cli.argument_parsing import levels
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.errors import SandboxError
 from sandbox.model.files import write_atomically
 from sandbox.model.loading import parse, read
@@ -34,7 +34,7 @@ def format_levels(arguments: Sequence[str], *, write: bool) -> int:
 
 def _format(argument: str, *, write: bool) -> bool:
     """Return whether the text of a level differs from its layout, and correct it if asked to."""
-    path = catalog.find(argument)
+    path = level_catalog.find(argument)
     typed = read(path)
     parse(typed, str(path))
     proper = formatted(typed)

@@ -8,7 +8,7 @@ from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 
 
 class _Head(BaseModel):
@@ -31,7 +31,7 @@ class Entry(NamedTuple):
 def show_levels() -> None:
     """List all levels: as a table on a terminal, with tabs between the columns elsewhere."""
     console = Console(highlight=False)
-    entries = [_entry(name) for name in catalog.names()]
+    entries = [_entry(name) for name in level_catalog.names()]
     if console.is_terminal:
         console.print(_table(entries))
     else:
@@ -41,7 +41,7 @@ def show_levels() -> None:
 
 def _entry(name: str) -> Entry:
     try:
-        head = _Head.model_validate_json((catalog.root() / f"{name}.json").read_bytes())
+        head = _Head.model_validate_json((level_catalog.root() / f"{name}.json").read_bytes())
     except (OSError, ValueError):
         return Entry(name, "(cannot be read)", "", f"'check {name}' says why.")
     effects = (effect for effect, declared in head.effects.items() if declared is not None)

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 import typer
 
 from sandbox.cli.argument_parsing import levels
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.document import Document, refuse
 from sandbox.model.errors import SandboxError
 from sandbox.model.level_parts import Fault
@@ -34,7 +34,7 @@ def migrate(arguments: Sequence[str]) -> int:
 
 def _version(argument: str) -> int:
     """Return the format version of a level's file, ignoring all else; refuse an unknown one."""
-    path = catalog.find(argument)
+    path = level_catalog.find(argument)
     document = Document(read(path), str(path))
     data = document.read()
     if not isinstance(data, dict):

@@ -6,7 +6,7 @@ from pathlib import Path
 import typer
 
 from sandbox.cli import argument_parsing
-from sandbox.model import catalog, templates
+from sandbox.model import level_catalog, templates
 from sandbox.model.did_you_mean import suggestion
 from sandbox.model.errors import LevelError, brief
 from sandbox.model.files import check_writable, without_links, write_atomically
@@ -50,9 +50,9 @@ def _source(template: str) -> Path:
     if template in known:
         return templates.path(template)
     try:
-        return catalog.find(template)
+        return level_catalog.find(template)
     except LevelError:
-        levels = catalog.names()
+        levels = level_catalog.names()
         hint = suggestion(template, levels if "/" in template else known)
         rule = f"is neither a template nor a level{hint}"
         raise argument_parsing.UsageError(f"--from {brief(template)}: {rule}") from None
@@ -60,7 +60,7 @@ def _source(template: str) -> Path:
 
 def _schema(target: Path) -> str:
     """Return the path of the schema as seen from a level's file: relative within a checkout."""
-    schema, folder = catalog.root() / catalog.SCHEMA, without_links(target).parent
+    schema, folder = level_catalog.root() / level_catalog.SCHEMA, without_links(target).parent
     if folder.is_relative_to(schema.parent.parent):
         return Path(os.path.relpath(schema, folder)).as_posix()
     return schema.as_uri()

@@ -13,7 +13,7 @@ from typing import Any
 import typer
 
 from sandbox.cli.commands import app
-from sandbox.model import catalog, joints, quantities
+from sandbox.model import joints, level_catalog, quantities
 from sandbox.model.effects import EFFECTS
 from sandbox.model.files import write_atomically
 from sandbox.model.generated_files import generate
@@ -231,7 +231,7 @@ def main() -> int:
 
 
 def _write() -> Iterator[Path]:
-    folder = catalog.sources() / FOLDER
+    folder = level_catalog.sources() / FOLDER
     for name, page in PAGES.items():
         write_atomically(folder / name, page())
         yield folder / name

@@ -16,7 +16,7 @@ import pydantic_core
 
 from sandbox.app.translatable_texts import has_words, shown_keys, words
 from sandbox.app.words import language
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.files import write_atomically
 from sandbox.model.generated_files import generate
 from sandbox.model.loading import load
@@ -59,7 +59,7 @@ def _write() -> Iterator[Path]:
 
     translations = [name for name in language.NAMES if name != language.ENGLISH]
     for domain, name in product(language.DOMAINS, translations):
-        path = catalog.sources() / path_of(domain, name)
+        path = level_catalog.sources() / path_of(domain, name)
         translated = merged(path, name, SAID[domain]())
         edited, compiled = BytesIO(), BytesIO()
         write_po(edited, translated, width=100, include_lineno=False, ignore_obsolete=True)
@@ -80,7 +80,7 @@ def of_the_window() -> "Catalog":
     from babel.messages.catalog import Catalog
     from babel.messages.extract import extract
 
-    found, root = Catalog(), catalog.sources()
+    found, root = Catalog(), level_catalog.sources()
     for path in said_in(root / "sandbox"):
         place = path.relative_to(root).as_posix()
         named = set(_ERROR.findall(path.read_text("utf-8")))
@@ -109,10 +109,12 @@ def of_the_levels() -> "Catalog":
     from babel.messages.catalog import Catalog
 
     found = Catalog()
-    for name in catalog.names():
-        path = catalog.root() / f"{name}.json"
+    for name in level_catalog.names():
+        path = level_catalog.root() / f"{name}.json"
         for _, text in prose(load(path)):
-            found.add(text, locations=[(path.relative_to(catalog.root().parent).as_posix(), 1)])
+            found.add(
+                text, locations=[(path.relative_to(level_catalog.root().parent).as_posix(), 1)]
+            )
     return found
 
 

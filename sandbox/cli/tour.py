@@ -13,7 +13,7 @@ from rich.text import Text
 from sandbox.cli import argument_parsing, check_verdicts
 from sandbox.cli.render import go_headless
 from sandbox.cli.tour_visit import Visit
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.errors import SandboxError
 from sandbox.model.files import folder_of_files, write_atomically
 
@@ -81,7 +81,9 @@ def _visits(folder: Path) -> "list[Visit]":
 
     progress = Console(stderr=True)
     with Progress(console=progress, transient=True, disable=not progress.is_terminal) as bar:
-        return [visit(name, folder) for name in bar.track(catalog.names(), description="Tour")]
+        return [
+            visit(name, folder) for name in bar.track(level_catalog.names(), description="Tour")
+        ]
 
 
 def _write(path: Path, visits: Sequence[Visit]) -> SandboxError | None:

@@ -6,7 +6,7 @@ from time import perf_counter
 
 from sandbox.app.level_picture import save_picture
 from sandbox.cli import check_verdicts
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.errors import SandboxError
 from sandbox.model.level import Level
 from sandbox.model.loading import load
@@ -59,7 +59,7 @@ def visit(name: str, folder: Path) -> Visit:
 
 
 def _fill(found: Visit, folder: Path) -> None:
-    found.level = level = load(catalog.find(found.name))
+    found.level = level = load(level_catalog.find(found.name))
     start = perf_counter()
     trace = _run(level)
     found.results = grade(trace)

@@ -5,7 +5,7 @@ from pathlib import Path
 from sandbox.experiments.document import Experiment, read
 from sandbox.experiments.plan import Plan
 from sandbox.experiments.planning import make
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.did_you_mean import suggestion
 from sandbox.model.document import refuse
 from sandbox.model.errors import LevelError, brief
@@ -19,7 +19,7 @@ SCHEMA = "experiment.schema.json"
 def root() -> Path:
     """Return the folder of the experiments: inside an installed package, else beside the levels."""
     installed = Path(__file__).resolve().parent / "shipped"
-    return installed if installed.is_dir() else catalog.root().parent / "experiments"
+    return installed if installed.is_dir() else level_catalog.root().parent / "experiments"
 
 
 def names() -> list[str]:
@@ -65,7 +65,7 @@ def open_plan(path: Path) -> Plan:
 def _level(experiment: Experiment, folder: Path) -> tuple[str, Path]:
     """Return the name and file of the level, whose path may be relative to the experiment's."""
     beside = folder / experiment.level
-    path = beside if beside.is_file() else catalog.find(experiment.level)
-    if without_links(path).parent.parent == catalog.root():
+    path = beside if beside.is_file() else level_catalog.find(experiment.level)
+    if without_links(path).parent.parent == level_catalog.root():
         return f"{path.parent.name}/{path.stem}", path
     return experiment.level, path

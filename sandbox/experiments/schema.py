@@ -7,9 +7,9 @@ from pathlib import Path
 from sandbox.experiments import catalog
 from sandbox.experiments.document import Experiment
 from sandbox.model import schema as levels
-from sandbox.model.catalog import sources
 from sandbox.model.errors import SandboxError
 from sandbox.model.files import write_atomically
+from sandbox.model.level_catalog import sources
 
 
 def text() -> str:

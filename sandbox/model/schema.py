@@ -9,7 +9,7 @@ from typing import Any
 from pydantic.json_schema import GenerateJsonSchema, JsonSchemaValue
 from pydantic_core import core_schema, to_jsonable_python
 
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.base import Model
 from sandbox.model.comments import SIGN
 from sandbox.model.expressions import Expression
@@ -78,7 +78,7 @@ def _described(made: dict[str, Any]) -> dict[str, Any]:
 def text() -> str:
     """Return the content of the schema file: the schema, with examples from the levels."""
     made = schema()
-    levels = (read(catalog.find(name)) for name in catalog.names())
+    levels = (read(level_catalog.find(name)) for name in level_catalog.names())
     add_examples(made, map(json.loads, levels))
     return json.dumps(_everywhere(made, _with_comments), indent=2, ensure_ascii=False) + "\n"
 
@@ -88,8 +88,8 @@ def write() -> Path:
 
     Raises `SandboxError` if the package is installed, with the schema inside it.
     """
-    catalog.sources()
-    target = catalog.root() / catalog.SCHEMA
+    level_catalog.sources()
+    target = level_catalog.root() / level_catalog.SCHEMA
     write_atomically(target, text())
     return target
 

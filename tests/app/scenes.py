@@ -4,7 +4,7 @@ import json
 from typing import Any
 
 from sandbox.app.runs.session import Session
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.level import Level
 from sandbox.model.loading import load, parse
 
@@ -51,7 +51,7 @@ def level(**changes: object) -> Level:
 
 def opened(name: str, steps: int = 0) -> Session:
     """Return a session of a level of the catalog, after some steps."""
-    session = Session(load(catalog.find(name)))
+    session = Session(load(level_catalog.find(name)))
     for _ in range(steps):
         session.step()
     return session

@@ -9,7 +9,7 @@ from pygame_gui.elements import UIButton
 from sandbox.app.pages.level.panel import LevelPage
 from sandbox.app.runs import runfile
 from sandbox.app.runs.session import Session
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.errors import SandboxError
 from sandbox.model.live_parameters import obstacle
 from tests.app.person import Person
@@ -17,7 +17,7 @@ from tests.app.scenes import opened
 from tests.app.test_time_travel import go_to
 from tests.levels.playing import fingerprint
 
-LEVELS = catalog.names()[::11]
+LEVELS = level_catalog.names()[::11]
 
 
 def another(session: Session) -> dict[str, float]:

@@ -20,7 +20,7 @@ from babel.messages.pofile import read_po
 from sandbox.app import translatable_texts
 from sandbox.app.words import language
 from sandbox.cli import texts
-from sandbox.model import catalog, ledger_accounts
+from sandbox.model import ledger_accounts, level_catalog
 from sandbox.model.loading import load
 
 TRANSLATED = [name for name in language.NAMES if name != language.ENGLISH]
@@ -38,7 +38,7 @@ def template(domain: language.Domain) -> Catalog:
 
 def of(domain: language.Domain, name: str) -> Catalog:
     """Return the catalogue of a language, as people edit it."""
-    with (catalog.sources() / texts.path_of(domain, name)).open("rb") as file:
+    with (level_catalog.sources() / texts.path_of(domain, name)).open("rb") as file:
         return read_po(file, locale=name)
 
 
@@ -61,9 +61,11 @@ def forms(text: str | list[str] | tuple[str, ...] | None) -> tuple[str, ...]:
 
 def test_no_error_is_made_of_a_text_that_is_put_together() -> None:
     """Only a literal can be looked up. Ruff rejects f-strings in the errors that it knows."""
-    lint = tomllib.loads((catalog.sources() / "pyproject.toml").read_text("utf-8"))["tool"]["ruff"]
+    lint = tomllib.loads((level_catalog.sources() / "pyproject.toml").read_text("utf-8"))["tool"][
+        "ruff"
+    ]
     known = lint["lint"]["flake8-gettext"]["function-names"]
-    for path in texts.said_in(catalog.sources() / "sandbox"):
+    for path in texts.said_in(level_catalog.sources() / "sandbox"):
         for node in ast.walk(ast.parse(path.read_text("utf-8"))):
             if isinstance(node, ast.ClassDef) and "SandboxError" in map(ast.unparse, node.bases):
                 own = any(
@@ -175,8 +177,8 @@ def test_a_language_that_is_new_begins_with_all_messages_and_no_translation(
 def test_every_account_of_every_level_is_a_word_that_is_declared() -> None:
     """The accounts of joints and effects are found, and so are the ledger's own."""
     words = set(translatable_texts.words())
-    for name in catalog.names():
-        level = load(catalog.root() / f"{name}.json")
+    for name in level_catalog.names():
+        level = load(level_catalog.root() / f"{name}.json")
         every = (
             ledger_accounts.potentials,
             ledger_accounts.works,

@@ -5,7 +5,7 @@ import pytest
 from pygame_gui.core import UIElement
 
 from sandbox.app.widgets.list_button import Row
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from tests.app.person import Person
 
 pytestmark = pytest.mark.all_levels
@@ -45,14 +45,14 @@ def test_a_title_comes_before_a_summary_and_a_phrase_before_its_words(player: Pe
 
 
 def test_what_is_not_sought_is_hidden(player: Person) -> None:
-    other = player.listed.button(catalog.find("kinematics/free-fall"))
+    other = player.listed.button(level_catalog.find("kinematics/free-fall"))
     assert shown(other)
 
     player.press(pygame.K_SLASH, "/")
     player.type("pendulum")
 
     assert not shown(other)
-    assert shown(player.listed.button(catalog.find("lagrange/simple-pendulum")))
+    assert shown(player.listed.button(level_catalog.find("lagrange/simple-pendulum")))
 
 
 def shown(button: UIElement) -> bool:
@@ -76,7 +76,7 @@ def test_escape_shows_all_again_and_does_not_quit(player: Person) -> None:
 
     player.press(pygame.K_ESCAPE)
 
-    assert len(player.listed.found) == len(catalog.names())
+    assert len(player.listed.found) == len(level_catalog.names())
     assert player.window.open
 
 
@@ -88,7 +88,7 @@ def test_escape_ends_a_search_that_has_been_left_before_it_quits(player: Person)
 
     player.press(pygame.K_ESCAPE)
 
-    assert len(player.listed.found) == len(catalog.names())
+    assert len(player.listed.found) == len(level_catalog.names())
     player.press(pygame.K_ESCAPE)
     assert player.window.open
     player.press(pygame.K_ESCAPE)
@@ -120,13 +120,13 @@ def test_the_way_home_shows_all_levels_again_not_what_was_sought_before(player: 
 
     player.click(player.listed.way("home").rect)
     assert at_home(player)
-    assert len(player.listed.found) == len(catalog.names())
+    assert len(player.listed.found) == len(level_catalog.names())
 
     player.press(pygame.K_SLASH, "/")
     player.type("orbit")
     player.click(player.listed.way("home").rect)
     assert at_home(player)
-    assert len(player.listed.found) == len(catalog.names())
+    assert len(player.listed.found) == len(level_catalog.names())
     player.click(player.listed.way("home").rect)
     assert not at_home(player)
 
@@ -166,7 +166,7 @@ def in_sight(row: Row) -> bool:
 
 def test_a_row_that_is_scrolled_into_sight_is_as_lively_as_those_before(player: Person) -> None:
     """It changes under the mouse, and opens its level."""
-    path = catalog.find(catalog.names()[-1]).resolve()
+    path = level_catalog.find(level_catalog.names()[-1]).resolve()
     row = player.listed.button(path)
     assert isinstance(row, Row)
     assert not in_sight(row)
@@ -197,7 +197,7 @@ def test_a_row_that_is_scrolled_away_from_the_mouse_is_left(player: Person) -> N
     player.wait(0.1)
     assert hovered(seen[3])
 
-    rows.choose(catalog.find(catalog.names()[-1]).resolve())
+    rows.choose(level_catalog.find(level_catalog.names()[-1]).resolve())
     player.wait(0.1)
 
     assert not hovered(seen[3])
@@ -205,7 +205,7 @@ def test_a_row_that_is_scrolled_away_from_the_mouse_is_left(player: Person) -> N
 
 
 def test_a_row_is_made_when_it_comes_into_sight(player: Person) -> None:
-    rows, last = player.listed, catalog.find(catalog.names()[-1]).resolve()
+    rows, last = player.listed, level_catalog.find(level_catalog.names()[-1]).resolve()
     made = [level.path for level in rows.rows]
     assert 5 < len(made) < 60
     assert last not in made
@@ -224,7 +224,7 @@ def test_the_keyboard_gets_to_every_row_and_few_are_there_at_a_time(
     panels, rows = player.window.panels, player.listed
     visited, most = dict[str, None](), 0
 
-    for _ in range(len(catalog.names()) + 60):
+    for _ in range(len(level_catalog.names()) + 60):
         panels.go_on(direction)
         player.wait()
         at = panels.focus.element(panels.manager, panels.layout)
@@ -239,8 +239,8 @@ def test_rows_that_are_far_out_of_sight_are_dropped(player: Person) -> None:
     rows = player.listed
     begun = len(rows.rows)
 
-    for name in catalog.names():
-        rows.choose(catalog.find(name).resolve())
+    for name in level_catalog.names():
+        rows.choose(level_catalog.find(name).resolve())
         player.wait()
 
     assert len(rows.rows) < 4 * begun

@@ -8,7 +8,7 @@ from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
 from sandbox.app.runs.session import Session
 from sandbox.app.stage.stage import Stage
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.loading import load
 
 SIZE = (800, 600)
@@ -27,7 +27,7 @@ def columns(pen: Pen, session: Session, color: Color) -> set[int]:
 
 
 def test_the_marks_of_a_belt_run_with_it(pen: Pen) -> None:
-    session = Session(load(catalog.find("newton/block-on-a-belt")))
+    session = Session(load(level_catalog.find("newton/block-on-a-belt")))
     at_start = columns(pen, session, theme.NOTICE)
     session.step()
     session.step()
@@ -46,7 +46,7 @@ def test_the_marks_of_a_belt_run_with_it(pen: Pen) -> None:
 
 
 def test_a_rocket_burns_as_long_as_it_has_propellant(pen: Pen) -> None:
-    level = load(catalog.find("newton/rocket"))
+    level = load(level_catalog.find("newton/rocket"))
     session = Session(level)
     burning = columns(pen, session, theme.FLAME)
     x = float(session.world.snapshot.position[0, 0])

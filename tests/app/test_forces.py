@@ -9,7 +9,7 @@ import pytest
 from sandbox.app.drawing import theme
 from sandbox.app.stage.given_forces import Arrow, Forces
 from sandbox.editing.run_as_level import as_it_stands
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.loading import load
 from sandbox.model.shapes import XY
 from sandbox.physics.measuring.recording import count_steps
@@ -190,7 +190,7 @@ def test_a_force_that_the_run_alone_has_as_a_parameter_stays_as_it_is(
 
 @pytest.mark.sweep
 def test_no_level_draws_a_force_beyond_the_stage_at_the_start(person: Person) -> None:
-    for name in catalog.names():
+    for name in level_catalog.names():
         if not textbook(name).effects.force:
             continue
         person.window.open_level(name)
@@ -225,7 +225,7 @@ def test_a_velocity_is_taken_apart_into_its_components(person: Person) -> None:
 
 @pytest.mark.sweep
 def test_a_force_that_is_switched_off_has_no_arrow() -> None:
-    world = build(load(catalog.find("machines/coil-gun")))
+    world = build(load(level_catalog.find("machines/coil-gun")))
     forces = Forces(world.level)
     seen = []
     while world.t < 1:
@@ -238,7 +238,7 @@ def test_a_force_that_is_switched_off_has_no_arrow() -> None:
 
 def test_a_force_that_turns_with_its_body_is_drawn_turned_and_cannot_be_dragged() -> None:
     """The door has made a quarter turn: the push along its normal points to the left."""
-    level = load(catalog.find("rotation/door"))
+    level = load(level_catalog.find("rotation/door"))
     world = build(level)
     world.advance(count_steps(world))
     arrow = next(a for a in Forces(level).arrows(world) if a.row == 2)

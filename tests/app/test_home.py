@@ -23,7 +23,7 @@ from sandbox.app.words.language import say
 from sandbox.editing import recovery
 from sandbox.editing.draft import Draft
 from sandbox.editing.recovery import Recovery, recoverable
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from tests.app import scenes
 from tests.app.person import PATIENCE, Person, until
 
@@ -295,7 +295,7 @@ def test_the_first_picture_waits_for_no_card(person: Person) -> None:
     person.wait()
 
     place = card(person, "Free fall")
-    assert home(person).thumbnails.of(catalog.find("kinematics/free-fall").resolve()) is None
+    assert home(person).thumbnails.of(level_catalog.find("kinematics/free-fall").resolve()) is None
     assert person.color_at((place.x + 20, place.y + 20)) == theme.GRID
 
 
@@ -356,7 +356,7 @@ def test_one_process_draws_whatever_cards_come_into_view() -> None:
     """It was ended and begun anew with each letter of a search, and drew nothing meanwhile."""
     pygame.display.set_mode((100, 100))
     names = ("free-fall", "components", "projectile")
-    levels = [catalog.find(f"kinematics/{name}") for name in names]
+    levels = [level_catalog.find(f"kinematics/{name}") for name in names]
     thumbnails, deadline = Thumbnails(), time.monotonic() + PATIENCE
     pids: set[int | None] = set()
     try:
@@ -412,7 +412,7 @@ def test_no_level_holds_up_the_others(pen: Pen, monkeypatch: pytest.MonkeyPatch)
     monkeypatch.setattr(picture_cache, "PATIENCE", 0.2)
     begun = time.monotonic()
 
-    picture_cache.draw(catalog.find("hard/gas-of-60"), pen)
+    picture_cache.draw(level_catalog.find("hard/gas-of-60"), pen)
 
     assert time.monotonic() - begun < PATIENCE / 4
 

@@ -13,7 +13,7 @@ from sandbox.app.stage.labels import Labels
 from sandbox.app.stage.marks import boxes
 from sandbox.app.stage.overlays import forces
 from sandbox.app.stage.stage import Stage
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.loading import load
 from tests.app.person import Person
 from tests.app.scenes import opened, play
@@ -71,7 +71,7 @@ def test_a_strict_label_is_left_out_rather_than_cover_what_it_should_avoid() -> 
 
 
 def test_events_at_one_place_are_written_apart(pen: Pen) -> None:
-    session = play(Session(load(catalog.find("lagrange/bead-on-a-wire"))))
+    session = play(Session(load(level_catalog.find("lagrange/bead-on-a-wire"))))
     written: list[pygame.Rect] = []
 
     class Noting(pygame.Surface):
@@ -92,7 +92,7 @@ def test_events_at_one_place_are_written_apart(pen: Pen) -> None:
 
 
 def test_what_was_measured_keeps_off_bodies(pen: Pen) -> None:
-    session = Session(load(catalog.find("momentum/cradle")))
+    session = Session(load(level_catalog.find("momentum/cradle")))
     while session.t < 0.56:
         session.step()
     (milestone,) = session.milestones()
@@ -132,7 +132,7 @@ def test_what_was_measured_keeps_off_the_arrow_of_a_force(
 
 def test_what_was_measured_keeps_off_the_words_of_the_level(pen: Pen) -> None:
     """Labels of the level do not move, so all others make way for them."""
-    session = Session(load(catalog.find("momentum/bounce-by-bounce")))
+    session = Session(load(level_catalog.find("momentum/bounce-by-bounce")))
     while session.t < 2.0:
         session.step()
     own, measured = set[pygame.Surface](), set[pygame.Surface]()
@@ -160,7 +160,7 @@ def test_what_was_measured_keeps_off_the_words_of_the_level(pen: Pen) -> None:
 
 
 def test_the_words_of_forces_in_a_narrow_picture_keep_off_each_other(pen: Pen) -> None:
-    session = Session(load(catalog.find("energy/resonance")))
+    session = Session(load(level_catalog.find("energy/resonance")))
     session.playing = True
     while session.t < 1.0:
         session.update(1 / 60, budget=10.0)
@@ -185,7 +185,7 @@ def test_a_line_that_ends_anywhere_is_looked_at_in_no_time() -> None:
 
 
 def test_no_label_lies_over_a_ruler(pen: Pen, monkeypatch: pytest.MonkeyPatch) -> None:
-    session = Session(load(catalog.find("machines/trebuchet")))
+    session = Session(load(level_catalog.find("machines/trebuchet")))
     for _ in range(60):
         session.step()
     stage = Stage(pen, (400, 400))
@@ -244,7 +244,7 @@ def test_the_forces_on_a_chassis_are_written_beside_the_car(
     pen: Pen, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """They were written over its wheels and over its body."""
-    session = Session(load(catalog.find("machines/car-over-bumps")))
+    session = Session(load(level_catalog.find("machines/car-over-bumps")))
     while session.t < 1.5:
         session.step()
     session.looking.chosen = "chassis"

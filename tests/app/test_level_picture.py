@@ -8,7 +8,7 @@ import pytest
 
 from sandbox.app import level_picture
 from sandbox.app.level_picture import render, save_picture
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.loading import parse
 from sandbox.physics.state.errors import SimulationError
 from tests.app import scenes
@@ -16,7 +16,7 @@ from validation.case import textbook
 
 
 @pytest.mark.sweep
-@pytest.mark.parametrize("name", catalog.names())
+@pytest.mark.parametrize("name", level_catalog.names())
 def test_every_level_is_drawn(name: str) -> None:
     """Those of the textbook at their most telling moment, the hard ones soon after their start."""
     level = textbook(name)

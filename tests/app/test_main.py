@@ -41,7 +41,7 @@ def test_without_a_display_nothing_is_printed() -> None:
 @pytest.mark.sweep
 def test_the_rest_of_the_sandbox_does_not_need_pygame() -> None:
     code = (
-        "import sys, sandbox, sandbox.app, sandbox.model.catalog;"
+        "import sys, sandbox, sandbox.app, sandbox.model.level_catalog;"
         "import sandbox.physics.measuring.recording;"
         "raise SystemExit('pygame' in sys.modules)"
     )

@@ -15,7 +15,7 @@ from sandbox.app.panels.layout import divide
 from sandbox.app.runs.session import Session
 from sandbox.app.widgets.parameters import Parameters
 from sandbox.app.widgets.sheet import BAR, MARGIN
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.loading import load
 from tests.app import scenes
 from tests.app.writing import noted
@@ -34,7 +34,7 @@ def test_every_label_of_a_parameter_is_written_whole(
     manager = UIManager((1280, 800), theme.widgets(1.0))
     container = UIScrollingContainer(pygame.Rect(0, 0, WIDTH, 740), manager)
     written = noted(pen, monkeypatch)
-    levels = [load(catalog.find(name)) for name in catalog.names()]
+    levels = [load(level_catalog.find(name)) for name in level_catalog.names()]
     labelled = [(level, n, p) for level in levels for n, p in level.parameters.items()]
     for level, name, parameter in sorted(labelled, key=lambda each: len(each[2].label))[-LONGEST:]:
         area = pygame.Rect(MARGIN, 0, WIDTH, 740)

@@ -7,7 +7,7 @@ import pytest
 
 from sandbox.app.home.home import Home
 from sandbox.app.home.preview import AFTER, LASTING, Preview, is_expensive
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.loading import load
 from tests.app import scenes
 from tests.app.person import FRAME, Person
@@ -46,7 +46,9 @@ def test_a_card_plays_while_the_mouse_rests_on_it_and_stops_when_it_is_left(
     place = card(visitor, FALL)
     visitor.move(place.center)
     visitor.wait(AFTER / 2)
-    assert home(visitor).preview.picture(catalog.find("kinematics/free-fall"), (10, 10)) is None
+    assert (
+        home(visitor).preview.picture(level_catalog.find("kinematics/free-fall"), (10, 10)) is None
+    )
 
     visitor.wait(AFTER)
     early = seen(visitor, place)
@@ -86,7 +88,7 @@ def test_a_click_opens_the_level_that_plays_from_its_start(visitor: Person) -> N
     [("kinematics/free-fall", False), ("momentum/cradle", False), ("hard/gas-of-60", True)],
 )
 def test_a_level_of_many_parts_is_not_played(name: str, expensive: bool) -> None:
-    assert is_expensive(load(catalog.find(name))) is expensive
+    assert is_expensive(load(level_catalog.find(name))) is expensive
 
 
 @pytest.mark.parametrize("text", ["{", scenes.falling(bodies={})])

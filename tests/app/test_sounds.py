@@ -11,7 +11,7 @@ from sandbox.app.observing.impacts import Blow
 from sandbox.app.pages.settings import panel
 from sandbox.app.pages.settings.panel import SettingsPage
 from sandbox.app.sounds import APART, AT_ONCE, PITCH, RATE, SEMITONES, Sounds, semitones, tone
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.loading import load
 from sandbox.physics.run import build
 from tests.app.person import FRAME, Person
@@ -90,7 +90,7 @@ def test_impacts_are_heard_while_time_passes_but_not_on_a_way_back(person: Perso
 
 
 def test_the_hardest_impacts_of_a_frame_are_played_as_loud_as_they_are_hard() -> None:
-    world, player = build(load(catalog.find(CRADLE))), Sounds()
+    world, player = build(load(level_catalog.find(CRADLE))), Sounds()
     assert sounds.opened() == ""
 
     assert player.play(blows(0.1, 0.5, 0.9, 0.3, 0.2), world, FRAME) == AT_ONCE
@@ -101,7 +101,7 @@ def test_the_hardest_impacts_of_a_frame_are_played_as_loud_as_they_are_hard() ->
 
 
 def test_tones_do_not_begin_in_every_frame() -> None:
-    world, player = build(load(catalog.find(CRADLE))), Sounds()
+    world, player = build(load(level_catalog.find(CRADLE))), Sounds()
 
     begun = [player.play(blows(0.5), world, FRAME) for _ in range(60)]
 

@@ -11,7 +11,7 @@ from sandbox.app.runs.session import Session
 from sandbox.app.stage import joints, strings
 from sandbox.app.stage.outline import outlines
 from sandbox.app.stage.stage import Stage
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.joints import Rod, Wire
 from sandbox.model.loading import choose, load
 from sandbox.model.shapes import XY
@@ -115,7 +115,7 @@ RINGS = (("disc", 0.2), ("hoop", 1.0))  # m
 
 def test_arrows_grow_with_the_speed_where_nobody_knows_how_fast_a_run_will_be(pen: Pen) -> None:
     """Scaled to the highest speed so far, the arrow of an accelerating body never grew."""
-    session, stage = Session(load(catalog.find("momentum/cradle"))), Stage(pen, SIZE)
+    session, stage = Session(load(level_catalog.find("momentum/cradle"))), Stage(pen, SIZE)
     stage.use(session.world)
     lengths = []
     for _ in range(250):
@@ -291,7 +291,7 @@ def test_a_joint_without_a_look_of_its_own_is_seen(
 
 
 def test_a_frame_that_depends_on_parameters_follows_them(pen: Pen) -> None:
-    level = load(catalog.find("kinematics/free-fall"))
+    level = load(level_catalog.find("kinematics/free-fall"))
     stage = Stage(pen, SIZE)
     for height in (20, 50):
         stage.use(Session(level, choose(level, {"height": height})).world)
@@ -304,7 +304,7 @@ def test_a_frame_that_depends_on_parameters_follows_them(pen: Pen) -> None:
 
 
 def test_rounding_is_not_drawn_as_motion(pen: Pen) -> None:
-    session = Session(load(catalog.find("rotation/balance-beam")))
+    session = Session(load(level_catalog.find("rotation/balance-beam")))
     for _ in range(60):
         session.step()
     stage = Stage(pen, SIZE)
@@ -433,7 +433,7 @@ def test_the_wheels_of_pegs_beside_each_other_do_not_overlap() -> None:
 
 def test_a_wire_is_as_smooth_as_its_curve(pen: Pen, monkeypatch: pytest.MonkeyPatch) -> None:
     """A spiral was drawn with 200 straight pieces, 0.8 px off the curve on which the marble ran."""
-    session = Session(load(catalog.find("machines/marble-run")))
+    session = Session(load(level_catalog.find("machines/marble-run")))
     stage = Stage(pen, (1200, 1200))
     stage.use(session.world)
     stage.fit()
@@ -462,7 +462,7 @@ def test_a_wire_is_as_smooth_as_its_curve(pen: Pen, monkeypatch: pytest.MonkeyPa
 def test_one_of_many_joints_is_a_line(pen: Pen, monkeypatch: pytest.MonkeyPatch) -> None:
     """The pins of 760 rods took 10 of the 20 ms of a frame."""
     stage = Stage(pen, SIZE)
-    stage.use(Session(load(catalog.find("hard/net-of-20"))).world)
+    stage.use(Session(load(level_catalog.find("hard/net-of-20"))).world)
     stage.fit()
     circles: list[object] = []
     monkeypatch.setattr(pygame.draw, "aacircle", lambda *where: circles.append(where))

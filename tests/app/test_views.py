@@ -4,7 +4,7 @@ import pytest
 
 from sandbox.app.drawing.camera import Camera
 from sandbox.app.stage.outline import outlines
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.loading import load
 from sandbox.physics.run import build
 
@@ -12,10 +12,10 @@ SIZES = ((716, 740), (1280, 720), (480, 300))  # px: of the window, the README, 
 
 
 @pytest.mark.sweep
-@pytest.mark.parametrize("name", catalog.names())
+@pytest.mark.parametrize("name", level_catalog.names())
 def test_what_moves_is_seen_at_the_start(name: str) -> None:
     """The lander fell from above the picture, and the rocket stood below it."""
-    world = build(load(catalog.find(name)))
+    world = build(load(level_catalog.find(name)))
     moving = [o for o in outlines(world.level, world.values).values() if o.moves and not o.hidden]
     for size in SIZES:
         camera = Camera(size)

@@ -10,7 +10,7 @@ from sandbox.app.cards.card import Card
 from sandbox.app.cards.energy import ledger
 from sandbox.app.drawing.text import Pen
 from sandbox.app.runs.session import Session
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.loading import load
 from sandbox.model.message import Message
 from sandbox.physics.advising.remedies import Advice
@@ -123,7 +123,7 @@ def test_the_bars_tell_what_friction_took(person: Person) -> None:
     """The card of bars has one more row than without friction."""
     heights = []
     for name in ("newton/incline", "newton/friction-brings-to-rest"):
-        session = Session(load(catalog.find(name)))
+        session = Session(load(level_catalog.find(name)))
         heights.append(ledger(Pen(), 300, session.books.balance, "").height)
         person.window.open_level(name)
         person.wait()

@@ -14,12 +14,12 @@ from sandbox.app.drawing.text import Pen
 from sandbox.app.pages.level.panel import LevelPage
 from sandbox.app.panels import messages
 from sandbox.app.panels.controls import Controls
-from sandbox.app.panels.footer import counted
 from sandbox.app.panels.layout import divide
+from sandbox.app.panels.verdicts_and_energies import counted
 from sandbox.app.runs import runfile
 from sandbox.app.runs.session import Session
 from sandbox.app.words.language import Name
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.level import Stepping
 from sandbox.model.loading import load
 from sandbox.physics.measuring.recording import count_steps
@@ -131,7 +131,7 @@ def test_the_speed_is_changed_by_keys_and_buttons(player: Person) -> None:
 
 def test_a_level_is_opened_by_a_click_in_the_list(player: Person) -> None:
     assert player.window.panels.list is not None
-    path = catalog.find("kinematics/free-fall")
+    path = level_catalog.find("kinematics/free-fall")
 
     player.click(player.window.panels.list.button(path).rect)
 
@@ -143,14 +143,14 @@ def test_a_level_is_opened_by_a_click_in_the_list(player: Person) -> None:
 @pytest.mark.steps(100_000)  # it takes as long as so many
 def test_every_level_can_be_walked_to_and_stepped_by_keyboard(player: Person) -> None:
     seen = set()
-    for _ in range(len(catalog.names()) + 1):
+    for _ in range(len(level_catalog.names()) + 1):
         player.press(pygame.K_DOWN)
         assert player.window.session is not None, player.window.panels.refusal
         player.press(pygame.K_RIGHT)
         assert player.session.world.steps == 1, player.session.level.title
         seen.add(player.session.level.title)
 
-    assert len(seen) == len(catalog.names()) + 1
+    assert len(seen) == len(level_catalog.names()) + 1
     last = player.session.level.title
     player.press(pygame.K_UP)
     assert player.session.level.title != last
@@ -685,7 +685,7 @@ def test_the_window_does_not_stand_still_while_a_run_looks_for_its_setting(
     person: Person, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """The file requests an accuracy; the search for it runs beside the frames."""
-    level = load(catalog.find("kinematics/projectile"))
+    level = load(level_catalog.find("kinematics/projectile"))
     asking = level.model_copy(update={"stepping": Stepping(accuracy=1e-6)})
     stated = asking.model_dump(mode="json", by_alias=True, exclude_defaults=True)
     saved = runfile.run_of(Session(level)).model_copy(update={"level": stated})

@@ -10,11 +10,11 @@ from pygame_gui.core import UIElement
 
 from sandbox.app import main, window_timing
 from sandbox.app.pages.graph.panel import GraphPage
-from sandbox.app.panels.footer import Foot
+from sandbox.app.panels.verdicts_and_energies import Foot
 from sandbox.app.widgets.list_button import Row
 from sandbox.app.window import Window
-from sandbox.model.catalog import find
 from sandbox.model.level import Level
+from sandbox.model.level_catalog import find
 from sandbox.model.loading import load
 from tests.app.person import FRAME, Person
 

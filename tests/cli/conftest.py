@@ -5,7 +5,7 @@ import pytest
 
 from sandbox import interrupts, streams
 from sandbox.__main__ import main
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from tests.cli.helpers import Outcome, Run, Write, fall
 
 
@@ -44,6 +44,6 @@ def write(tmp_path: Path) -> Write:
 @pytest.fixture
 def chapters(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, write: Write) -> Path:
     """A catalog of one level, `motion/fall`."""
-    monkeypatch.setattr(catalog, "root", lambda: tmp_path / "levels")
+    monkeypatch.setattr(level_catalog, "root", lambda: tmp_path / "levels")
     write("levels/motion/fall.json")
     return tmp_path / "levels"

@@ -2,7 +2,7 @@
 
 import pytest
 
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from tests.cli.helpers import Run
 
 
@@ -56,7 +56,7 @@ def test_says_a_torque_beside_its_force(run: Run) -> None:
     assert "with a torque of 3.560 N m" in told
 
 
-@pytest.mark.parametrize("name", catalog.names()[::12])
+@pytest.mark.parametrize("name", level_catalog.names()[::12])
 def test_any_level_can_be_described_at_its_start(run: Run, name: str) -> None:
     result = run("describe", name, "--forces")
 

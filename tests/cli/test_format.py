@@ -4,7 +4,7 @@ import json
 
 import pytest
 
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.loading import load
 from sandbox.model.writing import text
 from tests.cli.helpers import Run, Write, fall
@@ -37,7 +37,7 @@ def test_check_says_what_would_change_and_writes_nothing(run: Run, write: Write)
 
 @pytest.mark.sweep
 def test_no_level_that_ships_would_change(run: Run) -> None:
-    names = catalog.names()
+    names = level_catalog.names()
 
     outcome = run("format", "--check", *names)
 

@@ -7,7 +7,7 @@ from rich.console import Console
 
 from sandbox.cli import list as listing
 from sandbox.cli.argument_parsing import open_level
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from tests.cli.helpers import Run, Write
 
 
@@ -21,7 +21,7 @@ def test_elsewhere_than_on_a_terminal_a_level_is_one_line_with_tabs(run: Run) ->
 def test_the_list_names_every_level(run: Run) -> None:
     names = [line.split("\t")[0] for line in run("list").out.splitlines()]
 
-    assert names == catalog.names()
+    assert names == level_catalog.names()
 
 
 def test_on_a_terminal_of_80_columns_names_are_whole(
@@ -34,7 +34,7 @@ def test_on_a_terminal_of_80_columns_names_are_whole(
 
     lines = run("list").out.splitlines()
 
-    assert set(catalog.names()) <= {line.split(" ")[0] for line in lines}
+    assert set(level_catalog.names()) <= {line.split(" ")[0] for line in lines}
     assert max(map(len, lines)) <= 80
 
 

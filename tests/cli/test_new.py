@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from sandbox.model import catalog, templates
+from sandbox.model import level_catalog, templates
 from sandbox.model.loading import load
 from sandbox.model.rules.faults import corners
 from sandbox.model.writing import formatted
@@ -69,7 +69,7 @@ def test_without_a_template_it_is_the_ground_alone(run: Run) -> None:
 
 
 def test_a_new_level_may_begin_as_any_level(run: Run) -> None:
-    shipped = catalog.find("newton/atwood")
+    shipped = level_catalog.find("newton/atwood")
 
     assert run("new", "mine", "--from", "newton/atwood").status == 0
 
@@ -81,7 +81,7 @@ def test_a_new_level_names_the_schema_where_it_is(run: Run) -> None:
     run("new", "mine")
 
     named = json.loads(Path("mine.json").read_text("utf-8"))["$schema"]
-    assert named == (catalog.root() / "level.schema.json").as_uri()
+    assert named == (level_catalog.root() / "level.schema.json").as_uri()
 
 
 def test_beside_the_levels_that_ship_the_schema_is_named_as_there(run: Run, chapters: Path) -> None:

@@ -8,7 +8,7 @@ import pytest
 from sandbox.cli import reference
 from sandbox.cli.commands import COMMANDS
 from sandbox.cli.reference import FOLDER, PAGES
-from sandbox.model import catalog, joints
+from sandbox.model import joints, level_catalog
 from sandbox.model.effects import EFFECTS
 from sandbox.model.errors import MisuseError
 from sandbox.model.message import Message
@@ -17,7 +17,7 @@ from sandbox.model.schema import schema
 
 @pytest.mark.parametrize(("name", "page"), PAGES.items(), ids=PAGES)
 def test_the_pages_in_the_docs_are_up_to_date(name: str, page: Callable[[], str]) -> None:
-    written = (catalog.sources() / FOLDER / name).read_text(encoding="utf-8")
+    written = (level_catalog.sources() / FOLDER / name).read_text(encoding="utf-8")
 
     assert written == page(), "run 'make docs'"
 
@@ -62,7 +62,7 @@ def test_an_installed_package_writes_no_reference(
     def sources() -> None:
         raise MisuseError(Message("this is written in a checkout of the project"))
 
-    monkeypatch.setattr(catalog, "sources", sources)
+    monkeypatch.setattr(level_catalog, "sources", sources)
 
     assert reference.main() == 2
     assert "a checkout" in capsys.readouterr().err

@@ -8,19 +8,19 @@ from hypothesis import strategies as st
 
 from sandbox.editing.draft import MOST_STEPS, Draft
 from sandbox.editing.text_patches import put
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.errors import SandboxError
 from sandbox.model.loading import read
 from tests.sample import sampled
 
-LEVELS = sorted(catalog.root().glob("*/*.json"))
+LEVELS = sorted(level_catalog.root().glob("*/*.json"))
 BOM = b"\xef\xbb\xbf"
 
 
 @pytest.fixture
 def file(tmp_path: Path) -> Path:
     path = tmp_path / "level.json"
-    path.write_bytes(catalog.find("newton/atwood").read_bytes())
+    path.write_bytes(level_catalog.find("newton/atwood").read_bytes())
     return path
 
 

@@ -14,7 +14,7 @@ from sandbox.editing.edits.joints import Pick, add_joint
 from sandbox.editing.foreseen import MOST, Foreseen, Foresight, Proposed
 from sandbox.editing.text_patches import Changes, put, put_all
 from sandbox.editing.written_out import plain
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.errors import SandboxError
 from sandbox.model.level import Level
 from sandbox.model.loading import parse
@@ -22,7 +22,7 @@ from sandbox.physics.run import build
 from sandbox.physics.state.errors import SimulationError
 from tests.sample import sampled
 
-LEVELS = sorted(catalog.root().glob("*/*.json"))
+LEVELS = sorted(level_catalog.root().glob("*/*.json"))
 
 Edits = Proposed[str] | Proposed[Made]
 

@@ -15,7 +15,7 @@ from sandbox.editing import recovery
 from sandbox.editing.draft import Draft
 from sandbox.editing.recovery import Recovery, recoverable
 from sandbox.editing.text_patches import put
-from sandbox.model import catalog, files
+from sandbox.model import files, level_catalog
 
 
 @pytest.fixture(autouse=True)
@@ -76,7 +76,7 @@ def test_a_draft_of_a_file_is_recovered_onto_it_unless_it_has_changed(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     path = tmp_path / "level.json"
-    path.write_bytes(catalog.find("newton/atwood").read_bytes())
+    path.write_bytes(level_catalog.find("newton/atwood").read_bytes())
     draft = Draft.open(path)
     draft.change(put(draft.text, ("title",), "mine"), "a title")
     Recovery().keep(draft)

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from sandbox.editing.run_as_level import as_it_stands
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.errors import SandboxError
 from sandbox.model.loading import load, parse
 from sandbox.physics.run import build
@@ -23,7 +23,7 @@ PILES = 2e-3
 
 
 def stood(name: str) -> World:
-    world = build(load(catalog.find(name)))
+    world = build(load(level_catalog.find(name)))
     world.advance(STEPS)
     return world
 

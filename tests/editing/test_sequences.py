@@ -19,16 +19,16 @@ from sandbox.editing.edits import (
     joints,
     mirroring,
     rope_wrapping,
-    round_shapes,
+    round_shape_kinds,
     swinging,
     tilting,
     transforms,
 )
 from sandbox.editing.renaming import rename
 from sandbox.editing.snapping import snap_body
-from sandbox.editing.suggest import suggestions, take
+from sandbox.editing.suggested_checks import suggestions, take
 from sandbox.editing.written_out import plain
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.effects import EFFECTS
 from sandbox.model.errors import SandboxError
 from sandbox.model.joints import KINDS
@@ -37,8 +37,10 @@ from sandbox.model.level import Level
 from sandbox.model.level_parts import expressions
 from sandbox.model.loading import read
 
-SMALL = [name for name in catalog.textbook() if catalog.find(name).stat().st_size < 3000]
-FIRST = [Draft.empty().text, *(plain(read(catalog.find(name))) for name in SMALL)]
+SMALL = [
+    name for name in level_catalog.textbook() if level_catalog.find(name).stat().st_size < 3000
+]
+FIRST = [Draft.empty().text, *(plain(read(level_catalog.find(name))) for name in SMALL)]
 
 NUMBER = st.floats(-5, 5).map(lambda x: round(x, 2))
 POINT = st.tuples(NUMBER, NUMBER)
@@ -182,10 +184,10 @@ def challenged(text: str, hand: Hand) -> str:
 
 def made_round(text: str, hand: Hand) -> str:
     name = hand.body()
-    if hand.level.bodies[name].shape.type not in round_shapes.ROUND:
+    if hand.level.bodies[name].shape.type not in round_shape_kinds.ROUND:
         return text
-    kind = hand.word(round_shapes.ROUND)
-    return round_shapes.rounded(text, hand.level, name, kind).text
+    kind = hand.word(round_shape_kinds.ROUND)
+    return round_shape_kinds.rounded(text, hand.level, name, kind).text
 
 
 FAMILIES: tuple[Callable[[str, Hand], str], ...] = (

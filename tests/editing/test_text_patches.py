@@ -10,14 +10,14 @@ from hypothesis import strategies as st
 
 from sandbox.editing.json_spans import Spans
 from sandbox.editing.text_patches import PatchError, put, put_all, remove, type_in, value_at
-from sandbox.model import catalog, templates
+from sandbox.model import level_catalog, templates
 from sandbox.model.errors import LevelError
 from sandbox.model.json_positions import TOKEN
 from sandbox.model.loading import read
 from sandbox.model.writing import formatted
 from tests.sample import sampled
 
-OURS = [*sorted(catalog.root().glob("*/*.json")), *map(templates.path, templates.names())]
+OURS = [*sorted(level_catalog.root().glob("*/*.json")), *map(templates.path, templates.names())]
 SMALL = [path for path in OURS if path.stat().st_size < 4000]
 
 TYPED = """{

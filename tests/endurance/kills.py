@@ -32,7 +32,7 @@ from sandbox.app.files.progress import Progress
 from sandbox.cli import commands as sandbox_commands
 from sandbox.cli import experiment, format, generate, migrate, new, render, simulate, tour  # noqa: A004, F401 (as above)
 from sandbox.experiments import batch_scheduling, storage  # noqa: F401 (as above)
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.errors import SandboxError
 from sandbox.model.files import write_atomically
 from sandbox.model.loading import load
@@ -70,7 +70,7 @@ def _render(turn: int) -> None:
 
 
 def _tour(_turn: int) -> None:
-    with patch.object(catalog, "names", lambda: FEW):
+    with patch.object(level_catalog, "names", lambda: FEW):
         _sandbox("tour", "--output", "tour")
 
 
@@ -84,7 +84,7 @@ def _new(_turn: int) -> None:
 
 
 def _format(turn: int) -> None:
-    said = json.loads(catalog.find(LEVEL).read_text(encoding="utf-8"))
+    said = json.loads(level_catalog.find(LEVEL).read_text(encoding="utf-8"))
     write_atomically(Path("level.json"), json.dumps(said, indent=1 + turn))
     _sandbox("format", "level.json")
     _sandbox("migrate", "level.json")
@@ -102,7 +102,7 @@ def _stars(turn: int) -> None:
 
 
 def _cache(turn: int) -> None:
-    level = load(catalog.find(LEVEL))
+    level = load(level_catalog.find(LEVEL))
     calibrated(level, level.defaults, 1e-3 * (1 + turn) * Random().uniform(1, 2))
 
 

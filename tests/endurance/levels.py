@@ -9,7 +9,7 @@ from time import process_time
 
 import typer
 
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.errors import SandboxError
 from sandbox.model.loading import load
 from sandbox.physics.measuring.recording import Recorder, count_steps
@@ -55,7 +55,7 @@ class Playing:
     """A level that is restarted again and again; if recorded, every step is, with its energies."""
 
     def __init__(self, name: str, *, recorded: bool) -> None:
-        self.level, self._recorded, self.runs = load(catalog.find(name)), recorded, 0
+        self.level, self._recorded, self.runs = load(level_catalog.find(name)), recorded, 0
         self.stride = 1 if recorded else STRIDE
         self._begin()
 

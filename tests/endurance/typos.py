@@ -19,7 +19,7 @@ from typing import NamedTuple
 
 import typer
 
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.errors import LevelError
 from sandbox.model.json_positions import TOKEN, Position, position
 from sandbox.model.loading import parse
@@ -114,7 +114,7 @@ def _bodies(text: str) -> set[Position]:
 def attempt(batch: Batch) -> Report:
     """Try some typos of a level."""
     level, first, part, seed = batch
-    text, report = catalog.find(level).read_text(encoding="utf-8"), Report(Counter(), [])
+    text, report = level_catalog.find(level).read_text(encoding="utf-8"), Report(Counter(), [])
     bodies = _bodies(text)
     gc.freeze()  # what is there by now is not looked through again for what is lost
     for typo in islice(_chosen(level, text, part, seed), first, first + BATCH):
@@ -129,7 +129,9 @@ def attempt(batch: Batch) -> Report:
 
 def _batches(part: int, seed: int) -> Iterator[Batch]:
     """Yield everything to be tried, the largest levels last: each of their typos takes long."""
-    texts = {name: catalog.find(name).read_text(encoding="utf-8") for name in catalog.names()}
+    texts = {
+        name: level_catalog.find(name).read_text(encoding="utf-8") for name in level_catalog.names()
+    }
     for level, text in sorted(texts.items(), key=lambda item: len(item[1])):
         for first in range(0, sum(1 for _ in _chosen(level, text, part, seed)), BATCH):
             yield Batch(level, first, part, seed)

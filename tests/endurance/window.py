@@ -28,7 +28,7 @@ from sandbox.app.keymap import BINDINGS
 from sandbox.app.malloc_tuning import give_back_large_blocks
 from sandbox.app.pages.register import PAGES
 from sandbox.app.window import Window
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from tests.elsewhere import move_home
 from tests.endurance.memory import held
 from validation.fuzz.command import made
@@ -132,7 +132,7 @@ class Monkey:
 
     def _file(self) -> None:
         if self._random.random() < 0.5:
-            name = str(catalog.find(self._random.choice(catalog.names())))
+            name = str(level_catalog.find(self._random.choice(level_catalog.names())))
         else:
             name = str(self._folder / "dropped.json")
             Path(name).write_text(self._content(), encoding="utf-8")
@@ -181,7 +181,7 @@ def main(events: int = 100_000, seed: int = 0) -> None:
 def _readings(events: int, seed: int, folder: Path) -> list[float]:
     """Post a number of events; return the memory before the first and after each part [MB]."""
     window, begun = Window(), monotonic()
-    for name in catalog.textbook():  # what is made but once is there then
+    for name in level_catalog.textbook():  # what is made but once is there then
         window.open_level(name)
         for page in PAGES:
             window.do(page.command)

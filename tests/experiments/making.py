@@ -13,7 +13,7 @@ from sandbox.experiments.executors import Executor, Here
 from sandbox.experiments.plan import Plan
 from sandbox.experiments.planning import make
 from sandbox.experiments.storage import Store
-from sandbox.model.catalog import find
+from sandbox.model.level_catalog import find
 from sandbox.model.loading import load
 
 RANGE = "ball.position.x@landing"

@@ -7,7 +7,7 @@ import pytest
 
 from sandbox.experiments.fitting import FitError, fit
 from sandbox.experiments.measured_data import Data, DataError, read
-from sandbox.model.catalog import find
+from sandbox.model.level_catalog import find
 from sandbox.model.loading import load
 
 FALL = load(find("kinematics/free-fall"))

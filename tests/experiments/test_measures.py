@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from sandbox.experiments.measures import MeasureError, parse
-from sandbox.model.catalog import find
 from sandbox.model.expressions import Expression
+from sandbox.model.level_catalog import find
 from sandbox.model.loading import load
 from tests.experiments.making import plan, table
 

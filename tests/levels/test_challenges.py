@@ -2,14 +2,14 @@
 
 import pytest
 
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.level import Level
 from sandbox.model.loading import load
 from sandbox.physics.measuring.goals import Attempt, attempt
 from sandbox.physics.run import simulate
 from tests.sample import sampled
 
-LEVELS = {name: load(catalog.find(name)) for name in catalog.challenges()}
+LEVELS = {name: load(level_catalog.find(name)) for name in level_catalog.challenges()}
 
 LEAST = 15
 """How many there are at the least."""

@@ -9,7 +9,7 @@ from subprocess import PIPE, Popen
 import numpy as np
 import pytest
 
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.effects import EFFECTS
 from sandbox.model.expressions import Array, Values
 from sandbox.model.joints import KINDS, Joint, Spring
@@ -25,9 +25,9 @@ from tests.levels.sweep import marked, steps, swept
 from tests.sample import is_quick
 from validation.case import textbook
 
-NAMES = [*catalog.textbook(), *catalog.challenges()]
+NAMES = [*level_catalog.textbook(), *level_catalog.challenges()]
 
-HARD = sorted(set(catalog.names()) - set(NAMES))
+HARD = sorted(set(level_catalog.names()) - set(NAMES))
 """The hard cases have no parameters, and `validation stability` runs each to its end."""
 
 FEW = 60

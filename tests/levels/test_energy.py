@@ -7,7 +7,7 @@ must that of its compositions.
 import numpy as np
 import pytest
 
-from sandbox.model import acting_events, catalog
+from sandbox.model import acting_events, level_catalog
 from sandbox.model.joints import AngleStop, Joint, Rope, Stop
 from sandbox.model.ledger_accounts import losses, works
 from sandbox.model.level import Level
@@ -93,7 +93,7 @@ def conservative(level: Level) -> bool:
     )
 
 
-NAMES = [n for n in catalog.textbook() if n not in LAND and conservative(textbook(n))]
+NAMES = [n for n in level_catalog.textbook() if n not in LAND and conservative(textbook(n))]
 
 
 def watched(name: str) -> Trace:

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from sandbox import make
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.level import Level
 from sandbox.physics.run import build, simulate
 from validation.case import textbook
@@ -18,7 +18,7 @@ WEIGHT = 68 * 9.81  # N
 
 def ragdoll(rate: float, thousandths: int = 0) -> Level:
     """The ragdoll at a rate, with some thousandths more gravity."""
-    data: dict[str, Any] = loads(catalog.find("machines/ragdoll").read_text())
+    data: dict[str, Any] = loads(level_catalog.find("machines/ragdoll").read_text())
     data["stepping"]["rate"] = rate
     data["effects"]["gravity"]["acceleration"] = [0, -9.81 * (1 + thousandths / 1000)]
     return make(data)

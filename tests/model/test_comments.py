@@ -11,7 +11,7 @@ from sandbox.editing.edits.handles import drag_handle
 from sandbox.editing.edits.joints import Pick, add_joint
 from sandbox.editing.edits.transforms import move
 from sandbox.editing.renaming import rename
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.errors import LevelError
 from sandbox.model.level import Level
 from sandbox.model.loading import parse
@@ -88,6 +88,6 @@ def test_edits_keep_comments() -> None:
 
 
 def test_the_schema_allows_them() -> None:
-    made = json.loads((catalog.root() / catalog.SCHEMA).read_text(encoding="utf-8"))
+    made = json.loads((level_catalog.root() / level_catalog.SCHEMA).read_text(encoding="utf-8"))
     assert made["patternProperties"]["^//"] == {}
     assert made["$defs"]["Body"]["patternProperties"]["^//"] == {}

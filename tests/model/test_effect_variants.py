@@ -4,7 +4,7 @@ from typing import Any
 
 import pytest
 
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.effect_variants import DEFAULTS, TOLD, EffectError, including, without
 from sandbox.model.effects import Effects
 from sandbox.model.rules.consistency import inconsistencies
@@ -12,7 +12,7 @@ from tests.sample import sampled
 from validation.case import textbook
 
 
-@pytest.mark.parametrize("name", sampled(catalog.names(), "switch off"))
+@pytest.mark.parametrize("name", sampled(level_catalog.names(), "switch off"))
 def test_every_effect_of_every_level_can_be_switched_off(name: str) -> None:
     level = textbook(name)
     for effect in level.effects.declared:

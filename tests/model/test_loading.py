@@ -12,7 +12,7 @@ from typing import Any
 
 import pytest
 
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.errors import LevelError, ValueRangeError
 from sandbox.model.level import Level
 from sandbox.model.loading import MAX_BYTES, choose, digest, load, parse
@@ -30,7 +30,7 @@ from tests.model.levels import (
 from tests.sample import sampled
 from validation.case import textbook
 
-SHIPPED = [(catalog.root() / f"{name}.json") for name in catalog.names()]
+SHIPPED = [(level_catalog.root() / f"{name}.json") for name in level_catalog.names()]
 
 
 @contextmanager
@@ -89,9 +89,9 @@ def test_a_link_that_leads_nowhere_is_told(tmp_path: Path) -> None:
     (tmp_path / "circle.json").symlink_to("circle.json")
 
     with refused("is a link to a file that does not exist"):
-        load(catalog.find(str(tmp_path / "link.json")))
+        load(level_catalog.find(str(tmp_path / "link.json")))
     with refused("Too many levels of symbolic links"):
-        load(catalog.find(str(tmp_path / "circle.json")))
+        load(level_catalog.find(str(tmp_path / "circle.json")))
 
 
 def test_a_folder_is_told(tmp_path: Path) -> None:
@@ -404,7 +404,7 @@ def test_thousands_of_mistakes_are_told_briefly_and_soon(text: str) -> None:
 # Levels
 
 
-@pytest.mark.parametrize("name", sampled(catalog.names(), "survive"))
+@pytest.mark.parametrize("name", sampled(level_catalog.names(), "survive"))
 def test_a_level_survives_being_written_and_read(name: str) -> None:
     _survives(textbook(name))
 

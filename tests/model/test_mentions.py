@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.level import Level
 from sandbox.model.loading import parse
 from sandbox.model.rules.consistency.mentions import named_bodies
@@ -191,9 +191,9 @@ def _mentioned(level: Level) -> list[Place]:
     return [path for path, _ in named_bodies(level) if path[0] != "ghosts"]
 
 
-@pytest.mark.parametrize("name", catalog.names()[::9])
+@pytest.mark.parametrize("name", level_catalog.names()[::9])
 def test_a_letter_too_few_in_a_body_s_name_is_answered_at_its_place(name: str) -> None:
-    typed = catalog.find(name).read_text(encoding="utf-8")
+    typed = level_catalog.find(name).read_text(encoding="utf-8")
     text = json.dumps(write_out(json.loads(typed), typed).data)
     places = _mentioned(parse(text))
     for place in random.Random(name).sample(places, min(3, len(places))):
@@ -208,10 +208,10 @@ def test_a_letter_too_few_in_a_body_s_name_is_answered_at_its_place(name: str) -
         assert told[_told(place)].startswith(f"unknown body '{wrong}'")
 
 
-@pytest.mark.parametrize("name", catalog.names()[4::9])
+@pytest.mark.parametrize("name", level_catalog.names()[4::9])
 def test_a_letter_too_many_anywhere_in_a_level_is_answered_or_harmless(name: str) -> None:
     """In whatever text: the result is a level or its mistakes."""
-    text = catalog.find(name).read_text(encoding="utf-8")
+    text = level_catalog.find(name).read_text(encoding="utf-8")
     letters = [index for index, letter in enumerate(text) if letter.isalpha()]
     for index in random.Random(name).sample(letters, 12):
         for mistake in mistakes_in(f"{text[:index]}q{text[index:]}"):

@@ -2,7 +2,7 @@
 
 import pytest
 
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.effects import EFFECTS
 from sandbox.model.loading import load
 from sandbox.model.remarks import remarks
@@ -53,7 +53,7 @@ def test_a_parameter_may_be_zero() -> None:
 
 @pytest.mark.parametrize("name", ["newton/atwood", "momentum/cradle", "newton/conveyor-belt"])
 def test_the_levels_declare_nothing_for_nothing(name: str) -> None:
-    assert list(remarks(load(catalog.find(name)))) == []
+    assert list(remarks(load(level_catalog.find(name)))) == []
 
 
 @pytest.mark.parametrize(

@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.effects import Effects
 from sandbox.model.level import Level
 from sandbox.model.loading import read
@@ -29,7 +29,7 @@ def _parts(part: object) -> Iterator[dict[str, Any]]:
 
 def test_the_file_is_what_the_models_say() -> None:
     """If not: `python -m sandbox.model.schema` writes it."""
-    assert (catalog.root() / "level.schema.json").read_text(encoding="utf-8") == text()
+    assert (level_catalog.root() / "level.schema.json").read_text(encoding="utf-8") == text()
 
 
 def test_every_field_that_names_no_values_itself_has_examples() -> None:
@@ -53,14 +53,16 @@ def test_every_field_but_those_that_name_a_kind_is_described() -> None:
 
 def test_only_what_levels_do_not_have_gets_examples_of_its_own() -> None:
     made = schema()
-    add_examples(made, (json.loads(read(catalog.find(name))) for name in catalog.names()))
+    add_examples(
+        made, (json.loads(read(level_catalog.find(name))) for name in level_catalog.names())
+    )
     given = {f"{part}.{key}": field.get("examples") for part, key, field in fields(made)}
 
     assert {name: given.get(name) for name in UNUSED} == {name: [it] for name, it in UNUSED.items()}
 
 
 def test_it_is_written_whole(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(catalog, "root", lambda: tmp_path)
+    monkeypatch.setattr(level_catalog, "root", lambda: tmp_path)
 
     assert write().read_text(encoding="utf-8") == text()
     assert [path.name for path in tmp_path.iterdir()] == ["level.schema.json"]
@@ -72,7 +74,9 @@ def test_an_installed_package_keeps_its_schema(
     file = tmp_path / "sandbox" / "levels" / "level.schema.json"
     file.parent.mkdir(parents=True)
     file.write_text("as it was installed")
-    monkeypatch.setattr(catalog, "__file__", str(tmp_path / "sandbox" / "model" / "catalog.py"))
+    monkeypatch.setattr(
+        level_catalog, "__file__", str(tmp_path / "sandbox" / "model" / "catalog.py")
+    )
 
     assert main() == 2
     assert "is written in a checkout of the project" in capsys.readouterr().err

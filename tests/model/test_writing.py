@@ -10,12 +10,12 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from sandbox.model import catalog, templates
+from sandbox.model import level_catalog, templates
 from sandbox.model.crowd_levels import crowd
 from sandbox.model.loading import parse
 from sandbox.model.writing import WIDTH, formatted, text, with_schema
 
-LEVELS = sorted(catalog.root().glob("*/*.json"))
+LEVELS = sorted(level_catalog.root().glob("*/*.json"))
 OURS = [*LEVELS, *map(templates.path, templates.names())]
 SMALL = [path for path in OURS if path.stat().st_size < 4000]
 PIECE = re.compile(r'"[^"\\]*(?:\\.[^"\\]*)*"|[{}\[\],:]|[^\s{}\[\],:"]+')

@@ -8,7 +8,7 @@ from functools import cache
 
 import pytest
 
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.joints import is_exact
 from sandbox.model.loading import choose, load
 from validation.case import Case, Outcome, naive, run, textbook
@@ -40,10 +40,10 @@ def test_cases_have_names_of_their_own() -> None:
 
 
 def test_every_level_has_a_case() -> None:
-    assert {case.level for case in CASES} == set(catalog.textbook())
+    assert {case.level for case in CASES} == set(level_catalog.textbook())
 
 
-@pytest.mark.parametrize("name", catalog.textbook())
+@pytest.mark.parametrize("name", level_catalog.textbook())
 def test_every_end_of_every_range_is_in_a_case(name: str) -> None:
     cases = [case.parameters for case in CASES if case.level == name]
     for parameter, range_ in textbook(name).parameters.items():
@@ -51,7 +51,7 @@ def test_every_end_of_every_range_is_in_a_case(name: str) -> None:
         assert {range_.min, range_.max} <= taken, parameter
 
 
-@pytest.mark.parametrize("name", catalog.textbook())
+@pytest.mark.parametrize("name", level_catalog.textbook())
 def test_parameters_lie_in_the_levels_ranges(name: str) -> None:
     level = textbook(name)
     for case in CASES:
@@ -117,7 +117,7 @@ def test_a_case_that_naive_pymunk_meets_cannot_claim_otherwise() -> None:
 
 
 def test_naive_means_stock_pymunk_at_the_levels_rate() -> None:
-    level = load(catalog.find("energy/circular-orbit"))
+    level = load(level_catalog.find("energy/circular-orbit"))
     stepping = naive(level).stepping
 
     assert stepping.scheme == "symplectic-euler"
@@ -136,7 +136,7 @@ def test_naive_means_stock_pymunk_at_the_levels_rate() -> None:
     ],
 )
 def test_naive_means_pymunks_own_joints_where_it_has_all_of_them(name: str, own: bool) -> None:
-    joints = naive(load(catalog.find(name))).joints.values()
+    joints = naive(load(level_catalog.find(name))).joints.values()
 
     assert all(is_exact(joint) != own for joint in joints)
 

@@ -4,13 +4,13 @@ from pathlib import Path
 
 import pytest
 
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from validation import chapter
 from validation.chapter import PAGE, PARTS, main, page, parts
 
 
 def test_every_level_plays_a_part_of_the_document() -> None:
-    assert {name for part in parts() for name in part.levels} == set(catalog.textbook())
+    assert {name for part in parts() for name in part.levels} == set(level_catalog.textbook())
 
 
 def test_a_level_that_no_part_names_is_a_part_by_its_reference(
@@ -27,13 +27,15 @@ def test_parts_have_names_of_their_own() -> None:
 
 
 def test_the_page_in_the_docs_is_the_map_as_it_is() -> None:
-    assert (catalog.sources() / PAGE).read_text(encoding="utf-8") == page()
+    assert (level_catalog.sources() / PAGE).read_text(encoding="utf-8") == page()
 
 
 def test_an_installed_package_writes_no_map(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    monkeypatch.setattr(catalog, "__file__", str(tmp_path / "sandbox" / "model" / "catalog.py"))
+    monkeypatch.setattr(
+        level_catalog, "__file__", str(tmp_path / "sandbox" / "model" / "catalog.py")
+    )
 
     assert main() == 2
     assert "is written in a checkout of the project" in capsys.readouterr().err

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.loading import load
 from sandbox.physics.measuring.grading import grade
 from sandbox.physics.measuring.recording import Trace
@@ -14,7 +14,7 @@ THETA, OMEGA, ENERGY = "needle.angle", "needle.angular_velocity", "system.energy
 
 
 def record(name: str, *quantities: str) -> Trace:
-    return simulate(load(catalog.find(name)), record=quantities or None)
+    return simulate(load(level_catalog.find(name)), record=quantities or None)
 
 
 def test_the_listings_print_these_figures() -> None:

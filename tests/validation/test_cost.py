@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 from typer.testing import CliRunner
 
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.level import Scheme, Stepping
 from sandbox.model.loading import load
 from sandbox.physics.measuring.recording import needed
@@ -90,7 +90,7 @@ def test_the_next_digit_costs_what_a_tenth_of_the_error_does() -> None:
 @pytest.mark.sweep
 def test_the_place_that_is_known_least_and_what_is_checked_can_be_trusted_so_far() -> None:
     """Compared with a run at an eighth of the step."""
-    level = load(catalog.find("lagrange/simple-pendulum"))
+    level = load(level_catalog.find("lagrange/simple-pendulum"))
     place, *checked = digits(level, ["bob.position.x", "t", "system.energy"])
     fine = level.stepping.at(8 * level.stepping.rate)
     run, best = (
@@ -171,7 +171,7 @@ def test_under_a_clock_that_ticks_too_seldom_it_is_the_finest_run(
 
 
 def test_a_formula_that_is_exact_is_the_yardstick() -> None:
-    level = load(catalog.find("kinematics/free-fall"))
+    level = load(level_catalog.find("kinematics/free-fall"))
 
     stick = yardstick(level, level.defaults, budget=0.1)
 
@@ -204,7 +204,7 @@ def test_runs_that_fail_stay_as_rows_without_a_cost() -> None:
 
 
 def test_what_goes_quickly_takes_levels_of_every_chapter() -> None:
-    every = catalog.textbook()
+    every = level_catalog.textbook()
     taken = command.sample(every)
 
     assert {name.partition("/")[0] for name in taken} == {name.partition("/")[0] for name in every}

@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 from typer.testing import CliRunner
 
-from sandbox.model import catalog, effects
+from sandbox.model import effects, level_catalog
 from sandbox.model.loading import load
 from sandbox.physics.run import build
 from validation.case import textbook
@@ -36,7 +36,7 @@ def test_a_level_is_measured_with_its_hooks_and_without() -> None:
 def test_what_calls_python_stands_beside_the_effects_of_a_level() -> None:
     """Each level that calls Python has a law, a joint or an effect that explains it."""
     laws = {effect.name for effect in effects.EFFECTS.values() if effect.is_law}
-    for name in catalog.textbook():
+    for name in level_catalog.textbook():
         level = textbook(name)
         declared, ways = level.effects.declared, costs._ways(level)
         reason = {"sticking", *laws} & set(declared) or level.joints or ways
@@ -47,7 +47,7 @@ def test_what_calls_python_stands_beside_the_effects_of_a_level() -> None:
     ("name", "left"), [("energy/spring-oscillator", 1), ("energy/circular-orbit", 0)]
 )
 def test_the_bare_engine_keeps_its_own_springs_and_loses_our_hook(name: str, left: int) -> None:
-    world = build(load(catalog.find(name)))
+    world = build(load(level_catalog.find(name)))
     assert len(world.scene.space.constraints) == 1
 
     unhook(world)
@@ -84,7 +84,7 @@ def test_the_exponent_is_that_of_a_power() -> None:
 
 @pytest.mark.sweep
 def test_the_figures_are_written(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(catalog, "names", lambda: ["kinematics/free-fall"])
+    monkeypatch.setattr(level_catalog, "names", lambda: ["kinematics/free-fall"])
     monkeypatch.setattr(costs, "QUICK", (1, 2))
     monkeypatch.setattr(growth, "QUICK", {"gas": (1, 2)})
 

@@ -11,7 +11,7 @@ import pymunk
 import pytest
 from typer.testing import CliRunner
 
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.writing import text
 from sandbox.physics.run import build
 from validation import cli
@@ -22,7 +22,7 @@ from validation.stability.families import (
     all_frontiers,
     all_levels,
     chains,
-    compositions,
+    coupled_systems,
     cradles,
 )
 from validation.stability.frontier import furthest, reach, step_cost, trial
@@ -55,7 +55,7 @@ def test_cases_and_frontiers_have_names_of_their_own() -> None:
 
 
 def test_every_hard_level_has_a_case_and_every_case_a_level() -> None:
-    known = catalog.names()
+    known = level_catalog.names()
     used = {case.level for case in CASES.values()}
 
     assert used <= set(known)
@@ -258,7 +258,7 @@ def test_pymunk_alone_has_its_own_joints() -> None:
 
 
 def test_pymunks_own_rail_is_a_groove() -> None:
-    world = naive(make(compositions.strut(10)), 1000)
+    world = naive(make(coupled_systems.strut(10)), 1000)
     joints = world.scene.space.constraints
 
     assert {type(c) for c in joints} == {pymunk.PinJoint, pymunk.GrooveJoint}

@@ -5,7 +5,7 @@ from typing import Annotated
 
 import typer
 
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.files import check_writable
 from validation import output, suite
 from validation.case import Case
@@ -42,5 +42,5 @@ def of_levels(names: Sequence[str]) -> list[Case]:
 
     Raises `SandboxError` if there is no such level.
     """
-    chosen = {catalog.find(name) for name in names}
-    return [case for case in all_cases() if not chosen or catalog.find(case.level) in chosen]
+    chosen = {level_catalog.find(name) for name in names}
+    return [case for case in all_cases() if not chosen or level_catalog.find(case.level) in chosen]

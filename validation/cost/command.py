@@ -9,7 +9,7 @@ from pathlib import Path
 
 import typer
 
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.files import check_writable, folder_of_files
 from sandbox.optional_packages import needed_for
 from sandbox.processes import spread
@@ -36,8 +36,8 @@ def measure(
     with folder_of_files(folder) if folder else nullcontext():
         draw = _drawer() if folder else None
         for name in names:
-            catalog.find(name)
-        every = catalog.textbook()
+            level_catalog.find(name)
+        every = level_catalog.textbook()
         found = sweep_all(list(names) or (sample(every) if quick else every), quick=quick)
         with output.written(content(found), json_file):
             _show(found)

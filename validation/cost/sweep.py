@@ -6,8 +6,8 @@ from itertools import product
 from math import inf, nan
 from time import perf_counter
 
-from sandbox.model.catalog import find
 from sandbox.model.level import Level, Scheme, Stepping
+from sandbox.model.level_catalog import find
 from sandbox.model.loading import load
 from sandbox.model.quantities import TIME
 from sandbox.physics.accuracy.calibration import BUDGET

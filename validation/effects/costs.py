@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from sandbox.model import catalog, effect_variants, effects
+from sandbox.model import effect_variants, effects, level_catalog
 from sandbox.model.crowd_levels import crowd
 from sandbox.model.level import Level, is_direct
 from sandbox.model.loading import load, parse
@@ -103,8 +103,8 @@ class EffectCost:
 
 def level_costs(names: Sequence[str] | None = None, repeats: int = 5) -> Iterator[LevelCost]:
     """Measure levels, by default all of the catalog, and compare them with the bare engine."""
-    for name in catalog.textbook() if names is None else names:
-        level = load(catalog.find(name))
+    for name in level_catalog.textbook() if names is None else names:
+        level = load(level_catalog.find(name))
         world = build(level)
         steps = max(min(count_steps(world), STEPS), 1)
         ours, bare = step_seconds([_stepping(level), _bare(level)], steps, repeats)

@@ -6,7 +6,7 @@ from copy import deepcopy
 from random import Random
 from typing import Any
 
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from validation.fuzz.grammar import HOSTILE
 
 Place = tuple[Any, Any]
@@ -15,8 +15,8 @@ Place = tuple[Any, Any]
 
 def mutated(random: Random) -> dict[str, Any]:
     """Return a level of the catalog with a few changes."""
-    name = random.choice(catalog.names())
-    data: dict[str, Any] = json.loads(catalog.find(name).read_text(encoding="utf-8"))
+    name = random.choice(level_catalog.names())
+    data: dict[str, Any] = json.loads(level_catalog.find(name).read_text(encoding="utf-8"))
     for _ in range(random.choice((1, 1, 2, 3, 6))):
         found = list(places(data))
         part, key = random.choice(found)

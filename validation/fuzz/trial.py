@@ -11,7 +11,7 @@ from multiprocessing.connection import Connection
 from multiprocessing.context import SpawnProcess
 from typing import Any, NamedTuple
 
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.errors import LevelError, SandboxError
 from sandbox.model.level import Stepping
 from sandbox.model.loading import parse
@@ -183,7 +183,7 @@ def _serve(line: Connection, seconds: float) -> None:
 
 def load_libraries() -> None:
     """Import what levels need: that takes half a second, and is not part of an answer."""
-    attempt(catalog.find(MUCH).read_text(encoding="utf-8"))
+    attempt(level_catalog.find(MUCH).read_text(encoding="utf-8"))
 
 
 def attempt_within(seconds: float, text: str) -> Outcome:

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from rich.table import Table
 
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.files import check_writable
 from validation import output
 from validation.environment import environment
@@ -20,9 +20,9 @@ def measure(names: Sequence[str], json_file: Path | None) -> list[str]:
     """
     if json_file:
         check_writable(json_file)
-    names = list(names) or catalog.names()
+    names = list(names) or level_catalog.names()
     for name in names:
-        catalog.find(name)
+        level_catalog.find(name)
     found = output.progress(map(pace, names), "Measuring what levels need", len(names))
     with output.written(content(found), json_file):
         output.show(table(found))

@@ -5,7 +5,7 @@ from functools import partial
 from math import inf
 from time import process_time
 
-from sandbox.model.catalog import find
+from sandbox.model.level_catalog import find
 from sandbox.model.loading import load
 from sandbox.physics.measuring.recording import count_steps
 from sandbox.physics.run import build

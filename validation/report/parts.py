@@ -9,7 +9,7 @@ from typing import Any, TypeVar
 
 from pydantic import TypeAdapter, ValidationError
 
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.errors import SandboxError
 from sandbox.model.files import read_ordinary, without_links
 from validation import suite
@@ -82,7 +82,7 @@ def quick_cases() -> list[Case]:
 
 
 def _cost(quick: bool) -> Content:
-    return cost.content(cost.sweep_all(SAMPLE if quick else catalog.textbook(), quick=quick))
+    return cost.content(cost.sweep_all(SAMPLE if quick else level_catalog.textbook(), quick=quick))
 
 
 def _effects(quick: bool) -> Content:

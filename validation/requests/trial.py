@@ -9,15 +9,15 @@ from dataclasses import dataclass
 from math import inf, isnan, nan
 from random import Random
 
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.expressions import Values
 from sandbox.model.level import HIGHEST_RATE, Level, Stepping
 from sandbox.model.loading import load
 from sandbox.physics.accuracy.calibration import Setting, calibrate
 from sandbox.physics.accuracy.compared_runs import Watched, record, scaled, watched
-from sandbox.physics.accuracy.errors import AccuracyError
+from sandbox.physics.accuracy.exceptions import AccuracyError
 from sandbox.physics.accuracy.refinement import furthest
-from sandbox.physics.accuracy.step_work import step_work
+from sandbox.physics.accuracy.step_cost import step_work
 from sandbox.physics.measuring.recording import Trace
 from sandbox.physics.scene.schemes import usable
 from sandbox.physics.state.errors import SimulationError
@@ -81,8 +81,8 @@ class Trial:
 def trial(seed: int) -> Trial:
     """Draw a level, its parameters and an accuracy, request it, and verify the result."""
     random = Random(seed)
-    name = random.choice(catalog.textbook())
-    level = load(catalog.find(name))
+    name = random.choice(level_catalog.textbook())
+    level = load(level_catalog.find(name))
     values = {n: random.uniform(p.min, p.max) for n, p in level.parameters.items()}
     target = random.choice(TARGETS)
     try:

@@ -9,8 +9,8 @@ from time import perf_counter
 
 import numpy as np
 
-from sandbox.model.catalog import find
 from sandbox.model.level import Level
+from sandbox.model.level_catalog import find
 from sandbox.model.loading import choose, load
 from sandbox.physics.run import build
 from sandbox.processes import spread

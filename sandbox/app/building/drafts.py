@@ -8,7 +8,7 @@ from pathlib import Path
 from sandbox.app.files import save_folder
 from sandbox.editing.draft import Draft
 from sandbox.editing.recovery import Recoverable, Recovery, recoverable
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.errors import SandboxError
 from sandbox.model.files import make_folder
 from sandbox.model.level import Level
@@ -95,7 +95,7 @@ class Drafts:
     @staticmethod
     def is_own(draft: Draft) -> bool:
         """Return whether a draft has a file that is not part of the project."""
-        return draft.path is not None and not draft.path.is_relative_to(catalog.root())
+        return draft.path is not None and not draft.path.is_relative_to(level_catalog.root())
 
     @classmethod
     def proposed(cls, draft: Draft, title: str) -> Path:

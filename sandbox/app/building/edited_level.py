@@ -9,7 +9,7 @@ from sandbox.app.building.pointer import Part
 from sandbox.app.building.snapping import Snapping
 from sandbox.app.drawing.camera import Camera
 from sandbox.app.words.language import later, say
-from sandbox.editing import suggest
+from sandbox.editing import suggested_checks
 from sandbox.editing.draft import Draft
 from sandbox.editing.edits import bodies, copying, grouping, transforms
 from sandbox.editing.edits.edit_result import Made
@@ -119,7 +119,7 @@ class Work:
 
     def _followed(self, text: str) -> str:
         level = self.draft.level
-        found = text if level is None else suggest.followed(level, text)
+        found = text if level is None else suggested_checks.followed(level, text)
         if found.count('"formula"') < text.count('"formula"'):
             self.tell(say("The suggested checks were removed with the parts that they were about"))
         return found

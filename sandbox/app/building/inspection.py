@@ -11,7 +11,7 @@ from sandbox.app.building.edited_level import Work
 from sandbox.app.building.effect_examples import example
 from sandbox.app.building.fields import Entry, Row
 from sandbox.app.words.language import later, plural, say
-from sandbox.editing import suggest
+from sandbox.editing import suggested_checks
 from sandbox.editing.cleanup import accepted
 from sandbox.editing.edits import effects
 from sandbox.editing.edits.checks import complete
@@ -19,7 +19,7 @@ from sandbox.editing.edits.fields import make_parameter, parameter_name, set_fie
 from sandbox.editing.edits.tilting import slope_of, tilt
 from sandbox.editing.edits.titling import entitled
 from sandbox.editing.renaming import rename
-from sandbox.editing.suggest.scene import Suggestion
+from sandbox.editing.suggested_checks.scene import Suggestion
 from sandbox.editing.text_patches import put, put_all, value_at
 from sandbox.model.body import Body
 from sandbox.model.effect_variants import DEFAULTS
@@ -203,7 +203,7 @@ def suggestions(work: Work) -> list[Act]:
         return []
     return [
         Act(say(one.setup), say("add its checks"), partial(_take, work, one))
-        for one in work.once(suggest.suggestions)
+        for one in work.once(suggested_checks.suggestions)
     ]
 
 
@@ -212,7 +212,7 @@ def _take(work: Work, one: Suggestion) -> None:
     title = f"{title[:1].upper()}{title[1:]}"
 
     def edit(text: str, level: Level) -> str:
-        return entitled(suggest.take(text, level, one), title)
+        return entitled(suggested_checks.take(text, level, one), title)
 
     if work.change(say(one.setup), edit):
         work.tell(say("Its checks are on the level's page (O); they are tested while it runs"))

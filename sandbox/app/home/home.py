@@ -17,7 +17,7 @@ from sandbox.app.home.preview import Preview
 from sandbox.app.home.thumbnails import Thumbnails
 from sandbox.app.words.language import say
 from sandbox.editing.recovery import Recoverable, recoverable
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 
 WHEEL = 90.0  # px, per notch
 BAR = 5  # px, the width of the scroll bar
@@ -266,7 +266,7 @@ class Home:
     def _draw_words(self, surface: pygame.Surface, level: Entry, below: pygame.Rect) -> None:
         earned = self._progress.stars(level.original.title)
         right = below.right - self._pen.px(PADDING)
-        if earned or level.chapter == catalog.CHALLENGES:
+        if earned or level.chapter == level_catalog.CHALLENGES:
             for i in reversed(range(STARS)):
                 right -= 2 * self._pen.px(RADIUS) + 2
                 color = theme.NOTICE if i < earned else theme.EDGE

@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from math import hypot, sqrt
 
-from sandbox.app.observing.selected_body import FAINT, cleared
+from sandbox.app.observing.forces_on_selection import FAINT, cleared
 from sandbox.app.words import formatting
 from sandbox.physics.measuring.free_body import Acting, FreeBody
 from sandbox.physics.measuring.free_body_forces import FreeBodies

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from math import hypot
 
 from sandbox.app.observing.forces_in_words import forces, way
-from sandbox.app.observing.selected_body import FAINT
+from sandbox.app.observing.forces_on_selection import FAINT
 from sandbox.app.words import formatting
 from sandbox.model.body import Body
 from sandbox.model.joints import End, Held, Joint, Pulley, Wire, points

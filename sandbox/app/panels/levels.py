@@ -22,7 +22,7 @@ from sandbox.app.widgets.list_button import Row
 from sandbox.app.widgets.text_field import LONGEST, Field
 from sandbox.app.widgets.widget_helpers import press, scroll, scrolled
 from sandbox.app.words.language import plural, say
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 
 ROW = 28  # px
 HEADING = 34  # px
@@ -37,8 +37,8 @@ STAR = "•"
 
 def entries() -> list[Entry]:
     """Return the levels of the catalogue."""
-    found, folder = [], catalog.root()
-    for name in catalog.names():
+    found, folder = [], level_catalog.root()
+    for name in level_catalog.names():
         path = (folder / f"{name}.json").resolve()
         if path.is_file():  # it may be gone since it was listed
             found.append(entry(path, name.partition("/")[0]))

@@ -36,7 +36,7 @@ if TYPE_CHECKING:
     from pygame_gui.elements import UIButton
 
     from sandbox.app.panels.bar import Bar
-    from sandbox.app.panels.footer import View
+    from sandbox.app.panels.verdicts_and_energies import View
 
 
 class Panels:

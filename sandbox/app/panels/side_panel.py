@@ -14,8 +14,8 @@ from sandbox.app.frame_time import Load
 from sandbox.app.pages import register
 from sandbox.app.pages.page import Asking, Desk, Leading, Zoomed
 from sandbox.app.pages.workers import Workers
-from sandbox.app.panels.footer import FIRST, FOLDED, Foot, View
 from sandbox.app.panels.tabs import GAP, TOP, Tabs
+from sandbox.app.panels.verdicts_and_energies import FIRST, FOLDED, Foot, View
 from sandbox.app.runs.session import Session
 from sandbox.app.widgets.parameters import Parameters
 from sandbox.app.widgets.sheet import MARGIN, Panel, Sheet

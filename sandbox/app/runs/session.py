@@ -3,7 +3,7 @@
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
 
-from sandbox.app.observing.selected_body import Looking
+from sandbox.app.observing.forces_on_selection import Looking
 from sandbox.app.runs.actions import Action
 from sandbox.app.runs.beginning import Beginning, at_rate, begin
 from sandbox.app.runs.companions import NONE, Changes, Variant

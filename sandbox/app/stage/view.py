@@ -19,8 +19,8 @@ from sandbox.physics.measuring.recording import count_steps
 from sandbox.physics.stepping.world import World
 
 if TYPE_CHECKING:
+    from sandbox.app.observing.forces_on_selection import Looking
     from sandbox.app.observing.impacts import Flash
-    from sandbox.app.observing.selected_body import Looking
     from sandbox.app.observing.thinned_series import Trail
     from sandbox.model.expressions import Array
 

@@ -9,7 +9,7 @@ from functools import lru_cache
 from pathlib import Path
 
 from sandbox.app.words import language
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.level import Check, Level
 from sandbox.model.prose_fields import prose
 
@@ -37,7 +37,7 @@ def shown(words: Iterable[str], source: str) -> Say:
 @lru_cache(maxsize=512)
 def _comes_along(source: str) -> bool:
     """Whether a file is one of the project's levels."""
-    return Path(source).is_relative_to(catalog.root())
+    return Path(source).is_relative_to(level_catalog.root())
 
 
 def title(check: Check, say: Say) -> str:

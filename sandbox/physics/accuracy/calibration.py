@@ -10,7 +10,7 @@ from sandbox.physics.accuracy.candidates import REAL_TIME, Offer
 from sandbox.physics.accuracy.chaos import chaotic, foretold
 from sandbox.physics.accuracy.cheapest_setting import Found, Seeker
 from sandbox.physics.accuracy.compared_runs import Stop, Watched, never, watched
-from sandbox.physics.accuracy.errors import AccuracyError
+from sandbox.physics.accuracy.exceptions import AccuracyError
 from sandbox.physics.accuracy.refinement_search import Progress
 from sandbox.physics.measuring.grading import applies
 

@@ -24,8 +24,8 @@ from sandbox.physics.accuracy.compared_runs import (
     scaled,
     stride,
 )
-from sandbox.physics.accuracy.errors import AccuracyError
 from sandbox.physics.accuracy.event_errors import Onsets, onsets, velocities
+from sandbox.physics.accuracy.exceptions import AccuracyError
 from sandbox.physics.accuracy.refinement import NEARLY, foot, furthest, in_step, step_durations
 from sandbox.physics.accuracy.refinement_search import FEWEST, Progress, Refiner, cost, refine
 from sandbox.physics.accuracy.richardson import ORDERS

@@ -10,7 +10,7 @@ from sandbox.model.bounds import Duration
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Check, ContactEvent, Instant, Level, SeparationEvent, Stepping
 from sandbox.model.quantities import quantity
-from sandbox.physics.accuracy.errors import Cancelled
+from sandbox.physics.accuracy.exceptions import Cancelled
 from sandbox.physics.engine.batch import Integers
 from sandbox.physics.measuring.grading import ZERO, applies, least_scale, samples
 from sandbox.physics.measuring.recording import Recorder, Trace, count_steps, needed_at

@@ -14,7 +14,7 @@ from sandbox.model.expressions import Values
 from sandbox.model.level import HIGHEST_RATE, Level, Stepping
 from sandbox.physics.accuracy.compared_runs import SEEN, Stop, Watched, record
 from sandbox.physics.accuracy.refinement import SLOWEST, Refinement, held_against, judged
-from sandbox.physics.accuracy.step_work import LOOK, step_work
+from sandbox.physics.accuracy.step_cost import LOOK, step_work
 from sandbox.physics.measuring.recording import Trace
 from sandbox.physics.state.errors import SimulationError
 

@@ -6,12 +6,12 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.contacts.contact_work import Kick
+from sandbox.physics.contacts.impacts.contact_work import Kick
 from sandbox.physics.engine.batch import Contacts
 from sandbox.physics.state.motion import Instant, Motion
 
 if TYPE_CHECKING:
-    from sandbox.physics.contacts.direct.drift_subdivision import Divided
+    from sandbox.physics.contacts.direct.drifts.drift_subdivision import Divided
 
 
 class Within(NamedTuple):

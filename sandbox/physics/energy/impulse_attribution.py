@@ -8,7 +8,7 @@ import numpy as np
 from sandbox.model import ledger_accounts
 from sandbox.model.expressions import Array
 from sandbox.model.joints import bodies_of, is_exact
-from sandbox.physics.contacts.contact_work import Kick, completed, couples, pressed, rubbing
+from sandbox.physics.contacts.impacts.contact_work import Kick, completed, couples, pressed, rubbing
 from sandbox.physics.energy.ledger_entries import Entries
 from sandbox.physics.energy.step_record import Recorded, StepRecord
 from sandbox.physics.energy.taut_ropes import reached

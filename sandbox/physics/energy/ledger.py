@@ -23,8 +23,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.contacts.contact_work import Kick
-from sandbox.physics.contacts.direct.kick_parts import Stage
+from sandbox.physics.contacts.direct.kicks.kick_parts import Stage
+from sandbox.physics.contacts.impacts.contact_work import Kick
 from sandbox.physics.energy.balance import Balance
 from sandbox.physics.energy.divided_drifts import kicks_within
 from sandbox.physics.energy.impulse_attribution import Attribution
@@ -40,7 +40,7 @@ from sandbox.physics.joints.joint_forces import pulls_of
 from sandbox.physics.state.motion import Instant, Motion
 
 if TYPE_CHECKING:
-    from sandbox.physics.contacts.direct.drift_subdivision import Divided
+    from sandbox.physics.contacts.direct.drifts.drift_subdivision import Divided
     from sandbox.physics.forces.law import Law
 
 SEEN = 1e-12

@@ -13,7 +13,7 @@ from sandbox.physics.state.motion import Reading
 from sandbox.physics.state.snapshot import Snapshot
 
 if TYPE_CHECKING:
-    from sandbox.physics.contacts.direct.drift_subdivision import Divided
+    from sandbox.physics.contacts.direct.drifts.drift_subdivision import Divided
     from sandbox.physics.events.drift_events import Acted
     from sandbox.physics.events.impact_response import Collided
     from sandbox.physics.events.slip_phases import Stop

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from sandbox.physics.contacts.direct.islands import islands
+from sandbox.physics.contacts.direct.complementarity.islands import islands
 from sandbox.physics.engine.batch import Booleans, Contacts
 from sandbox.physics.joints.joint_forces import Pulls
 

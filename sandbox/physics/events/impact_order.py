@@ -5,9 +5,9 @@ from collections.abc import Callable, Sequence
 import numpy as np
 
 from sandbox.model.message import Message
-from sandbox.physics.contacts.endless_impacts import OFTEN, EndlessImpacts
-from sandbox.physics.contacts.simultaneous_impacts import EQUAL, GENTLE, MANY
-from sandbox.physics.contacts.time_of_impact import Hit
+from sandbox.physics.contacts.detection.time_of_impact import Hit
+from sandbox.physics.contacts.impacts.endless_impacts import OFTEN, EndlessImpacts
+from sandbox.physics.contacts.impacts.simultaneous_impacts import EQUAL, GENTLE, MANY
 from sandbox.physics.engine.batch import Booleans
 
 MOST = 500

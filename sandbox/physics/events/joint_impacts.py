@@ -16,10 +16,10 @@ from typing import NamedTuple
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.contacts.direct.impacts import impulses
-from sandbox.physics.contacts.direct.kick_system import Kick
-from sandbox.physics.contacts.direct.outlines import Figures
-from sandbox.physics.contacts.direct.row_layout import Surfaces, lay_out
+from sandbox.physics.contacts.direct.kicks.impacts import impulses
+from sandbox.physics.contacts.direct.rows.kick_system import Kick
+from sandbox.physics.contacts.direct.rows.outlines import Figures
+from sandbox.physics.contacts.direct.rows.row_layout import Surfaces, lay_out
 from sandbox.physics.engine.batch import NO_CONTACTS, Contacts
 from sandbox.physics.joints.exact.shake import ExactJoints
 from sandbox.physics.joints.joint_forces import Pulls

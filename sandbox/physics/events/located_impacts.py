@@ -19,12 +19,12 @@ from sandbox.model.expressions import Array, Values
 from sandbox.model.joints import bodies_of
 from sandbox.model.level import Level
 from sandbox.model.message import Message
-from sandbox.physics.contacts.collision_filter import meets
-from sandbox.physics.contacts.endless_impacts import EndlessImpacts
-from sandbox.physics.contacts.pair_coefficients import pair_coefficients
-from sandbox.physics.contacts.post_impact_velocity import impacts
-from sandbox.physics.contacts.simultaneous_impacts import PRESSED
-from sandbox.physics.contacts.time_of_impact import Hit, Path, meet, touching
+from sandbox.physics.contacts.coefficients.pair_coefficients import pair_coefficients
+from sandbox.physics.contacts.detection.time_of_impact import Hit, Path, meet, touching
+from sandbox.physics.contacts.impacts.endless_impacts import EndlessImpacts
+from sandbox.physics.contacts.impacts.post_impact_velocity import impacts
+from sandbox.physics.contacts.impacts.simultaneous_impacts import PRESSED
+from sandbox.physics.contacts.shapes.collision_filter import meets
 from sandbox.physics.engine.batch import Booleans, Contacts
 from sandbox.physics.events.impact_order import Tally, Turns
 from sandbox.physics.events.impact_response import Coefficients, Collided, Collision, Impact

@@ -6,7 +6,7 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.engine.batch import Batch, Booleans, Contacts
-from sandbox.physics.events.restart_kick import Onwards
+from sandbox.physics.events.acceleration_after_event import Onwards
 from sandbox.physics.events.slip_phases import Slips
 
 WEAKER = 1e-6

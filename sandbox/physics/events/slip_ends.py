@@ -21,10 +21,10 @@ import numpy as np
 from sandbox.model.expressions import Array, Values
 from sandbox.model.joints import bodies_of, is_exact
 from sandbox.model.level import Level
-from sandbox.physics.contacts.pair_coefficients import pair_coefficients
-from sandbox.physics.contacts.post_impact_velocity import impacts, reached
+from sandbox.physics.contacts.coefficients.pair_coefficients import pair_coefficients
+from sandbox.physics.contacts.impacts.post_impact_velocity import impacts, reached
 from sandbox.physics.engine.batch import Booleans, Contacts, Integers
-from sandbox.physics.events.restart_kick import Onwards
+from sandbox.physics.events.acceleration_after_event import Onwards
 from sandbox.physics.events.slip_detection import Lookout
 from sandbox.physics.events.slip_phases import Phase, Slips, Stop, booked
 from sandbox.physics.scene.scene import Scene

@@ -15,7 +15,7 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.model.message import Message
-from sandbox.physics.contacts.shapes import DIRECT_SKIN
+from sandbox.physics.contacts.shapes.pymunk_shapes import DIRECT_SKIN
 from sandbox.physics.forces.law import Law
 from sandbox.physics.forces.spring import SpringForce
 from sandbox.physics.geometry.distance import plain, width

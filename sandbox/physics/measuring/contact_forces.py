@@ -12,7 +12,7 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.model.shapes import XY
-from sandbox.physics.contacts.static_friction import Freed
+from sandbox.physics.contacts.coefficients.static_friction import Freed
 from sandbox.physics.engine.batch import Contacts
 from sandbox.physics.measuring.free_body import FRICTION, NORMAL, Acting
 

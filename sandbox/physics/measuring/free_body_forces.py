@@ -29,7 +29,7 @@ import numpy as np
 from sandbox.model.expressions import Array
 from sandbox.model.joints import bodies_of, is_exact
 from sandbox.model.shapes import XY, evaluate
-from sandbox.physics.contacts.static_friction import Freed
+from sandbox.physics.contacts.coefficients.static_friction import Freed
 from sandbox.physics.energy.step_record import StepRecord
 from sandbox.physics.engine.batch import Contacts
 from sandbox.physics.forces.declared_laws import one_by_one

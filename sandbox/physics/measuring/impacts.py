@@ -14,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.contacts.contact_queries import pairs_of
+from sandbox.physics.contacts.detection.contact_queries import pairs_of
 from sandbox.physics.engine.batch import Integers
 from sandbox.physics.stepping.world import World
 

@@ -13,9 +13,9 @@ from sandbox.physics.joints.joints import Joints
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-    from sandbox.physics.contacts.hollow_contacts import Hollows
-    from sandbox.physics.contacts.one_way import Gates
-    from sandbox.physics.contacts.static_friction import Sticking
+    from sandbox.physics.contacts.coefficients.static_friction import Sticking
+    from sandbox.physics.contacts.shapes.hollow_contacts import Hollows
+    from sandbox.physics.contacts.shapes.one_way import Gates
 
 
 class Pairs(NamedTuple):

@@ -7,10 +7,16 @@ import pymunk
 from sandbox.model.collision_filter import apart
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level, Stepping, is_direct
-from sandbox.physics.contacts.corner_gaps import reach_out
-from sandbox.physics.contacts.hollow_shapes import make_hollow
-from sandbox.physics.contacts.pair_count import most_pairs, refuse_crowd
-from sandbox.physics.contacts.shapes import (
+from sandbox.physics.contacts.coefficients.solver_coefficients import (
+    correct_contacts,
+    give_coefficients,
+    stand_proud,
+    take_bounces,
+)
+from sandbox.physics.contacts.detection.pair_count import most_pairs, refuse_crowd
+from sandbox.physics.contacts.shapes.corner_gaps import reach_out
+from sandbox.physics.contacts.shapes.hollow_shapes import make_hollow
+from sandbox.physics.contacts.shapes.pymunk_shapes import (
     DIRECT_SKIN,
     SKIN,
     choose_correction,
@@ -19,20 +25,14 @@ from sandbox.physics.contacts.shapes import (
     run_belts,
     skip_ids,
 )
-from sandbox.physics.contacts.solver_coefficients import (
-    correct_contacts,
-    give_coefficients,
-    stand_proud,
-    take_bounces,
-)
 from sandbox.physics.engine.broadphase import choose_broad_phase
 from sandbox.physics.joints.welded_bodies import Touches
 from sandbox.physics.scene.build_context import Made, Pairs
 
 if TYPE_CHECKING:
     from sandbox.physics.contacts.direct.solver import Direct
-    from sandbox.physics.contacts.one_way import Gates
-    from sandbox.physics.contacts.sequential_impacts import Sequence as Sequential
+    from sandbox.physics.contacts.impacts.sequential_impacts import Sequence as Sequential
+    from sandbox.physics.contacts.shapes.one_way import Gates
 
 
 def make_contacts(
@@ -86,7 +86,7 @@ def _make_shapes(
         for kind, (name, spec) in enumerate(level.bodies.items(), start=1)
     }
     if pairs_apart := sorted(apart(level)):
-        from sandbox.physics.contacts.collision_filter import keep_apart
+        from sandbox.physics.contacts.shapes.collision_filter import keep_apart
 
         keep_apart(space, bodies, pairs_apart)
     refuse_crowd(shapes, most)
@@ -101,7 +101,7 @@ def _make_gates(
     """Make the gates of surfaces that let bodies through one way, if there are any."""
     if not any(body.one_way for body in level.bodies.values()):
         return None
-    from sandbox.physics.contacts.one_way import Gates
+    from sandbox.physics.contacts.shapes.one_way import Gates
 
     return Gates(level, values, bodies, skin)
 
@@ -128,9 +128,9 @@ def make_direct(made: Made, pairs: Pairs) -> "Direct | None":
     level, stepping = made.level, made.stepping
     if stepping.is_stock or not is_direct(level, stepping):
         return None
-    from sandbox.physics.contacts.contact_queries import Query
+    from sandbox.physics.contacts.detection.contact_queries import Query
+    from sandbox.physics.contacts.direct.rows.surfaces import surfaces_of
     from sandbox.physics.contacts.direct.solver import Direct
-    from sandbox.physics.contacts.direct.surfaces import surfaces_of
 
     assert made.joints.together
     bodies = list(made.bodies.values())
@@ -146,7 +146,7 @@ def make_sequence(made: Made, restitution: Array | None) -> "Sequential | None":
     """Make the solver of impacts in sequence, if there are coefficients for it."""
     if restitution is None:
         return None
-    from sandbox.physics.contacts.sequential_impacts import Sequence
+    from sandbox.physics.contacts.impacts.sequential_impacts import Sequence
 
     return Sequence(made.batch, restitution, made.inverse_mass, 1 / made.stepping.rate)
 

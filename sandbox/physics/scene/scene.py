@@ -23,11 +23,11 @@ from sandbox.physics.joints.joints import Joints
 from sandbox.physics.scene.build_context import Made, Pairs
 
 if TYPE_CHECKING:
+    from sandbox.physics.contacts.coefficients.static_friction import Sticking
     from sandbox.physics.contacts.direct.solver import Direct
-    from sandbox.physics.contacts.hollow_contacts import Hollows
-    from sandbox.physics.contacts.one_way import Gates
-    from sandbox.physics.contacts.sequential_impacts import Sequence as Sequential
-    from sandbox.physics.contacts.static_friction import Sticking
+    from sandbox.physics.contacts.impacts.sequential_impacts import Sequence as Sequential
+    from sandbox.physics.contacts.shapes.hollow_contacts import Hollows
+    from sandbox.physics.contacts.shapes.one_way import Gates
     from sandbox.physics.forces.switch import Switches
 
 
@@ -196,7 +196,7 @@ def _make_joints(
     touches, direct = touches_of(space, level), is_direct(level, stepping)
     joints = assemble(level, values, bodies, batch, inverse_mass, touches, direct=direct)
     if contact and not contact.overlaps:
-        from sandbox.physics.contacts.overlaps import refuse_overlaps
+        from sandbox.physics.contacts.detection.overlaps import refuse_overlaps
 
         refuse_overlaps(space, bodies, contact, values, pairs.hollows, pairs.gates)
     return joints

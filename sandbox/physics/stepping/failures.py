@@ -4,8 +4,8 @@ from collections.abc import Sequence
 
 from sandbox.model.errors import SandboxError
 from sandbox.model.message import NOTHING, Message
-from sandbox.physics.contacts.direct.constraint_rows import TooMuch
-from sandbox.physics.contacts.endless_impacts import EndlessImpacts
+from sandbox.physics.contacts.direct.complementarity.constraint_rows import TooMuch
+from sandbox.physics.contacts.impacts.endless_impacts import EndlessImpacts
 from sandbox.physics.scene.stability_limits import MARGIN
 from sandbox.physics.state.errors import (
     BreakdownError,

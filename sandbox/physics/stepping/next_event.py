@@ -20,7 +20,7 @@ from sandbox.physics.state.snapshot import Snapshot
 from sandbox.physics.stepping.stage import Setup
 
 if TYPE_CHECKING:
-    from sandbox.physics.contacts.direct.drift_subdivision import Between
+    from sandbox.physics.contacts.direct.drifts.drift_subdivision import Between
 
 Value = Callable[[str, float], float]
 """Returns a quantity, by name, at a time after the start of a part [s]."""

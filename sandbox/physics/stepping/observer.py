@@ -131,7 +131,7 @@ class Observer:
         self, state: Array, before: Array, contacts: Contacts, rates: tuple[Array, Array]
     ) -> None:
         """Correct the velocities and accelerations of bodies that collided in pymunk's kick."""
-        from sandbox.physics.contacts.post_impact_velocity import impacts
+        from sandbox.physics.contacts.impacts.post_impact_velocity import impacts
 
         (velocity, acceleration), after = rates, state[:, 3:]
         scene, smooth, dt = self._scene, self._forces.smooth, self._kicks.clock.dt

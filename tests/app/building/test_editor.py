@@ -11,7 +11,7 @@ from sandbox.app.building.editor import Editor
 from sandbox.app.building.recovery_choices import offers
 from sandbox.app.window import Window
 from sandbox.editing import recovery
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from tests.app.building.builder import Builder
 from tests.app.person import Person
 
@@ -19,7 +19,7 @@ from tests.app.person import Person
 @pytest.fixture
 def mine(person: Person, tmp_path: Path) -> Builder:
     """Somebody at the Build page of a level of their own."""
-    person.open(tmp_path, catalog.find("newton/atwood").read_text(encoding="utf-8"))
+    person.open(tmp_path, level_catalog.find("newton/atwood").read_text(encoding="utf-8"))
     return Builder(person)
 
 
@@ -125,8 +125,8 @@ def test_every_level_opens_in_the_editor_and_is_saved_byte_for_byte(
     person.wait()
     builder = Builder(person)
     different = []
-    for name in catalog.names():
-        path = catalog.find(name)
+    for name in level_catalog.names():
+        path = level_catalog.find(name)
         person.window.open_level(name)
         builder.key(pygame.K_b, "b")  # a challenge opens with a page of its own
         copy = tmp_path / f"{name.replace('/', '-')}.json"

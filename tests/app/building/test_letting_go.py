@@ -8,11 +8,11 @@ from sandbox.app.building.drafts import Drafts
 from sandbox.app.building.part_cache import Readings
 from sandbox.app.building.partial_level import Sketch, _body
 from sandbox.editing.draft import Draft
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.body import Body
 from sandbox.model.loading import load
 
-LEVELS = catalog.textbook()[:5]
+LEVELS = level_catalog.textbook()[:5]
 
 
 def disc(x: float) -> str:
@@ -22,7 +22,7 @@ def disc(x: float) -> str:
 def test_a_level_that_was_only_looked_at_is_let_go() -> None:
     drafts = Drafts()
     for name in LEVELS:
-        last = drafts.of(load(catalog.find(name)))
+        last = drafts.of(load(level_catalog.find(name)))
 
     assert list(drafts._kept) == [last]
 
@@ -40,7 +40,7 @@ def test_new_levels_that_nobody_has_edited_are_let_go() -> None:
 @pytest.mark.parametrize("undone", [False, True])
 def test_what_was_changed_stays_with_its_steps_but_is_not_held_as_a_level(undone: bool) -> None:
     drafts = Drafts()
-    levels = [load(catalog.find(name)) for name in LEVELS]
+    levels = [load(level_catalog.find(name)) for name in LEVELS]
     first = drafts.of(levels[0])
     first.change(first.text + "\n", "add a line")
     assert first.level is not None

@@ -9,7 +9,7 @@ import pytest
 from sandbox.app.files import recent
 from sandbox.app.files.recent import Recent
 from sandbox.app.window import Window
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from tests.app import scenes
 from tests.app.person import Person
 
@@ -224,4 +224,4 @@ def test_the_dialog_has_room_in_a_small_window(
 
 
 def test_a_file_opened_from_the_catalogues_folder_is_no_file_of_ones_own() -> None:
-    assert catalog.find("kinematics/free-fall").resolve().is_relative_to(catalog.root())
+    assert level_catalog.find("kinematics/free-fall").resolve().is_relative_to(level_catalog.root())

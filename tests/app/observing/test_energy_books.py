@@ -5,7 +5,7 @@ import pygame
 import pytest
 
 from sandbox.app.runs.session import Session
-from sandbox.model.catalog import find
+from sandbox.model.level_catalog import find
 from sandbox.model.loading import load
 from tests.app.person import FRAME, Person
 from tests.app.scenes import play

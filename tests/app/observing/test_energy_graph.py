@@ -9,10 +9,10 @@ from sandbox.app.drawing import theme
 from sandbox.app.drawing.theme import Color
 from sandbox.app.observing import energy_graph
 from sandbox.app.observing.energy_books import INSTANTS
-from sandbox.app.panels.footer import HIGH, check_summary
+from sandbox.app.panels.verdicts_and_energies import HIGH, check_summary
 from sandbox.app.runs.session import Session
 from sandbox.app.words import language
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.expressions import Array
 from sandbox.model.loading import load
 from tests.app import scenes
@@ -45,7 +45,7 @@ def rows(pixels: Array, color: Color, columns: slice) -> NDArray[np.intp]:
 
 
 def test_the_history_is_that_of_the_run() -> None:
-    session = play(Session(load(catalog.find("kinematics/projectile"))))
+    session = play(Session(load(level_catalog.find("kinematics/projectile"))))
     t, kinetic, potential, total = session.books.history.T
 
     height = 25 * np.sin(np.pi / 4) * t - 9.81 * t**2 / 2

@@ -7,7 +7,7 @@ from sandbox.app.cards.checks import checks
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.runs.session import Session
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.loading import load
 from tests.app import scenes
 from tests.app.person import Person
@@ -16,7 +16,7 @@ from tests.app.person import Person
 @pytest.fixture
 def thrown() -> Session:
     """Return the chapter's projectile: 25 m/s, 45°, apex 15.93 m after 1.80 s, range 63.71 m."""
-    return Session(load(catalog.find("kinematics/projectile")))
+    return Session(load(level_catalog.find("kinematics/projectile")))
 
 
 def run(session: Session, seconds: float) -> None:
@@ -84,7 +84,7 @@ def test_only_what_happens_to_a_body_has_a_place(at: object, body: bool) -> None
 
 
 def test_a_contact_is_marked_on_the_body_that_moves() -> None:
-    session = Session(load(catalog.find("momentum/bouncing-ball")))
+    session = Session(load(level_catalog.find("momentum/bouncing-ball")))
     run(session, session.duration)
 
     assert {milestone.body for milestone in session.milestones()} == {"ball"}

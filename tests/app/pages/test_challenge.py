@@ -10,7 +10,7 @@ from sandbox.app.pages.challenge.card import NONE
 from sandbox.app.pages.challenge.panel import ChallengePage
 from sandbox.app.panels.levels import LevelList
 from sandbox.app.runs import runfile
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from tests.app.person import Person
 
 LEVEL = "challenges/stop-dead"
@@ -67,14 +67,14 @@ def test_a_solved_challenge_earns_its_stars_and_its_title_a_mark(person: Person)
     person.window.open_level(LEVEL)
     listed = person.window.panels.list
     assert isinstance(listed, LevelList)
-    assert listed.button(catalog.find(LEVEL).resolve()).text.endswith("•••")
+    assert listed.button(level_catalog.find(LEVEL).resolve()).text.endswith("•••")
 
 
 def test_a_title_that_is_seen_has_its_mark_as_soon_as_the_stars_are_earned(
     person: Person, tmp_path: Path
 ) -> None:
     own = tmp_path / "own.json"
-    own.write_bytes(catalog.find(LEVEL).read_bytes())
+    own.write_bytes(level_catalog.find(LEVEL).read_bytes())
     person.window.open_level(str(own))
     person.wait()
     listed = person.window.panels.list
@@ -164,6 +164,6 @@ def test_a_button_leads_from_any_level_to_the_challenges(person: Person) -> None
     home = person.window.panels.home
     assert home.open
     assert home.focus is not None
-    assert home.focus.chapter == catalog.CHALLENGES
+    assert home.focus.chapter == level_catalog.CHALLENGES
     heading = next(each for each in home.grid.headings if each.text == "Challenges")
     assert home._top == heading.y

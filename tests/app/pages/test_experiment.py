@@ -16,7 +16,7 @@ from sandbox.app.pages.experiment.sampling import COUNT, Point, Refused, coarse_
 from sandbox.app.pages.graph.chosen_quantities import offered
 from sandbox.experiments import suggested_measures
 from sandbox.experiments.measures import parse
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.loading import load
 from sandbox.physics.run import simulate
 from tests.app.person import Person, until
@@ -45,7 +45,7 @@ def test_gaps_halve_until_every_number_was_there_once() -> None:
 
 
 def test_a_point_is_what_a_run_of_its_own_measures() -> None:
-    level = load(catalog.find("kinematics/projectile"))
+    level = load(level_catalog.find("kinematics/projectile"))
     points = sample(level, level.defaults, "angle", "ball.position.x@end")
 
     point = next(points)
@@ -57,7 +57,7 @@ def test_a_point_is_what_a_run_of_its_own_measures() -> None:
 
 
 def test_a_measure_that_cannot_be_is_told() -> None:
-    level = load(catalog.find("kinematics/projectile"))
+    level = load(level_catalog.find("kinematics/projectile"))
 
     (refused,) = sample(level, level.defaults, "angle", "ball.positon.x@end")
 
@@ -66,9 +66,9 @@ def test_a_measure_that_cannot_be_is_told() -> None:
 
 
 @pytest.mark.sweep
-@pytest.mark.parametrize("name", catalog.names())
+@pytest.mark.parametrize("name", level_catalog.names())
 def test_what_a_level_suggests_can_be_measured(name: str) -> None:
-    level = load(catalog.find(name))
+    level = load(level_catalog.find(name))
 
     for text in suggested_measures.measures(level, offered(level)[:3]):
         assert parse(text, level, until=False).quantities
@@ -127,7 +127,7 @@ def test_another_parameter_is_chosen_from_its_list(thrower: Person) -> None:
 
 
 def test_a_level_without_parameters_says_that_nothing_can_be_varied(person: Person) -> None:
-    files = [catalog.root() / f"{name}.json" for name in catalog.names()]
+    files = [level_catalog.root() / f"{name}.json" for name in level_catalog.names()]
     bare = next(path for path in files if not json.loads(path.read_bytes()).get("parameters"))
     person.window.open_level(str(bare))
 

@@ -20,7 +20,7 @@ from sandbox.app.pages.graph.zoom import NOTCH, Zoom
 from sandbox.app.widgets import plot
 from sandbox.app.widgets.plot import Scale, Series
 from sandbox.app.words import formatting
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.loading import load
 from sandbox.physics.accuracy.trusted_digits import Trust
 from tests.app.person import Person, until
@@ -141,7 +141,7 @@ def test_some_letters_find_a_quantity_and_what_was_chosen_before_stays(person: P
 
 
 def test_what_never_moves_comes_last() -> None:
-    names = offered(load(catalog.find("momentum/cradle")))
+    names = offered(load(level_catalog.find("momentum/cradle")))
 
     assert names[0].startswith("ball1.")
     assert names[-1].startswith("beam.")

@@ -11,7 +11,7 @@ from sandbox.app.pages.momentum.card import LABEL, MOST, bodies, given, momentum
 from sandbox.app.runs.session import Session
 from sandbox.app.stage import momenta
 from sandbox.app.stage.overlays.momenta import OVERLAY
-from sandbox.model.catalog import find
+from sandbox.model.level_catalog import find
 from sandbox.model.loading import load
 from tests.app import scenes
 from tests.app.person import Person

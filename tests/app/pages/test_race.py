@@ -11,8 +11,8 @@ from sandbox.app.level_picture import render
 from sandbox.app.pages.race import race
 from sandbox.app.pages.race.panel import RacePage
 from sandbox.app.runs.session import Session
-from sandbox.model.catalog import find
 from sandbox.model.level import Stepping
+from sandbox.model.level_catalog import find
 from sandbox.model.loading import load
 from sandbox.physics.run import build
 from tests.app import scenes

@@ -16,7 +16,7 @@ from sandbox.app.pages.share.panel import KINDS, SharePage
 from sandbox.app.runs import runfile
 from sandbox.app.runs.session import Session
 from sandbox.editing.run_as_level import as_it_stands
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.loading import load
 from tests.app.person import Person
 
@@ -121,7 +121,7 @@ def test_a_folder_that_cannot_be_made_is_told(person: Person, folder: Path) -> N
 
 @pytest.mark.parametrize("kind", ["gif", "mp4"])
 def test_a_film_shows_the_run_from_its_start_to_its_end(kind: film.Kind, tmp_path: Path) -> None:
-    session = Session(load(catalog.find("kinematics/projectile")))
+    session = Session(load(level_catalog.find("kinematics/projectile")))
     for _ in range(30):
         session.step()
 
@@ -146,7 +146,7 @@ def test_without_the_encoders_a_film_says_what_to_install(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setitem(__import__("sys").modules, "av", None)
-    run = runfile.run_of(Session(load(catalog.find("newton/atwood"))))
+    run = runfile.run_of(Session(load(level_catalog.find("newton/atwood"))))
 
     assert list(film.film(run, tmp_path / "x.gif", "gif")) == [film.LACKING]
     assert not list(tmp_path.iterdir())

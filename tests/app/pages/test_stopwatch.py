@@ -18,7 +18,7 @@ from sandbox.app.pages.table.stopwatch_triggers import (
 )
 from sandbox.app.runs.live_run import LiveRun
 from sandbox.app.runs.session import Session
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.expressions import Expression
 from sandbox.model.level import ApexEvent, CrossingEvent
 from sandbox.model.loading import load
@@ -29,7 +29,7 @@ G, V = 9.81, 25 / sqrt(2)  # m/s², m/s: of the projectile's level
 
 
 def opened(name: str) -> tuple[Session, Stopwatch]:
-    session, stopwatch = Session(load(catalog.find(name))), Stopwatch()
+    session, stopwatch = Session(load(level_catalog.find(name))), Stopwatch()
     stopwatch.follow(session, 0.0, watched=False)
     return session, stopwatch
 

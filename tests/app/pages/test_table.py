@@ -11,7 +11,7 @@ from sandbox.app.files import save_folder
 from sandbox.app.pages.table import card
 from sandbox.app.pages.table.panel import TablePage
 from sandbox.app.runs.session import Session
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.loading import load
 from tests.app.person import Person
 from tests.app.writing import noted
@@ -65,7 +65,7 @@ def test_the_unit_of_a_quantity_with_a_long_name_is_written(
     pen: Pen, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Name and unit were shortened as one text, which lost the unit."""
-    session = Session(load(catalog.find("newton/atwood")))
+    session = Session(load(level_catalog.find("newton/atwood")))
     written = noted(pen, monkeypatch)
 
     card.values(pen, 278, session, ["left.acceleration.y", "string.tension"], {})

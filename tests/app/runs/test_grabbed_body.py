@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from sandbox.app.runs.session import Session
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.loading import load
 from tests.app.person import Person
 from tests.levels.playing import fingerprint
@@ -59,7 +59,7 @@ def test_two_balls_that_are_lifted_by_hand_send_two_off_on_the_other_side(person
 
 @pytest.mark.sweep
 def test_in_the_middle_of_a_swing_too() -> None:
-    session = Session(load(catalog.find("momentum/cradle")))
+    session = Session(load(level_catalog.find("momentum/cradle")))
     for _ in range(150):
         session.step()
     session.grab("ball1", where(session, "ball1"))

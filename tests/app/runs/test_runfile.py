@@ -7,14 +7,14 @@ import pytest
 from sandbox.app.runs import runfile
 from sandbox.app.runs.actions import Action
 from sandbox.app.runs.session import Session
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.effect_variants import without
 from sandbox.model.errors import SandboxError
 from sandbox.model.level import Stepping
 from sandbox.model.loading import load
 from tests.app.scenes import opened
 
-LEVELS = catalog.names()[::15]
+LEVELS = level_catalog.names()[::15]
 
 
 def pulled(session: Session) -> None:
@@ -59,7 +59,7 @@ def test_what_a_hand_did_is_done_again(tmp_path: Path) -> None:
 
 
 def test_parameters_and_changed_effects_belong_to_the_run() -> None:
-    level = load(catalog.find("newton/projectile-with-drag"))
+    level = load(level_catalog.find("newton/projectile-with-drag"))
     session = Session(level)
     session.restart({"speed": 17})
     session.play_as(without(level, "drag")[0])
@@ -106,7 +106,7 @@ def test_another_file_is_refused_with_what_is_wrong(
 
 @pytest.mark.parametrize("kind", ["grab", "place"])
 def test_a_body_that_is_not_there_cannot_be_moved(kind: str) -> None:
-    run = runfile.run_of(Session(load(catalog.find("newton/atwood"))))
+    run = runfile.run_of(Session(load(level_catalog.find("newton/atwood"))))
     moved = Action.model_validate({"step": 0, "kind": kind, "body": "nobody"})
 
     with pytest.raises(SandboxError, match="there is no body 'nobody' to move"):
@@ -114,7 +114,7 @@ def test_a_body_that_is_not_there_cannot_be_moved(kind: str) -> None:
 
 
 def test_a_level_that_asks_for_an_accuracy_is_saved_with_the_rate_it_was_played_at() -> None:
-    asked = load(catalog.find("kinematics/projectile"))
+    asked = load(level_catalog.find("kinematics/projectile"))
     asked = asked.model_copy(update={"stepping": Stepping(accuracy=1e-6)})
     session = Session(asked)
     for _ in range(10):

@@ -12,7 +12,7 @@ from sandbox.app.runs.live_run import LiveRun
 from sandbox.app.runs.pace import SPEEDS, Pace
 from sandbox.app.runs.session import Session
 from sandbox.editing.run_as_level import as_it_stands
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.crowd_levels import crowd
 from sandbox.model.errors import ValueRangeError
 from sandbox.model.expressions import Values
@@ -60,7 +60,7 @@ def test_stepping_by_hand_ends_in_the_same_state_as_playing() -> None:
 
 @pytest.mark.parametrize("name", ["newton/atwood", "momentum/cradle", "machines/car-over-bumps"])
 def test_a_run_that_is_restarted_is_the_same_to_the_last_bit(name: str) -> None:
-    session = Session(load(catalog.find(name)))
+    session = Session(load(level_catalog.find(name)))
     headless = build(session.level)
     for steps in (40, 25, 60):
         session.restart()
@@ -371,7 +371,7 @@ def test_a_run_with_parameters_of_its_own_begins_anew_in_any_form_of_its_level()
 
     When it was restarted in another form of the level, they ended the window.
     """
-    session = Session(load(catalog.find("newton/incline")))
+    session = Session(load(level_catalog.find("newton/incline")))
     session.step()
     changed = json.loads(as_it_stands(session.world, anew=False))
     changed["parameters"]["F"] = {"value": 1, "min": 0.5, "max": 2}
@@ -389,7 +389,7 @@ def test_a_run_with_parameters_of_its_own_begins_anew_in_any_form_of_its_level()
 def test_a_run_with_a_value_that_its_level_does_not_allow_begins_anew_without_it() -> None:
     """A run that was edited may have other ranges; restarting it ended the window."""
     session = Session(
-        load(catalog.find("newton/incline")), values={"angle": 40.0, "mass": 3.0, "g": 9.0}
+        load(level_catalog.find("newton/incline")), values={"angle": 40.0, "mass": 3.0, "g": 9.0}
     )
     session.step()
     changed = json.loads(as_it_stands(session.world, anew=False))
@@ -405,7 +405,7 @@ def test_a_run_with_a_value_that_its_level_does_not_allow_begins_anew_without_it
 
 def test_another_pace_takes_a_run_that_was_changed_from_the_start_of_its_level() -> None:
     """It used to restart where the run had been edited, as if that were a level."""
-    session = Session(load(catalog.find("newton/incline")))
+    session = Session(load(level_catalog.find("newton/incline")))
     begun = session.world.snapshot.position.tobytes()
     for _ in range(30):
         session.step()
@@ -432,7 +432,7 @@ def test_what_a_level_must_fulfil_is_evaluated_when_a_value_changes_only(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """It took 20 of the 30 ms of each frame of a level whose rods shrink."""
-    session = Session(load(catalog.find("rotation/collapsing-star")))
+    session = Session(load(level_catalog.find("rotation/collapsing-star")))
     asked: list[object] = []
 
     def noted(level: Level, settings: Values) -> Values:

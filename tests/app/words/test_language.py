@@ -25,7 +25,7 @@ from sandbox.app.pages.race.panel import RacePage
 from sandbox.app.pages.register import PAGES
 from sandbox.app.pages.settings.panel import SettingsPage
 from sandbox.app.words import language
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.base import Model
 from sandbox.model.effects import EFFECTS
 from sandbox.model.level import Level
@@ -59,7 +59,7 @@ def few() -> int:
 def speech(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Speech:
     """Everything that is written, in a window that speaks in capitals and names nothing."""
     monkeypatch.setattr(save_folder, "folder", lambda: Path("/"))
-    monkeypatch.setattr(catalog, "root", lambda: tmp_path)
+    monkeypatch.setattr(level_catalog, "root", lambda: tmp_path)
     return Speech(monkeypatch)
 
 

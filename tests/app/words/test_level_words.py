@@ -9,13 +9,13 @@ import pytest
 
 from sandbox.app.drawing.text import Pen
 from sandbox.app.words import language, level_words
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.loading import load
 from sandbox.model.prose_fields import prose
 from tests.app.person import Person
 from tests.app.scenes import falling
 
-FALL = catalog.root() / "kinematics" / "free-fall.json"
+FALL = level_catalog.root() / "kinematics" / "free-fall.json"
 
 
 @pytest.fixture
@@ -162,7 +162,7 @@ def test_stars_stay_with_a_challenge_in_whichever_language(
     person: Person, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """They are kept by the title in its file."""
-    asked = catalog.root() / "challenges" / "stop-dead.json"
+    asked = level_catalog.root() / "challenges" / "stop-dead.json"
     title = json.loads(asked.read_text("utf-8"))["title"]
     person.window.files.read_again(asked)
     monkeypatch.setattr("sandbox.app.files.progress.Progress.stars", lambda _, told: told == title)

@@ -16,7 +16,7 @@ from sandbox.editing.edits.bodies import (
 )
 from sandbox.editing.edits.edit_result import Made
 from sandbox.editing.written_out import plain
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.errors import SandboxError
 from sandbox.model.level import Level
 from sandbox.model.loading import parse, read
@@ -36,11 +36,11 @@ def test_a_fresh_scene_gets_gravity_and_contact_with_its_first_body() -> None:
 
 
 def test_a_scene_that_says_what_acts_is_left_to_it() -> None:
-    text = read(catalog.find("energy/kepler-ellipse"))
+    text = read(level_catalog.find("energy/kepler-ellipse"))
     before = parse(text)
     level = loaded(add_disc(text, before, (5, 5), (5.5, 5)))
     assert level.effects == before.effects
-    free = read(catalog.find("kinematics/uniform-acceleration"))
+    free = read(level_catalog.find("kinematics/uniform-acceleration"))
     assert loaded(add_disc(free, parse(free), (5, 5), (6, 5))).effects.gravity is None or (
         parse(free).effects.gravity is not None
     )
@@ -67,7 +67,7 @@ def test_a_polygon_lies_where_it_was_drawn() -> None:
 
 
 def test_a_body_has_the_coefficients_that_every_body_needs() -> None:
-    text = read(catalog.find("newton/incline-with-friction"))
+    text = read(level_catalog.find("newton/incline-with-friction"))
     level = loaded(add_box(text, parse(text), (0, 9), (1, 10)))
     assert level.bodies["box1"].friction is not None
 
@@ -112,16 +112,16 @@ def test_a_closed_stroke_is_a_polygon_with_few_corners_and_an_open_one_a_line() 
 
 
 def test_what_a_body_gave_a_meaning_goes_with_it() -> None:
-    text = read(catalog.find("newton/atwood"))
+    text = read(level_catalog.find("newton/atwood"))
     left = parse(take_out(text, parse(text), ["right"]))
     assert list(left.bodies) == ["left"]
     assert not left.joints
     assert list(left.ghosts) == ["left"]
 
 
-@pytest.mark.parametrize("name", sampled(catalog.textbook(), "take out"))
+@pytest.mark.parametrize("name", sampled(level_catalog.textbook(), "take out"))
 def test_any_body_but_the_last_can_be_taken_out_of_a_level(name: str) -> None:
-    text = plain(read(catalog.find(name)))
+    text = plain(read(level_catalog.find(name)))
     level = parse(text)
     for body in list(level.bodies)[:3]:
         if len(level.bodies) > 1:

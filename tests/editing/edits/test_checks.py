@@ -3,11 +3,11 @@
 import pytest
 
 from sandbox.editing.edits.checks import add_checks, complete, drop_told, set_ghost
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.errors import LevelError
 from sandbox.model.loading import parse, read
 
-TEXT = read(catalog.find("newton/atwood"))
+TEXT = read(level_catalog.find("newton/atwood"))
 LEVEL = parse(TEXT)
 
 

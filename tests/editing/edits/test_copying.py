@@ -9,7 +9,7 @@ from sandbox.editing.edits.copying import copy, duplicate, paste
 from sandbox.editing.edits.mirroring import mirror
 from sandbox.editing.placement import around, placed
 from sandbox.editing.written_out import plain
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.errors import SandboxError
 from sandbox.model.joints import bodies_of
 from sandbox.model.loading import parse, read
@@ -17,14 +17,14 @@ from sandbox.physics.run import build
 from tests.sample import sampled
 
 LEVELS = [
-    *catalog.textbook()[::3],
+    *level_catalog.textbook()[::3],
     *(f"machines/{n}" for n in ("ragdoll", "scissor-lift", "crane")),
 ]
 
 
 @pytest.mark.parametrize("name", sampled(LEVELS, "beside"))
 def test_a_whole_level_can_be_put_beside_itself(name: str) -> None:
-    text = plain(read(catalog.find(name)))
+    text = plain(read(level_catalog.find(name)))
     level = parse(text)
     pasted = duplicate(text, level, list(level.bodies), (100, 0))
     after = parse(pasted.text)
@@ -38,7 +38,7 @@ def test_a_whole_level_can_be_put_beside_itself(name: str) -> None:
 
 
 def test_copies_are_joined_to_each_other_and_not_to_the_first() -> None:
-    text = read(catalog.find("newton/atwood"))
+    text = read(level_catalog.find("newton/atwood"))
     level = parse(text)
     after = parse(duplicate(text, level, ["left", "right"], (3, 0)).text)
     (new,) = set(after.joints) - set(level.joints)
@@ -50,7 +50,7 @@ def test_copies_are_joined_to_each_other_and_not_to_the_first() -> None:
 
 @pytest.mark.parametrize("name", sampled(LEVELS, "paste"))
 def test_what_is_copied_can_be_pasted_into_an_empty_scene(name: str) -> None:
-    text = plain(read(catalog.find(name)))
+    text = plain(read(level_catalog.find(name)))
     level = parse(text)
     empty = Draft.empty().text
     pasted = paste(empty, parse(empty), copy(text, level, list(level.bodies)))
@@ -108,7 +108,7 @@ def test_what_is_no_level_is_not_pasted(copied: str) -> None:
 @pytest.mark.parametrize("name", sampled(LEVELS, "mirror"))
 @pytest.mark.parametrize("axis", ["x", "y"])
 def test_a_mirror_image_of_all_is_as_wide_and_mirrored_again_the_same(name: str, axis: str) -> None:
-    text = plain(read(catalog.find(name)))
+    text = plain(read(level_catalog.find(name)))
     level = parse(text)
     once = mirror(text, level, list(level.bodies), axis)  # type: ignore[arg-type]
     image = parse(once)
@@ -122,7 +122,7 @@ def test_a_mirror_image_of_all_is_as_wide_and_mirrored_again_the_same(name: str,
 
 
 def test_a_mirrored_run_is_the_mirror_image_of_the_run() -> None:
-    text = read(catalog.find("machines/trebuchet"))
+    text = read(level_catalog.find("machines/trebuchet"))
     level = parse(text)
     image = parse(mirror(text, level, list(level.bodies)))
     low, high = around(placed(level).values())

@@ -8,13 +8,13 @@ from sandbox.editing.draft import Draft
 from sandbox.editing.edits.bodies import add_box
 from sandbox.editing.edits.effects import COEFFICIENT, costs, declare, drop
 from sandbox.editing.text_patches import value_at
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.effect_variants import DEFAULTS
 from sandbox.model.errors import SandboxError
 from sandbox.model.loading import parse, read
 from sandbox.physics.run import simulate
 
-ATWOOD = read(catalog.find("newton/atwood"))
+ATWOOD = read(level_catalog.find("newton/atwood"))
 EMPTY = Draft.empty().text
 SETTINGS: dict[str, dict[str, Any]] = {
     "attraction": {"mu": 1, "center": [0, 5]},

@@ -9,7 +9,7 @@ from sandbox.editing.edits.bodies import add_box, add_disc
 from sandbox.editing.edits.fields import make_parameter, parameter_name, set_field
 from sandbox.editing.text_patches import put, value_at
 from sandbox.editing.written_out import plain
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.errors import LevelError, SandboxError
 from sandbox.model.expressions import Expression
 from sandbox.model.json_positions import Path
@@ -116,9 +116,9 @@ def test_what_is_a_formula_already_or_none_at_all_is_no_parameter() -> None:
         make_parameter(text, ("duration",), "t")
 
 
-@pytest.mark.parametrize("name", catalog.textbook()[::6])
+@pytest.mark.parametrize("name", level_catalog.textbook()[::6])
 def test_numbers_of_the_scene_become_parameters_that_hold_over_their_range(name: str) -> None:
-    text = plain(read(catalog.find(name)))
+    text = plain(read(level_catalog.find(name)))
     level = parse(text)
     numbers = [p for p, e in expressions(level) if p[0] == "bodies" and _is_number(text, p, e)]
     for path in numbers[::4][:3]:

@@ -8,7 +8,7 @@ from sandbox.editing.edits.handles import drag_handle, handles, scale
 from sandbox.editing.edits.transforms import turn
 from sandbox.editing.placement import placed
 from sandbox.editing.text_patches import put, value_at
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.errors import SandboxError
 from sandbox.model.loading import parse, read
 
@@ -84,7 +84,7 @@ def test_nothing_is_left_of_no_body() -> None:
 
 
 def test_the_handle_of_an_arc_changes_its_radius() -> None:
-    text = read(catalog.find("rotation/half-pipe"))
+    text = read(level_catalog.find("rotation/half-pipe"))
     level = parse(text)
     pipe = next(name for name, body in level.bodies.items() if body.shape.type == "arc")
     ((x, y),) = handles(level, pipe)

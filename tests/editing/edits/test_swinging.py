@@ -7,14 +7,14 @@ from sandbox.editing.edits.bodies import add_disc
 from sandbox.editing.edits.fields import make_parameter
 from sandbox.editing.edits.joints import Pick, add_joint
 from sandbox.editing.edits.swinging import peg_of, swing
-from sandbox.editing.suggest import suggestions, take
+from sandbox.editing.suggested_checks import suggestions, take
 from sandbox.editing.text_patches import put, value_at
 from sandbox.model.errors import SandboxError
 from sandbox.model.joint_ends import span
 from sandbox.model.loading import parse
 from sandbox.physics.measuring.grading import grade
 from sandbox.physics.run import simulate
-from tests.editing.suggest.set_ups import cradle, pendulum
+from tests.editing.suggested_checks.set_ups import cradle, pendulum
 
 EMPTY = Draft.empty().text
 

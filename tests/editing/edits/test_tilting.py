@@ -14,7 +14,7 @@ from sandbox.editing.edits.tilting import slope_of, tilt
 from sandbox.editing.edits.transforms import move, turn
 from sandbox.editing.placement import placed
 from sandbox.editing.snapping import flat_turn, snap_body
-from sandbox.editing.suggest import suggestions, take
+from sandbox.editing.suggested_checks import suggestions, take
 from sandbox.editing.text_patches import put, value_at
 from sandbox.model.errors import SandboxError
 from sandbox.model.joint_ends import place
@@ -23,7 +23,7 @@ from sandbox.model.loading import parse
 from sandbox.physics.geometry.distance import gap
 from sandbox.physics.measuring.grading import grade
 from sandbox.physics.run import build, simulate
-from tests.editing.suggest.set_ups import incline
+from tests.editing.suggested_checks.set_ups import incline
 
 EMPTY = Draft.empty().text
 

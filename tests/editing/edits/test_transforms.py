@@ -11,14 +11,14 @@ from sandbox.editing.edits.transforms import Side, align, distribute, move, turn
 from sandbox.editing.placement import placed
 from sandbox.editing.text_patches import value_at
 from sandbox.editing.written_out import plain
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.level import Level
 from sandbox.model.loading import parse, read
 from tests.sample import sampled
 
 
 def shipped(name: str) -> tuple[str, Level]:
-    text = plain(read(catalog.find(name)))
+    text = plain(read(level_catalog.find(name)))
     return text, parse(text)
 
 
@@ -116,7 +116,7 @@ def test_distributed_bodies_have_equal_gaps() -> None:
     assert boxes[0] == placed(level)["box1"].bounds
 
 
-@pytest.mark.parametrize("name", sampled(catalog.textbook(), "move"))
+@pytest.mark.parametrize("name", sampled(level_catalog.textbook(), "move"))
 def test_every_body_of_every_level_can_be_moved(name: str) -> None:
     text, level = shipped(name)
     for body in list(level.bodies)[:2]:

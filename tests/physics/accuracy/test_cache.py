@@ -13,7 +13,7 @@ from sandbox.model.level import Level, Stepping
 from sandbox.physics.accuracy import cache
 from sandbox.physics.accuracy.cache import calibrated
 from sandbox.physics.accuracy.calibration import Setting, calibrate
-from sandbox.physics.accuracy.errors import Cancelled
+from sandbox.physics.accuracy.exceptions import Cancelled
 from sandbox.physics.run import build, simulate
 from tests.physics.accuracy.test_calibration import delivered, oscillator
 from tests.physics.scenes import orbit

@@ -13,7 +13,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.errors import LevelError
 from sandbox.model.expressions import Values
 from sandbox.model.level import HIGHEST_RATE, Level, Stepping
@@ -23,7 +23,7 @@ from sandbox.physics.accuracy import calibration, candidates, cheapest_setting, 
 from sandbox.physics.accuracy.calibration import calibrate
 from sandbox.physics.accuracy.chaos import chaotic
 from sandbox.physics.accuracy.compared_runs import never
-from sandbox.physics.accuracy.errors import AccuracyError, Cancelled
+from sandbox.physics.accuracy.exceptions import AccuracyError, Cancelled
 from sandbox.physics.accuracy.refinement import Refinement
 from sandbox.physics.measuring import step_timing
 from sandbox.physics.measuring.grading import grade
@@ -55,7 +55,7 @@ def oscillator(k: float = 10, c: float = 0, **rest: object) -> Level:
 
 
 def catalog_level(name: str) -> Level:
-    return load(catalog.find(name))
+    return load(level_catalog.find(name))
 
 
 def ticking(now: Callable[[], float]) -> float:
@@ -246,7 +246,7 @@ def test_a_clock_that_stumbles_changes_no_setting(
 def test_the_same_request_gets_the_same_answer(seed: int) -> None:
     """To the last bit, for any parameters of a level; only the cost is measured."""
     random = Random(seed)
-    scene = catalog_level(random.choice(catalog.textbook()))
+    scene = catalog_level(random.choice(level_catalog.textbook()))
     values = {name: random.uniform(p.min, p.max) for name, p in scene.parameters.items()}
     answers = [answer(scene, values) for _ in range(2)]
 

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from sandbox.model.catalog import find
 from sandbox.model.level import Level, Stepping
+from sandbox.model.level_catalog import find
 from sandbox.model.loading import load, parse
 from sandbox.physics.accuracy import study
 from sandbox.physics.accuracy.calibration import Setting

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from sandbox.physics.contacts.contact_queries import Query
+from sandbox.physics.contacts.detection.contact_queries import Query
 from sandbox.physics.engine.batch import NO_CONTACTS, Contacts
 from sandbox.physics.run import build
 from sandbox.physics.stepping.world import World

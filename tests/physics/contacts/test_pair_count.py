@@ -6,7 +6,12 @@ import numpy as np
 import pymunk
 import pytest
 
-from sandbox.physics.contacts.pair_count import MOST_DIRECT, MOST_PAIRS, most_pairs, refuse_crowd
+from sandbox.physics.contacts.detection.pair_count import (
+    MOST_DIRECT,
+    MOST_PAIRS,
+    most_pairs,
+    refuse_crowd,
+)
 from sandbox.physics.guarding import watchdog
 from sandbox.physics.run import build
 from sandbox.physics.state.errors import SimulationError

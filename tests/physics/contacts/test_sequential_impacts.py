@@ -11,8 +11,8 @@ from hypothesis import strategies as st
 from sandbox.model.errors import LevelError
 from sandbox.model.expressions import Array
 from sandbox.model.level import Level
-from sandbox.physics.contacts import sequential_impacts
-from sandbox.physics.contacts.simultaneous_impacts import Pile, pushes
+from sandbox.physics.contacts.impacts import sequential_impacts
+from sandbox.physics.contacts.impacts.simultaneous_impacts import Pile, pushes
 from sandbox.physics.engine.batch import Booleans, Contacts, Integers
 from sandbox.physics.run import build
 from sandbox.physics.state.errors import SimulationError

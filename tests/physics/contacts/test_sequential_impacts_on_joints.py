@@ -5,11 +5,11 @@ from math import cos, sin, sqrt
 import numpy as np
 import pytest
 
-from sandbox.model.catalog import find
 from sandbox.model.expressions import Array
 from sandbox.model.level import Level
+from sandbox.model.level_catalog import find
 from sandbox.model.loading import load
-from sandbox.physics.contacts.simultaneous_impacts import Pile
+from sandbox.physics.contacts.impacts.simultaneous_impacts import Pile
 from sandbox.physics.engine.batch import Integers
 from sandbox.physics.run import build
 from tests.physics.contacts.test_sequential_impacts import SEQUENCE, kinetic

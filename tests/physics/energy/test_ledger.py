@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.expressions import Array
 from sandbox.model.level import Level, Stepping
 from sandbox.model.loading import load
@@ -89,7 +89,7 @@ def rest(books: list[Balance]) -> float:
 )
 def test_the_books_of_a_level_close(name: str) -> None:
     """Drag, friction, impacts, belts, rockets, at the level's own rate; 2e-14 at the most."""
-    world = build(load(catalog.find(name)))
+    world = build(load(level_catalog.find(name)))
 
     books = watched(world, count_steps(world))
 

@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from sandbox.model.catalog import find
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level
+from sandbox.model.level_catalog import find
 from sandbox.model.loading import choose, load
 from sandbox.physics.ensemble.batched_runs import Flight, accepts, suits
 from sandbox.physics.run import build, simulate

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from sandbox.model.level import Level
-from sandbox.physics.contacts import time_of_impact
+from sandbox.physics.contacts.detection import time_of_impact
 from sandbox.physics.run import build
 from sandbox.physics.state.snapshot import Snapshot
 from sandbox.physics.stepping.world import World

@@ -12,10 +12,10 @@ from scipy.special import ellipk
 
 from sandbox.model.errors import LevelError
 from sandbox.model.shapes import Curve
-from sandbox.physics.contacts.direct import gap_functions
-from sandbox.physics.contacts.direct.hollow_pairs import HollowPairs
+from sandbox.physics.contacts.direct.prediction.hollow_pairs import HollowPairs
+from sandbox.physics.contacts.direct.rows import gap_functions
 from sandbox.physics.contacts.direct.solver import Direct
-from sandbox.physics.contacts.hollow_contacts import Hollows
+from sandbox.physics.contacts.shapes.hollow_contacts import Hollows
 from sandbox.physics.geometry import curves
 from sandbox.physics.geometry.arcs import Piece
 from sandbox.physics.geometry.plane_curve import KNOT, Course, Side

@@ -6,7 +6,7 @@ from functools import partial
 import numpy as np
 import pytest
 
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.effect_variants import including, without
 from sandbox.model.level import Level, Stepping
 from sandbox.model.loading import load
@@ -16,7 +16,7 @@ from sandbox.physics.run import build, simulate
 
 
 def named(name: str) -> Level:
-    return load(catalog.find(name))
+    return load(level_catalog.find(name))
 
 
 def compared(level: Level, other: Level, *, places: bool = False) -> dict[str, Difference]:

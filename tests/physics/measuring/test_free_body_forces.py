@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 import pytest
 
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.effects import EFFECTS
 from sandbox.model.joints import KINDS
 from sandbox.model.level import Level
@@ -140,7 +140,7 @@ def test_forces_add_up_to_mass_times_acceleration(name: str) -> None:
 
 
 @pytest.mark.sweep
-@pytest.mark.parametrize("name", catalog.names())
+@pytest.mark.parametrize("name", level_catalog.names())
 def test_forces_add_up_in_every_level(name: str) -> None:
     found = sums(textbook(name), MOST_STEPS)
 

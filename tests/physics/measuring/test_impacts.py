@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.loading import choose, load
 from sandbox.physics.measuring.impacts import Impacts, impacts
 from sandbox.physics.run import build
@@ -12,7 +12,7 @@ from tests.physics.scenes import GRAVITY, G, box, floor, level
 
 
 def opened(name: str, **settings: float) -> World:
-    found = load(catalog.find(name))
+    found = load(level_catalog.find(name))
     return build(found, choose(found, settings))
 
 

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from sandbox.model import catalog
+from sandbox.model import level_catalog
 from sandbox.model.errors import SandboxError
 from sandbox.model.live_parameters import obstacle
 from sandbox.model.loading import load
@@ -29,7 +29,7 @@ A drag is judged by a velocity that is known better when the step before is: 1e-
 
 def half_way(name: str) -> World:
     """Return a level's world in the middle of its duration."""
-    level = load(catalog.find(name))
+    level = load(level_catalog.find(name))
     world = build(level)
     world.advance(max(round(level.duration(level.defaults) / world.dt) // 2, 1))
     return world

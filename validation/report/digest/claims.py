@@ -4,8 +4,8 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from math import isfinite
 
-from sandbox.model.catalog import find
 from sandbox.model.errors import SandboxError
+from sandbox.model.level_catalog import find
 from sandbox.model.loading import load
 from validation.case import Outcome
 from validation.cost.summary import ROUNDING

@@ -9,7 +9,7 @@ from validation.stability.families import (
     bounces,
     bullets,
     chains,
-    compositions,
+    coupled_systems,
     cradles,
     dumbbells,
     exact,
@@ -19,7 +19,7 @@ from validation.stability.families import (
 )
 from validation.stability.scene import Document
 
-SEARCHED = (cradles, oscillators, piles, structures, chains, bullets, compositions, dumbbells)
+SEARCHED = (cradles, oscillators, piles, structures, chains, bullets, coupled_systems, dumbbells)
 """The families with frontiers."""
 
 FAMILIES = (exact, bounces, *SEARCHED)

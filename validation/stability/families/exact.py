@@ -5,8 +5,8 @@ from hashlib import sha256
 
 import numpy as np
 
-from sandbox.model.catalog import find
 from sandbox.model.level import Level
+from sandbox.model.level_catalog import find
 from sandbox.model.loading import load
 from sandbox.physics.run import build
 from sandbox.processes import spread

@@ -8,7 +8,7 @@ from sandbox.app.cards.card import Card
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
-from sandbox.app.observing import selected_body
+from sandbox.app.observing import forces_on_selection
 from sandbox.app.pages.forces import diagram
 from sandbox.app.pages.forces.axes import Axes, components
 from sandbox.app.runs.session import Session
@@ -58,9 +58,9 @@ def _table(card: Card, found: FreeBody, first: XY, inclined: bool) -> None:
     """Add a row for each force, for their sum, and for mass times acceleration."""
     axes = (say("along"), say("across")) if inclined else ("x", "y")
     _row(card, "N", None, (say("size"), *axes), theme.DIM)
-    for acting, title in selected_body.titles(found):
+    for acting, title in forces_on_selection.titles(found):
         cells = _cell(acting.force, first)
-        _row(card, title, selected_body.color(acting), cells, theme.TEXT)
+        _row(card, title, forces_on_selection.color(acting), cells, theme.TEXT)
     line = pygame.Surface((card.width, 1))
     line.fill(theme.EDGE)
     card.y += 2
@@ -70,10 +70,16 @@ def _table(card: Card, found: FreeBody, first: XY, inclined: bool) -> None:
         card,
         say("sum"),
         None,
-        _cell(selected_body.cleared(found.net, found), first),
+        _cell(forces_on_selection.cleared(found.net, found), first),
         theme.RESULTANT,
     )
-    _row(card, "m a", None, _cell(selected_body.cleared(found.gain, found), first), theme.RESULTANT)
+    _row(
+        card,
+        "m a",
+        None,
+        _cell(forces_on_selection.cleared(found.gain, found), first),
+        theme.RESULTANT,
+    )
     if found.moment:
         card.y += 4
         spin = found.moment * found.angular_acceleration
@@ -81,7 +87,7 @@ def _table(card: Card, found: FreeBody, first: XY, inclined: bool) -> None:
         levers = (a.size * hypot(a.at[0] - x, a.at[1] - y) + abs(a.couple) for a in found.forces)
         scale = max(levers, default=0.0)
         for name, value in ((say("torques about the centre"), found.torque), ("I α", spin)):
-            torque = number(0.0 if abs(value) < selected_body.FAINT * scale else value, 3)
+            torque = number(0.0 if abs(value) < forces_on_selection.FAINT * scale else value, 3)
             _row(card, name, None, ("", "", f"{torque} N m"), theme.DIM)
     card.y += 4
 
@@ -89,9 +95,10 @@ def _table(card: Card, found: FreeBody, first: XY, inclined: bool) -> None:
 def _cell(force: XY, first: XY) -> tuple[str, ...]:
     size = hypot(*force)
     parts = (
-        0.0 if abs(part) < selected_body.FAINT * size else part for part in components(force, first)
+        0.0 if abs(part) < forces_on_selection.FAINT * size else part
+        for part in components(force, first)
     )
-    return selected_body.newtons(size), *(selected_body.newtons(part) for part in parts)
+    return forces_on_selection.newtons(size), *(forces_on_selection.newtons(part) for part in parts)
 
 
 def _row(card: Card, name: str, mark: Color | None, cells: tuple[str, ...], color: Color) -> None:

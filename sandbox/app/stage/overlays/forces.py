@@ -5,7 +5,7 @@ from math import hypot
 import pygame
 
 from sandbox.app.drawing import lines, theme
-from sandbox.app.observing import selected_body
+from sandbox.app.observing import forces_on_selection
 from sandbox.app.stage import marks
 from sandbox.app.stage.given_forces import LONGEST, beside
 from sandbox.app.stage.overlays.overlay import Overlay
@@ -29,14 +29,14 @@ def _draw(surface: pygame.Surface, view: View) -> None:
     given = _given(view, found)
     scale = given or longest / (view.looking.full(found) or 1.0)  # px/N
     ends = []
-    words = selected_body.texts(view.looking.told(view.world, found))
-    for acting, (_, text) in zip(selected_body.felt(found), words, strict=True):
+    words = forces_on_selection.texts(view.looking.told(view.world, found))
+    for acting, (_, text) in zip(forces_on_selection.felt(found), words, strict=True):
         if given and acting.name == Force.effect.called:
             continue
         share = min(scale, CUT * longest / acting.size)
         x, y = start = view.camera.to_screen(acting.at)
         end = x + acting.force[0] * share, y - acting.force[1] * share
-        color = selected_body.color(acting)
+        color = forces_on_selection.color(acting)
         lines.arrow(surface, color, start, end, WIDTH)
         ends.append((text, start, end, color, f"force {acting.name} {acting.by}"))
         _mark(view, acting.name, start, end)

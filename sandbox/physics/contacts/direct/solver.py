@@ -22,23 +22,23 @@ from functools import partial
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.contacts.contact_queries import Query
-from sandbox.physics.contacts.direct.closing_gaps import closed
-from sandbox.physics.contacts.direct.constraint_rows import Active
-from sandbox.physics.contacts.direct.crowds import stopped
-from sandbox.physics.contacts.direct.drift_parts import Landed, Part
-from sandbox.physics.contacts.direct.drift_subdivision import through
-from sandbox.physics.contacts.direct.drifts import Drifts
-from sandbox.physics.contacts.direct.kick_builder import KickBuilder
-from sandbox.physics.contacts.direct.kick_parts import Stage, Taken
-from sandbox.physics.contacts.direct.kick_system import Kick
-from sandbox.physics.contacts.direct.landing_drifts import Landings
-from sandbox.physics.contacts.direct.row_layout import Surfaces
-from sandbox.physics.contacts.direct.slip_stops import slip_ends
-from sandbox.physics.contacts.direct.speculative_contacts import SpeculativeContacts
-from sandbox.physics.contacts.direct.warm_start import WarmStart
-from sandbox.physics.contacts.direct.whole_kick import Beginning, take
-from sandbox.physics.contacts.impact_outcome import ImpactOutcome
+from sandbox.physics.contacts.detection.contact_queries import Query
+from sandbox.physics.contacts.direct.complementarity.constraint_rows import Active
+from sandbox.physics.contacts.direct.drifts.crowds import stopped
+from sandbox.physics.contacts.direct.drifts.drift_parts import Landed, Part
+from sandbox.physics.contacts.direct.drifts.drift_record import Drifts
+from sandbox.physics.contacts.direct.drifts.drift_subdivision import through
+from sandbox.physics.contacts.direct.drifts.landing_drifts import Landings
+from sandbox.physics.contacts.direct.drifts.slip_stops import slip_ends
+from sandbox.physics.contacts.direct.kicks.closing_gaps import closed
+from sandbox.physics.contacts.direct.kicks.kick_builder import KickBuilder
+from sandbox.physics.contacts.direct.kicks.kick_parts import Stage, Taken
+from sandbox.physics.contacts.direct.kicks.kick_with_impacts import Beginning, take
+from sandbox.physics.contacts.direct.prediction.speculative_contacts import SpeculativeContacts
+from sandbox.physics.contacts.direct.rows.kick_system import Kick
+from sandbox.physics.contacts.direct.rows.row_layout import Surfaces
+from sandbox.physics.contacts.direct.solving.warm_start import WarmStart
+from sandbox.physics.contacts.impacts.impact_outcome import ImpactOutcome
 from sandbox.physics.engine.batch import Batch, Booleans, Contacts
 from sandbox.physics.joints.exact.constraints import Coordinates, order
 from sandbox.physics.joints.exact.shake import ExactJoints

@@ -37,7 +37,7 @@ from sandbox.physics.stepping.next_event import Waiting
 from sandbox.physics.stepping.stage import Setup, Stage
 
 if TYPE_CHECKING:
-    from sandbox.physics.contacts.direct.drift_subdivision import Divided
+    from sandbox.physics.contacts.direct.drifts.drift_subdivision import Divided
 
 Act = Callable[[float], None]
 """Performs an event at a time [s]."""

@@ -99,7 +99,7 @@ def _stops(setup: Setup) -> "Stops | None":
     friction = setup.level.effects.friction
     if friction is None or friction.located is None:
         return None
-    from sandbox.physics.events.restart_kick import Onwards
+    from sandbox.physics.events.acceleration_after_event import Onwards
     from sandbox.physics.events.slip_ends import stop
 
     scene, kicks, forces = setup.scene, setup.kicks, setup.forces

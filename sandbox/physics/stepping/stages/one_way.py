@@ -1,4 +1,4 @@
-"""The stage of one-way surfaces: notes positions after each step; see `contacts/one_way.py`."""
+"""The stage of one-way surfaces: notes positions after steps; see `contacts/shapes/one_way.py`."""
 
 from sandbox.model.expressions import Array
 from sandbox.physics.stepping.stage import Setup, Stage

@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from sandbox.physics.contacts.direct.convex_parts import PLACES, Part, Shapes
+from sandbox.physics.contacts.direct.prediction.convex_parts import PLACES, Part, Shapes
 from sandbox.physics.joints.exact.constraints import Coordinates
 from sandbox.physics.run import build
 from tests.physics.scenes import box, disc, level

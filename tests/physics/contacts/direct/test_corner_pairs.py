@@ -6,7 +6,7 @@ from math import cos, pi, sin, sqrt
 import numpy as np
 import pytest
 
-from sandbox.model.catalog import root
+from sandbox.model.level_catalog import root
 from sandbox.model.loading import parse
 from sandbox.physics.run import build
 from sandbox.physics.stepping.world import World

@@ -7,12 +7,13 @@ import pytest
 
 from sandbox.model.expressions import Array
 from sandbox.model.level import Level
-from sandbox.physics.contacts.direct import drift_subdivision, solver
-from sandbox.physics.contacts.direct.kick_parts import Taken
-from sandbox.physics.contacts.direct.kick_system import Kick
+from sandbox.physics.contacts.direct import solver
+from sandbox.physics.contacts.direct.drifts import drift_subdivision
+from sandbox.physics.contacts.direct.kicks.kick_parts import Taken
+from sandbox.physics.contacts.direct.kicks.kick_with_impacts import Beginning, take
+from sandbox.physics.contacts.direct.rows.kick_system import Kick
 from sandbox.physics.contacts.direct.solver import Direct
-from sandbox.physics.contacts.direct.warm_start import WarmStart
-from sandbox.physics.contacts.direct.whole_kick import Beginning, take
+from sandbox.physics.contacts.direct.solving.warm_start import WarmStart
 from sandbox.physics.energy.ledger import Ledger
 from sandbox.physics.run import build, simulate
 from sandbox.physics.state.errors import NoForces, SimulationError

@@ -10,10 +10,10 @@ import pytest
 from sandbox.model.expressions import Array
 from sandbox.model.level import Level
 from sandbox.model.loading import choose
-from sandbox.physics.contacts.direct import landing_drifts
-from sandbox.physics.contacts.direct.constraint_impulses import Held, hold
-from sandbox.physics.contacts.direct.constraint_rows import Active
-from sandbox.physics.contacts.direct.kick_system import Kick
+from sandbox.physics.contacts.direct.complementarity.constraint_rows import Active
+from sandbox.physics.contacts.direct.drifts import landing_drifts
+from sandbox.physics.contacts.direct.rows.kick_system import Kick
+from sandbox.physics.contacts.direct.solving.constraint_impulses import Held, hold
 from sandbox.physics.energy.ledger import Ledger
 from sandbox.physics.engine.batch import Contacts
 from sandbox.physics.guarding.energy_drift import Gains

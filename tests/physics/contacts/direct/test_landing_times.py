@@ -5,9 +5,9 @@ from typing import Any
 
 import pytest
 
-from sandbox.physics.contacts.direct.drift_meetings import Ahead, Met
-from sandbox.physics.contacts.direct.landing_times import until_first
-from sandbox.physics.contacts.time_of_impact import Hit
+from sandbox.physics.contacts.detection.time_of_impact import Hit
+from sandbox.physics.contacts.direct.drifts.drift_meetings import Ahead, Met
+from sandbox.physics.contacts.direct.drifts.landing_times import until_first
 
 FIRST, SECOND = (0, 1), (2, 3)
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from sandbox.model.expressions import Array
-from sandbox.physics.contacts.direct.lemke import _ratio, lemke
+from sandbox.physics.contacts.direct.complementarity.lemke import _ratio, lemke
 
 FASTEST = 4.0  # m/s, at which surfaces slide where one of them is struck
 

@@ -5,7 +5,11 @@ from math import inf, isnan, nan
 import numpy as np
 import pytest
 
-from sandbox.physics.contacts.direct.linear_systems import least_distance, most, nearest
+from sandbox.physics.contacts.direct.complementarity.linear_systems import (
+    least_distance,
+    most,
+    nearest,
+)
 
 
 def test_the_shortest_vector_is_on_the_limit_that_is_farthest() -> None:

@@ -5,11 +5,14 @@ import json
 import numpy as np
 import pytest
 
-from sandbox.model.catalog import find
 from sandbox.model.level import Level
+from sandbox.model.level_catalog import find
 from sandbox.model.loading import load, parse
-from sandbox.physics.contacts.direct import complementarity, newton, overlap_correction
-from sandbox.physics.contacts.direct.row_layout import Layout
+from sandbox.physics.contacts.direct.complementarity import (
+    mixed_complementarity,
+)
+from sandbox.physics.contacts.direct.rows.row_layout import Layout
+from sandbox.physics.contacts.direct.solving import newton, overlap_correction
 from sandbox.physics.run import build
 from tests.physics.scenes import GRAVITY, box, fixed, level
 
@@ -88,7 +91,7 @@ def test_the_impact_of_a_landing_begins_with_what_held_before_it(
     """A wall that comes down: 4.4 systems a problem, guessed from the rates alone."""
     wall = build(load(find("machines/wrecking-ball")))
     problems = counted(monkeypatch, newton, "solve")
-    systems = counted(monkeypatch, complementarity, "solved")
+    systems = counted(monkeypatch, mixed_complementarity, "solved")
 
     wall.advance(170)
 

@@ -8,8 +8,8 @@ import numpy as np
 import pymunk
 import pytest
 
-from sandbox.physics.contacts.direct.convex_parts import parts_of
-from sandbox.physics.contacts.direct.side_tables import Sides
+from sandbox.physics.contacts.direct.prediction.convex_parts import parts_of
+from sandbox.physics.contacts.direct.prediction.side_tables import Sides
 
 POINTS = [(-2, 0), (-1, 0), (0, 0), (1, -1), (2, -1)]
 

@@ -12,8 +12,12 @@ from hypothesis import strategies as st
 
 from sandbox.model.errors import LevelError
 from sandbox.model.level import Level
-from sandbox.physics.contacts.direct import complementarity, constraint_impulses, solver
-from sandbox.physics.contacts.direct.newton import newton
+from sandbox.physics.contacts.direct import solver
+from sandbox.physics.contacts.direct.complementarity import (
+    mixed_complementarity,
+)
+from sandbox.physics.contacts.direct.solving import constraint_impulses
+from sandbox.physics.contacts.direct.solving.newton import newton
 from sandbox.physics.energy.ledger import Ledger
 from sandbox.physics.run import build
 from sandbox.physics.state.errors import SimulationError
@@ -522,7 +526,7 @@ def test_a_high_pile_begins_at_rest_without_a_long_search(monkeypatch: pytest.Mo
 
     What still changes from kick to kick is rounding, and each layer adds its own.
     """
-    monkeypatch.setattr(complementarity, "by_lemke", lambda *_: pytest.fail("it searched"))
+    monkeypatch.setattr(mixed_complementarity, "by_lemke", lambda *_: pytest.fail("it searched"))
     kicks = counted_kicks(monkeypatch)
 
     world = build(stack(200, 1))

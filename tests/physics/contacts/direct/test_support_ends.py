@@ -9,12 +9,12 @@ import numpy as np
 import pytest
 
 from sandbox import make
-from sandbox.model.catalog import find
 from sandbox.model.expressions import Array
 from sandbox.model.level import Level
-from sandbox.physics.contacts.direct.kick_system import Kick
-from sandbox.physics.contacts.direct.passing_contacts import Passing
-from sandbox.physics.contacts.direct.support_ends import SupportEnds
+from sandbox.model.level_catalog import find
+from sandbox.physics.contacts.direct.prediction.passing_contacts import Passing
+from sandbox.physics.contacts.direct.prediction.support_ends import SupportEnds
+from sandbox.physics.contacts.direct.rows.kick_system import Kick
 from sandbox.physics.run import build
 from tests.physics.contacts.direct.courses import course
 from tests.physics.scenes import GRAVITY, G, Spec, box, disc, fixed, level

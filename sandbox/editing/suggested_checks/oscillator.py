@@ -1,0 +1,105 @@
+"""A body on a spring: s(t) = s0 cos ωt + v0/ω sin ωt about its equilibrium, ω = √(k/m).
+
+Damped, γ = c/2m: s(t) = e^(−γt) (s0 cos ωt + (v0 + γ s0)/ω sin ωt), ω = √(k/m − γ²).
+"""
+
+from collections.abc import Iterator
+from math import pi, sqrt
+
+import numpy as np
+
+from sandbox.editing.json_layout import plain
+from sandbox.editing.suggested_checks.scene import TOUCHING, Scene, Suggestion, check, rate_of, said
+from sandbox.model.expressions import Expression
+from sandbox.model.formulas import Formula
+from sandbox.model.joint_ends import place
+from sandbox.model.joints import End, Spring, body_of
+from sandbox.physics.geometry.distance import dot
+
+NEAR = 1e-4
+"""The tolerance of the check at the rate below: leapfrog is of second order."""
+
+FEW = 40
+"""The least number of steps in a period, however short the run."""
+
+
+def suggestions(scene: Scene) -> Iterator[Suggestion]:
+    """Yield the closed forms for bodies that oscillate along a spring."""
+    if not scene.only("gravity", "contact", "friction", "restitution", "rotation"):
+        return
+    for joint in scene.level.joints.values():
+        if isinstance(joint, Spring) and (bob := held_by(scene, joint)):
+            yield from _along(scene, joint, bob)
+
+
+def held_by(scene: Scene, joint: Spring) -> str | None:
+    """Return the body that a linear spring ties by its centre to the plane, or None."""
+    linear = not joint.pushes_only and joint.law is None and joint.stiffness(scene.values) > 0
+    return scene.held_by(joint) if linear else None
+
+
+def _along(scene: Scene, joint: Spring, bob: str) -> Iterator[Suggestion]:
+    """Yield the closed form of an oscillation along one of the axes."""
+    values, body, fall = scene.values, scene.level.bodies[bob], scene.level.effects.gravity
+    first, second = joint.ends
+    end = second if body_of(first) else first
+    peg = place(end, scene.level.bodies, values)
+    way = scene.where[bob].center - peg
+    if not way or (way.real and way.imag):
+        return
+    index = 1 if way.imag else 0
+    pull = complex(*(a(values) for a in fall.acceleration)) if fall else 0j
+    k, m = said(joint.stiffness), scene.mass(bob)
+    start, speed = said(body.position[index]), said(body.velocity[index])
+    slack = start
+    if joint.length is not None:
+        sign = "+" if way.real + way.imag > 0 else "-"
+        slack = f"({said(_point(end)[index])} {sign} {said(joint.length)})"
+    rest = f"({slack} + {said(fall.acceleration[index])}*{m}/{k})" if fall and pull else slack
+    square, form = _motion(k, m, said(joint.damping), rest, start, speed)
+    if Expression(square)(scene.known) <= 0:
+        return  # overdamped or critically damped
+    omega, motion = sqrt(Expression(square)(scene.known)), Formula(form)
+    times = np.linspace(0, min(scene.lasts, 2 * pi / omega), 60)
+    places = motion.over(scene.known, times)
+    swing = places - (peg.imag if index else peg.real)
+    unit = 1j if index else 1 + 0j
+    across = dot(pull, unit * 1j) or dot(scene.velocity(bob), unit * 1j)
+    if across or np.ptp(swing) < TOUCHING or swing.min() * swing.max() <= 0:
+        return
+    ways = [unit * (s - dot(way, unit)) for s in swing.tolist()]
+    others = [name for name in scene.where if name != bob and scene.level.effects.contact]
+    if any(scene.distance(bob, by, other) < TOUCHING for by in ways for other in others):
+        return
+    axis, most = "xy"[index], plain(float(f"{np.ptp(swing) / 2:.3g}"))
+    checks = check("place", f"{bob}.position.{axis}", form, NEAR, scale=most)
+    share = max(1.0, float(np.abs(places).max()) / most)
+    yield Suggestion("oscillator", (bob,), (checks,), rate_of(_rate(omega, scene.lasts, share)))
+
+
+def _motion(k: str, m: str, c: str, rest: str, start: str, speed: str) -> tuple[str, str]:
+    """Return ω² and s(t) as formulas, given equilibrium, initial position and initial velocity."""
+    if c == "0":
+        beat = f"sqrt({k}/{m})"
+        form = f"{rest} + ({start} - {rest})*cos({beat}*t) + {speed}/{beat}*sin({beat}*t)"
+        return f"{k}/{m}", form
+    decay = f"{c}/(2*{m})"
+    square = f"{k}/{m} - ({decay})**2"
+    beat, aside = f"sqrt({square})", f"({start} - {rest})"
+    swing = f"{aside}*cos({beat}*t) + ({speed} + {decay}*{aside})/{beat}*sin({beat}*t)"
+    return square, f"{rest} + exp(-{decay}*t)*({swing})"
+
+
+def _point(end: End) -> tuple[Expression, Expression]:
+    """Return an end, which is a point of the plane."""
+    assert isinstance(end, tuple)
+    return end
+
+
+def _rate(omega: float, lasts: float, share: float) -> float:
+    """Return the rate [Hz] at which the final phase error, ω³ dt² t / 24, is half the tolerance.
+
+    The tolerance is a share of the amplitude: NEAR times the largest coordinate over the amplitude.
+    """
+    late = share * NEAR / 2
+    return max(sqrt(omega**3 * lasts / 24 / late), omega * FEW / (2 * pi))

@@ -1,0 +1,1 @@
+"""The coefficients of pairs, and static friction."""

@@ -1,0 +1,1 @@
+"""Which bodies touch or overlap, and when they meet."""

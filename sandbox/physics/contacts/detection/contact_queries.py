@@ -1,0 +1,179 @@
+"""Contacts at the present positions, found by pymunk between two of its steps."""
+
+from collections import Counter
+from collections.abc import Collection, Iterator, Sequence
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+import pymunk
+
+from sandbox.physics.contacts.shapes.collision_filter import meets
+from sandbox.physics.contacts.shapes.hollow_contacts import Hollows
+from sandbox.physics.engine.batch import NO_CONTACTS, Contacts
+from sandbox.physics.geometry.distance import dot
+
+if TYPE_CHECKING:
+    from sandbox.physics.contacts.shapes.one_way import Gates
+
+Points = tuple[complex, complex]
+"""The contact point of two shapes, on the surface of each [m]."""
+
+
+class Touched(NamedTuple):
+    """A contact of a shape.
+
+    Attributes
+    ----------
+    body
+        The other body, of pymunk.
+    normal
+        The unit normal towards it.
+    points
+        One or two contact points; the shape's own surface first.
+    depth
+        The largest overlap [m].
+    """
+
+    body: pymunk.Body
+    normal: complex
+    points: Sequence[Points]
+    depth: float
+
+
+def touched(
+    space: pymunk.Space,
+    shape: pymunk.Shape,
+    hollows: Hollows | None,
+    gates: "Gates | None" = None,
+) -> Iterator[Touched]:
+    """Yield the contacts of a shape, those with other shapes of its own body as well."""
+    for hit in space.shape_query(shape):
+        found = hit.contact_point_set
+        if hit.shape is None or hit.shape.body is None or not found.points:
+            continue
+        if shape.body is not None and not meets(shape.body, hit.shape.body):
+            continue
+        if gates and shape.body is not None and gates.lets(shape.body, hit.shape.body):
+            continue
+        verdict = hollows.judge(shape, hit.shape) if hollows else True
+        if hollows and not isinstance(verdict, bool):
+            normal, *points = hollows.sides(shape, verdict)
+            yield Touched(hit.shape.body, normal, [(points[0], points[1])], verdict.depth)
+        elif verdict:
+            both = [(complex(*p.point_a), complex(*p.point_b)) for p in found.points]
+            normal = complex(*found.normal)
+            # pymunk's own distance has the wrong sign if it takes the other shape first
+            depth = max(dot(here - there, normal) for here, there in both)
+            yield Touched(hit.shape.body, normal, both, depth)
+
+
+class Query:
+    """Finds the contacts of bodies that were moved outside pymunk's step; n bodies.
+
+    Parameters
+    ----------
+    space
+        The space of the bodies.
+    bodies
+        All bodies, in order.
+    hollows
+        The hollow bodies; None if there are none.
+    gates
+        The one-way surfaces; None if there are none.
+
+    Attributes
+    ----------
+    bodies, hollows, gates
+        As above.
+    """
+
+    def __init__(
+        self,
+        space: pymunk.Space,
+        bodies: Sequence[pymunk.Body],
+        hollows: Hollows | None,
+        gates: "Gates | None" = None,
+    ) -> None:
+        self._space, self.bodies, self.hollows, self.gates = space, bodies, hollows, gates
+        self._rows = {body: row for row, body in enumerate(bodies)}
+
+    def more(self, known: Contacts, moved: Collection[int], least: float) -> Contacts:
+        """Return known contacts, updated for bodies that were moved.
+
+        Pairs that now touch with more shapes, or overlap deeply at more points, get new contacts;
+        the others keep the known ones.
+
+        Parameters
+        ----------
+        known
+            The contacts at the earlier positions.
+        moved
+            The rows of the moved bodies.
+        least
+            The least overlap that counts as deep [m].
+        """
+        found: dict[tuple[int, int], list[Touched]] = {}
+        for row, other, contact in self._found(moved):
+            found.setdefault((row, other), []).append(contact)
+        pairs = pairs_of(known)
+        deep = Counter[tuple[int, int]]()
+        for pair, depths in zip(pairs, known.depths, strict=True):
+            deep[pair] += int(np.count_nonzero(depths > least))
+        new = {
+            pair: all_
+            for pair, all_ in found.items()
+            if len(all_) > pairs.count(pair) or _deep(all_, least) > deep[pair]
+        }
+        if not new:
+            return known
+        keep = [pair not in new for pair in pairs]
+        rest = Contacts._make(field[keep] for field in known)
+        return rest.and_(contacts_of(new)).in_order()
+
+    def _found(self, moved: Collection[int]) -> Iterator[tuple[int, int, Touched]]:
+        """Yield the rows of two bodies that touch, the lower first, and their contact."""
+        for row in moved:
+            self._space.reindex_shapes_for_body(self.bodies[row])
+        for row in moved:
+            for shape in self.bodies[row].shapes:
+                for found in touched(self._space, shape, self.hollows, self.gates):
+                    other = self._rows[found.body]
+                    if row < other:
+                        yield row, other, found
+                    elif other < row and other not in moved:  # else it is found from the other body
+                        back = [(there, here) for here, there in found.points]
+                        yield other, row, found._replace(normal=-found.normal, points=back)
+
+
+def pairs_of(contacts: Contacts) -> list[tuple[int, int]]:
+    """Return the bodies of each contact, the lower index first."""
+    return [(a, b) if a < b else (b, a) for a, b in contacts.bodies.tolist()]
+
+
+def _deep(contacts: Sequence[Touched], least: float) -> int:
+    """Return the number of points with more than the least overlap [m]."""
+    pairs = ((contact.normal, *point) for contact in contacts for point in contact.points)
+    return sum(dot(here - there, normal) > least for normal, here, there in pairs)
+
+
+def contacts_of(found: dict[tuple[int, int], list[Touched]]) -> Contacts:
+    """Return contacts in the form of a step's, without impulses."""
+    rows = [(pair, contact) for pair, contacts in found.items() for contact in contacts]
+    count = len(rows)
+    points, depths = np.zeros((count, 2), dtype=complex), np.zeros((count, 2))
+    for row, (_, contact) in enumerate(rows):
+        for place, (here, there) in enumerate(contact.points):
+            points[row, place] = (here + there) / 2
+            depths[row, place] = dot(here - there, contact.normal)
+    normals = np.array([contact.normal for _, contact in rows])
+    return NO_CONTACTS._replace(
+        bodies=np.array([pair for pair, _ in rows], dtype=np.intp),
+        first=np.ones(count, dtype=bool),
+        direction=np.stack((normals.real, normals.imag), axis=1),
+        normal=np.zeros(count),
+        friction=np.zeros(count),
+        touches=np.array([len(contact.points) for _, contact in rows], dtype=np.intp),
+        points=np.stack((points.real, points.imag), axis=2),
+        impulse=np.zeros((count, 2)),
+        depths=depths,
+    )

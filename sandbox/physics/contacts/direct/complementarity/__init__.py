@@ -1,0 +1,1 @@
+"""Complementarity problems, as matrices and vectors; no body is known here."""

@@ -1,0 +1,87 @@
+"""The update of an active set: which rows let go, bear, stick or slip instead.
+
+Row by row in plain numbers: most islands have few rows, for which arrays take longer.
+"""
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+from sandbox.physics.contacts.direct.complementarity.constraint_rows import Active, Friction
+
+
+class Found(NamedTuple):
+    """What an active set leads to; m rows.
+
+    Attributes
+    ----------
+    on
+        (m,), the active rows.
+    impulse, rate
+        (m,) each, scaled to inverse masses of the rows near one.
+    close, still
+        Their rounding errors: of any impulse, and of each rate, (m,).
+    """
+
+    on: list[bool]
+    impulse: list[float]
+    rate: list[float]
+    close: float
+    still: list[float]
+
+    @classmethod
+    def of(cls, active: Active, impulse: Array, rate: Array, close: float, still: Array) -> "Found":
+        """Return it from arrays."""
+        return cls(active.on.tolist(), impulse.tolist(), rate.tolist(), close, still.tolist())
+
+    def better(
+        self, active: Active, pushing: Sequence[int], friction: Friction, size: Sequence[float]
+    ) -> Active | None:
+        """Return a better active set; None if this one is right.
+
+        Parameters
+        ----------
+        active
+            This one.
+        pushing, friction
+            The rows with a non-negative impulse, and those of friction.
+        size
+            (m,), the factors by which impulses are scaled.
+        """
+        before: list[int] = active.slip.tolist()
+        on, slip = self._bearing(pushing), before.copy()
+        self._rub(on, slip, friction, size)
+        if on == self.on and slip == before:
+            return None
+        return Active(np.array(on), np.array(slip, dtype=np.intp))
+
+    def _bearing(self, pushing: Sequence[int]) -> list[bool]:
+        """Return the active rows, where those that pull let go, and those that meet bear."""
+        was, impulse, rate, close, still = self
+        on = was.copy()
+        for row in pushing:
+            if (impulse[row] + close if was[row] else rate[row] + still[row]) < 0:
+                on[row] = not was[row]
+        return on
+
+    def _rub(
+        self, on: list[bool], slip: list[int], friction: Friction, size: Sequence[float]
+    ) -> None:
+        """Update which friction sticks, and the signs of that which slips."""
+        was, impulse, rate, close, still = self
+        for i, (row, contacts, sticks, _) in enumerate(friction.each):
+            if slip[i]:
+                if slip[i] * rate[row] > still[row]:
+                    slip[i] = 0
+            elif was[row]:
+                bound = 0.0
+                for contact in contacts:
+                    bound += sticks * (size[row] / size[contact]) * max(impulse[contact], 0.0)
+                if abs(impulse[row]) > bound + close:
+                    slip[i] = 1 if impulse[row] > 0 else -1
+            if not (on[contacts[0]] or on[contacts[-1]]):
+                slip[i], on[row] = 0, False
+            else:
+                on[row] = not slip[i]

@@ -1,0 +1,75 @@
+"""The bounds of friction, given by the impulses of its contacts (Coulomb's law)."""
+
+from functools import cached_property
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+from sandbox.physics.contacts.direct.complementarity.constraint_rows import Friction
+from sandbox.physics.engine.batch import Integers
+
+
+class FrictionBounds:
+    """The bounds of friction in scaled rows; m rows, f of friction.
+
+    Parameters
+    ----------
+    friction
+        The rows of friction.
+    size
+        (m,), the factors by which impulses are scaled.
+
+    Attributes
+    ----------
+    sizes
+        These factors as plain numbers.
+    """
+
+    def __init__(self, friction: Friction, size: Array) -> None:
+        self.row, self.contact = friction.row, friction.contact
+        self._friction, self._size = friction, size
+        self.sizes: list[float] = size.tolist()
+
+    @cached_property
+    def _shares(self) -> tuple[Array, Array]:
+        """The static and the kinetic coefficients of each contact, scaled: (2, f) each."""
+        (sticks, slips), size = self._friction.shares, self._size
+        scale = size.take(self.row) / size.take(self.contact)
+        return sticks * scale, slips * scale
+
+    def sticking(self, impulse: Array) -> Array:
+        """Return the bounds of friction while it sticks, (f,), with impulses (m,)."""
+        return self._bounds(impulse, self._shares[0])
+
+    def slipping(self, impulse: Array) -> Array:
+        """Return the size of friction while it slips, (f,), with impulses (m,)."""
+        return self._bounds(impulse, self._shares[1])
+
+    def _bounds(self, impulse: Array, coefficients: Array) -> Array:
+        bounds = coefficients * np.maximum(impulse.take(self.contact), 0.0)
+        return np.asarray(bounds[0] + bounds[1])
+
+    def sticking_by_each(self) -> Array:
+        """Return the bounds while friction sticks as a matrix of the impulses: (f, m)."""
+        return self._by_each(self._shares[0])
+
+    def slipping_by_each(self) -> Array:
+        """Return the sizes while friction slips as a matrix of the impulses: (f, m)."""
+        return self._by_each(self._shares[1])
+
+    def _by_each(self, coefficients: Array) -> Array:
+        shares, each = np.zeros((len(self.row), len(self._size))), np.arange(len(self.row))
+        for contact, share in zip(self.contact, coefficients, strict=True):
+            shares[each, contact] += share
+        return shares
+
+    def follow(self, slip: Integers) -> Array:
+        """Return all impulses as a matrix of those of the active rows: (m, m).
+
+        Friction that slips, in the direction of its sign in `slip`, (f,), follows from its contact.
+        """
+        gives, size = np.eye(len(self._size)), self.sizes
+        for sign, (row, contacts, _, slips) in zip(slip.tolist(), self._friction.each, strict=True):
+            for contact in contacts if sign else ():
+                gives[row, contact] += sign * (slips * (size[row] / size[contact]))
+        return gives

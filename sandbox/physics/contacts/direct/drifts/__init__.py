@@ -1,0 +1,1 @@
+"""Drifts that landings cut, or that are subdivided."""

@@ -1,0 +1,194 @@
+"""What meets first in a drift, or passes the end of its support, and when."""
+
+from collections.abc import Callable, Sequence
+from functools import partial
+from math import inf
+from typing import NamedTuple
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+from sandbox.physics.contacts.detection.time_of_impact import TOUCH, Hit, Path
+from sandbox.physics.contacts.direct.drifts.drift_parts import Part
+from sandbox.physics.contacts.direct.drifts.level_surfaces import carries_on
+from sandbox.physics.contacts.direct.prediction.convex_parts import Pair
+from sandbox.physics.contacts.direct.prediction.passing_contacts import Passing
+from sandbox.physics.contacts.direct.prediction.speculative_contacts import (
+    AnyCorner,
+    SpeculativeContacts,
+)
+from sandbox.physics.engine.batch import Contacts
+from sandbox.physics.geometry.roots import root
+from sandbox.physics.joints.exact.constraints import Coordinates, order
+
+SOON = 1e-6
+"""The share of a drift at its start for which no kick is solved, and at its end in which no landing
+is located: that waits for the next drift."""
+
+BEYOND = 0.01
+"""The share of the rest of a drift after which it is seen what carries on a body that passes the
+end of a side: at the end itself, lines that continue each other leave it to each other."""
+
+TOGETHER = 1e-9
+"""The share of a drift within which landings coincide, and the tolerance of their time."""
+
+
+class Ahead(NamedTuple):
+    """What may meet, or pass the end of its support, in a drift.
+
+    Attributes
+    ----------
+    pairs
+        The pairs of bodies that do not touch, and may land.
+    corners
+        The corners that may land on a side of a body which theirs already touches.
+    passing
+        The contacts that may pass the end of a side.
+    """
+
+    pairs: Sequence[Pair]
+    corners: Sequence[AnyCorner]
+    passing: Sequence[Passing]
+
+
+class Met(NamedTuple):
+    """The first landing of a drift, or the first contacts that pass the end of a side.
+
+    Attributes
+    ----------
+    time
+        The time after the start of the drift [s].
+    hits
+        The impacts of bodies that did not touch before.
+    corners
+        The corners that land on a side of a body which theirs already touches.
+    passing
+        The contacts that pass the end of a side, if nothing lands.
+    coming
+        All pairs of bodies that meet in the drift, these and those that follow.
+    falling
+        The pairs of which a corner lands in the drift.
+    """
+
+    time: float
+    hits: Sequence[Hit]
+    corners: Sequence[AnyCorner]
+    passing: Sequence[Passing]
+    coming: Sequence[Pair]
+    falling: Sequence[Pair]
+
+    @property
+    def again(self) -> Ahead:
+        """The same, to be found in another drift."""
+        return Ahead(sorted({hit.bodies for hit in self.hits}), self.corners, self.passing)
+
+    @property
+    def pairs(self) -> list[Pair]:
+        """The pairs of bodies that take part."""
+        others = (*(one.pair for one in self.corners), *(one.bodies for one in self.passing))
+        return [*self.again.pairs, *others]
+
+
+class Meetings:
+    """Finds what meets first in a drift; N bodies with the plane.
+
+    Parameters
+    ----------
+    speculative
+        Knows the bodies.
+    laws
+        (3 N,), the accelerations by gravity and force laws [m/s², rad/s²].
+    """
+
+    def __init__(self, speculative: SpeculativeContacts, laws: Array) -> None:
+        self._speculative, self._laws = speculative, laws
+        self._order = order(len(laws) // 3 - 1)
+
+    def ahead(self, part: Part, calm: Callable[[Pair], bool]) -> Ahead:
+        """Return what may meet in a part of a drift, but for pairs that are `calm`."""
+        look, kick, way = self._speculative, part.kick, part.drift * part.moved
+
+        pairs = look.approaching.near(kick.contacts, kick.place, way)
+        return Ahead(
+            [pair for pair in pairs if not calm(pair)],
+            [one for one in look.corners(kick, part.moved) if not calm(one.pair)],
+            [one for one in look.ends.passing(kick, way, part.forces) if not calm(one.bodies)],
+        )
+
+    def first(self, part: Part, longest: float, ahead: Ahead) -> Met | None:
+        """Return what meets first on the parabolas of a part within a time `longest` [s]."""
+        total, (pairs, corners, passing) = self._laws + part.pulls, ahead
+        begun, place = part.moved - total * (part.drift / 2), part.kick.place.values
+
+        def at(t: float) -> Coordinates:
+            return Coordinates(place + t * (begun + total * (t / 2)))
+
+        def height(corner: AnyCorner, t: float) -> float:
+            return self._speculative.height(corner, at(t)) - TOUCH
+
+        def left(one: Passing, t: float) -> float:
+            return one.left(at(t))
+
+        path = Path(place[self._order], begun[self._order], total[self._order])
+        near = self._speculative.approaching
+        hits = near.meet(path, longest, pairs) if pairs else []
+        hits = [hit for hit in hits if not carries_on(part, path, hit, near.outlines)]
+        falls = [root(partial(height, corner), longest) for corner in corners]
+        passes = [root(partial(left, one), longest) for one in passing]
+        first = min((*(hit.time for hit in hits), *falls, *passes), default=inf)
+        if first > longest * (1 - SOON):
+            return None
+        last = first + TOGETHER * longest
+        falling = [one.pair for one, time in zip(corners, falls, strict=True) if time < longest]
+        coming = sorted({hit.bodies for hit in hits})
+        hits = [hit for hit in hits if hit.time <= last]
+        down = [corner for corner, time in zip(corners, falls, strict=True) if time <= last]
+        gone = [one for one, time in zip(passing, passes, strict=True) if time <= last]
+        return Met(first, hits, down, [] if hits or down else gone, coming, falling)
+
+    def beside(self, ended: Part, begun: Array, met: Met, pairs: Sequence[Pair]) -> Contacts:
+        """Return the contacts with bodies beside the ends of sides that others pass.
+
+        These carry them on. What approaches faster than laws in the rest of the drift explain is
+        left to land.
+
+        Parameters
+        ----------
+        ended
+            The part of the drift up to there, with the kick there.
+        begun
+            (3 N,), the velocities there [m/s, rad/s].
+        met
+            What passes.
+        pairs
+            The pairs of bodies to consider, which did not touch before.
+        """
+        look, place = self._speculative, ended.kick.place
+        guests = {one.bodies[1] for one in met.passing}
+        some = [pair for pair in pairs if guests & {*pair}]
+        path = Path(*(rates[self._order] for rates in (place.values, begun, self._laws)))
+        left = ended.left - ended.drift
+        corners, hits = look.approaching.touching(path, BEYOND * left, some)
+        gives = left * np.abs(path.acceleration[:, :2]).max()
+        rests = [hit for hit in hits if hit.parting >= -gives]
+        return look.contacts(corners, place, ended.kick.joints.origin, rests)
+
+    def resting(self, ended: Part, pairs: Sequence[Pair]) -> Contacts:
+        """Return the contacts of bodies that already overlap where a part of a drift ends.
+
+        They came together a little before what ends the part, and more slowly than forces in the
+        rest of the drift explain: nothing would stop them. Those that are faster land.
+
+        Parameters
+        ----------
+        ended
+            The part.
+        pairs
+            The pairs of bodies to consider, which did not touch before.
+        """
+        look, place, total = self._speculative, ended.end, self._laws + ended.pulls
+        path = Path(*(rates[self._order] for rates in (place.values, ended.moved, total)))
+        corners, hits = look.approaching.touching(path, 0.0, pairs)
+        gives = (ended.left - ended.drift) * np.abs(path.acceleration[:, :2]).max()
+        rests = [hit for hit in hits if abs(hit.parting) <= gives]
+        return look.contacts(corners, place, ended.kick.joints.origin, rests)

@@ -1,0 +1,257 @@
+"""The parts of a drift that is cut where bodies land, and its outcome for the rest of the step."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import NamedTuple
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+from sandbox.physics.contacts.direct.complementarity.constraint_rows import Active
+from sandbox.physics.contacts.direct.drifts.drift_subdivision import Between, Divided
+from sandbox.physics.contacts.direct.kicks.kick_parts import Stage, Taken
+from sandbox.physics.contacts.direct.prediction.convex_parts import Pair
+from sandbox.physics.contacts.direct.rows.kick_system import Kick
+from sandbox.physics.engine.batch import Booleans, Integers
+from sandbox.physics.joints.exact.constraints import (
+    GROWS,
+    QUADRATIC,
+    Coordinates,
+    inertia_of,
+    order,
+)
+
+
+class Part(NamedTuple):
+    """A part of a drift, and the kick before it; r rows, N bodies with the plane.
+
+    Attributes
+    ----------
+    kick
+        The rows of that kick.
+    left, drift
+        The time from its beginning to the end of the whole drift, and its length [s].
+    begun
+        (3 N,), the velocities after the impacts at its beginning [m/s, rad/s].
+    lasts
+        The length of the kick after these impacts [s].
+    forces
+        (r,), the forces in that kick [N].
+    active
+        Its active rows.
+    moved
+        (3 N,), the velocities in the part [m/s, rad/s].
+    before
+        The stages at its beginning before that kick.
+    lasting
+        (r,), the forces that last beyond it, if its own are too rough for that; else None [N].
+    flat
+        See `Taken`.
+    """
+
+    kick: Kick
+    left: float
+    drift: float
+    begun: Array
+    lasts: float
+    forces: Array
+    active: Active
+    moved: Array
+    before: tuple[Stage, ...] = ()
+    lasting: Array | None = None
+    flat: bool = False
+
+    @classmethod
+    def after(cls, taken: Taken, drift: float, moved: Array) -> "Part":
+        """Return the whole drift after a kick, of a length [s] and with velocities (3 N,)."""
+        begun, lasts, forces, active = taken.begun, taken.lasts, taken.forces, taken.active
+        before = taken.stages[:-1]
+        first = cls(taken.kick, drift, drift, begun, lasts, forces, active, moved, before)
+        return first._replace(flat=taken.flat)
+
+    @property
+    def pulls(self) -> Array:
+        """(3 N,), the accelerations by joints and contacts [m/s², rad/s²]."""
+        return np.asarray(self.forces @ self.kick.response)
+
+    @property
+    def steady(self) -> Array:
+        """(r,), the forces that last beyond it [N]."""
+        return self.forces if self.lasting is None else self.lasting
+
+    @property
+    def sunk(self) -> list[Pair]:
+        """The pairs of bodies that end deeper in each other than they should."""
+        if not self.flat:
+            return []
+        kick, gaps = self.kick, self.kick.layout.gaps
+        left = (kick.rows(self.drift * self.moved).total - kick.targets())[gaps]
+        return kick.layout.touching.pairs(np.flatnonzero(left < -QUADRATIC))
+
+    @property
+    def end(self) -> Coordinates:
+        """The positions at its end."""
+        return Coordinates(self.kick.place.values + self.drift * self.moved)
+
+
+def concerned(kick: Kick, reached: Booleans) -> Booleans:
+    """Return which rows of a kick act on some of the bodies, (n,): (r,)."""
+    return np.asarray(kick.acts[:, reached].any(axis=1))
+
+
+def around(kick: Kick, pairs: Sequence[Pair]) -> Booleans:
+    """Return which bodies are in the islands of some pairs: (n,)."""
+    count = kick.acts.shape[1]
+    reached = np.zeros(count, dtype=bool)
+    reached[[body for pair in pairs for body in pair]] = True
+    reached &= kick.joints.inverse[order(count)].any(axis=1)
+    for rows, _, _ in kick.layout.islands:
+        bodies = kick.acts[rows].any(axis=0)
+        if (bodies & reached).any():
+            reached |= bodies
+    return reached
+
+
+def others_of(part: Part, laws: Array, reached: Booleans) -> tuple[Booleans, Array, Array]:
+    """Return which rows act on `reached` bodies, and the forces of the others: (r,) each.
+
+    Also the accelerations by these forces and by laws, (3 N,).
+    """
+    mine = concerned(part.kick, reached)
+    others = np.where(mine, 0.0, part.forces)
+    return mine, others, laws + others @ part.kick.response
+
+
+@dataclass(frozen=True)
+class Landed:
+    """A drift that was cut where bodies landed; n bodies.
+
+    The rest of the step knows only whole kicks: the one before it as if nothing landed, the one
+    after it with the forces of its last part. The excess of both is taken back at the two ends of
+    the drift. Bodies that take no part in the landings go on as they were.
+
+    Parameters
+    ----------
+    whole, parts
+        The drift without landings, and its parts with them.
+    laws
+        (3 N,), the accelerations by gravity and force laws [m/s², rad/s²].
+    reached
+        (n,), which bodies take part in the landings.
+    start
+        (n, 3), the positions at its start [m, rad].
+    """
+
+    whole: Part
+    parts: Sequence[Part]
+    laws: Array
+    reached: Booleans
+    start: Array
+
+    @cached_property
+    def divided(self) -> Divided:
+        """The drift in parts, for the rest of the step."""
+        whole, led, lasts = self.whole, self._led, self.whole.lasts
+        left = self._moving((led.begun + lasts * (self.laws + led.pulls))[self._places])
+        lead = Stage.of(led.kick, lasts, left, lasts * led.forces)
+        kept, back = self._taken_back()
+        stages = [(part.kick, stage) for part in self.parts[1:] for stage in self._stages(part)]
+        between = (self.parts[0].kick, self._given_less()), *stages, (kept, back)
+        return Divided(
+            left,
+            back.velocity,
+            self.reached,
+            (*whole.before, lead),
+            tuple(self._seen(kick, stage) for kick, stage in between),
+            1.0,
+            self._place(self.parts[-1].end),
+            self._lifted,
+        )
+
+    @property
+    def onwards(self) -> Array:
+        """(n, 3), the accelerations at its end [m/s², rad/s²]."""
+        last = self.parts[-1]
+        return np.asarray((self.laws + last.steady @ self._ended.response)[self._places])
+
+    @cached_property
+    def _places(self) -> Integers:
+        return order(len(self.start))
+
+    @cached_property
+    def _ended(self) -> Kick:
+        """The rows of the last part, at its end."""
+        last = self.parts[-1]
+        return last.kick.moved(last.end)
+
+    @property
+    def _led(self) -> Part:
+        """The motion up to the first landing: the whole drift, unless a rope is caught later."""
+        first = self.parts[0]
+        return first if _catches(self.whole, first) else self.whole
+
+    @property
+    def _lifted(self) -> float:
+        """The excess of the energy that is read in the middle of it, see `Divided` [J]."""
+        inertia = inertia_of(self.whole.kick.joints.inverse)[self._places]
+        mass = np.where(self.reached[:, None], inertia, 0.0)
+        last = self.parts[-1]
+        bent = (self._led.pulls - last.steady @ last.kick.response)[self._places]
+        return float(np.sum(mass * self.laws[self._places] * bent)) * self.whole.drift**2 / 8
+
+    def _given_less(self) -> Stage:
+        """Return the difference between the kick before it and a whole one."""
+        first, lasts = self.parts[0], self.whole.lasts
+        less = first.forces * first.lasts - lasts * self._led.forces
+        return Stage.of(first.kick, first.lasts - lasts, first.moved[self._places], less)
+
+    def _taken_back(self) -> tuple[Kick, Stage]:
+        """Return the excess of the whole kick after it, taken back, and its rows."""
+        last, kick = self.parts[-1], self._ended
+        missing = (self.whole.drift - last.drift) / 2
+        forces = _steady(last, self.laws, missing, self.reached)
+        begun = last.moved - missing * (self.laws + forces @ kick.response)
+        return kick, Stage.of(kick, -missing, self._moving(begun[self._places]), -missing * forces)
+
+    def _stages(self, part: Part) -> tuple[Stage, ...]:
+        """Return the stages at the beginning of a part."""
+        rest = part.forces * part.lasts
+        return *part.before, Stage.of(part.kick, part.lasts, part.moved[self._places], rest)
+
+    def _seen(self, kick: Kick, stage: Stage) -> Between:
+        """Return a stage, limited to the bodies and joints that take part in the landings."""
+        joints = kick.layout.joints
+        some = stage.among(self.reached, concerned(kick, self.reached)[joints])
+        jacobian = -kick.here.jacobian[joints][:, self._places]
+        moving = some._replace(velocity=self._moving(stage.velocity))
+        return Between(self._place(kick.place), jacobian, moving)
+
+    def _moving(self, velocity: Array) -> Array:
+        """Return velocities, (n, 3), with those of the whole drift for all other bodies."""
+        return np.where(self.reached[:, None], velocity, self.whole.moved[self._places])
+
+    def _place(self, there: Coordinates) -> Array:
+        """Return the positions of the bodies: (n, 3) [m, rad]."""
+        way = there.values - self.whole.kick.place.values
+        return self.start + way[self._places]
+
+
+def _catches(whole: Part, first: Part) -> bool:
+    """Return whether a rope becomes taut in a drift, but not before its first landing."""
+    joints = whole.kick.layout.joints
+    taut, pulls = (part.forces[joints] > 0 for part in (whole, first))
+    return bool((whole.kick.joints.pulls_only & taut & ~pulls).any())
+
+
+def _steady(last: Part, laws: Array, missing: float, reached: Booleans) -> Array:
+    """Return the forces of the last part that may stand for a whole kick after it: (r,).
+
+    Forces of bodies that jam do not last. Traced back over the `missing` time [s], they would give
+    the bodies more energy than they have, or than the laws alone give them, and count as 0.
+    """
+    kinetic, pulls = last.kick.joints.kinetic, last.steady @ last.kick.response
+    least = kinetic(last.moved) + kinetic(missing * laws)
+    if kinetic(last.moved - missing * (laws + pulls)) <= GROWS * least:
+        return last.steady
+    return np.where(concerned(last.kick, reached), 0.0, last.steady)

@@ -1,0 +1,75 @@
+"""The drifts before and after a kick, where landings or a subdivision cut them into parts."""
+
+from collections.abc import Sequence
+
+from sandbox.model.expressions import Array
+from sandbox.physics.contacts.detection.contact_queries import pairs_of
+from sandbox.physics.contacts.direct.drifts.drift_subdivision import Divided
+from sandbox.physics.contacts.direct.drifts.landing_record import LandingRecord, Struck
+from sandbox.physics.engine.batch import NO_CONTACTS, Contacts
+
+
+class Drifts:
+    """Records the drifts before and after a kick; n bodies.
+
+    Attributes
+    ----------
+    kicked
+        (n, 3), the velocities after the kick, if the drift after it is taken in parts; else None
+        [m/s, rad/s].
+    divided
+        The drift after the kick, if it is taken in parts; else None.
+    drifted
+        The same for the drift before it.
+    led
+        (n, 3), the mean velocities in `drifted`, if that was taken in parts; else None [m/s,
+        rad/s].
+    parted
+        The contacts of its landings that had parted at its end, without impulses.
+    landings
+        What collided in its landings.
+    """
+
+    def __init__(self, count: int) -> None:
+        self._none = LandingRecord(count)
+        self.kicked: Array | None = None
+        self.divided: Divided | None = None
+        self.drifted: Divided | None = None
+        self.led: Array | None = None
+        self._leads: Array | None = None  # the same for the drift after the kick
+        self.parted = NO_CONTACTS
+        self.landings = self._lands = self._none
+
+    @property
+    def struck(self) -> Sequence[Struck]:
+        """Who collided in the landings of the drift before it, in turn."""
+        return self.landings.struck
+
+    def begin(self, contacts: Contacts) -> None:
+        """Go on to the next kick, at whose beginning there are some contacts."""
+        self.kicked, self.drifted, self.divided = None, self.divided, None
+        self.led, self._leads = self._leads, None
+        self.landings, self._lands = self._lands, self._none
+        self.parted = _without(self.landings.met, contacts)
+
+    def forget(self) -> None:
+        """Forget the drift after the last kick: bodies were put elsewhere, or joints changed."""
+        self.divided = self._leads = None
+        self._lands = self._none
+
+    def divide(self, divided: Divided, mean: Array) -> None:
+        """Record that the drift after the kick is taken in parts, with mean velocities, (n, 3)."""
+        self.divided, self.kicked, self._leads = divided, divided.left, mean
+
+    def land(self, landings: LandingRecord) -> None:
+        """Record the landings in the drift after the kick."""
+        self._lands = landings
+
+
+def _without(met: Contacts, others: Contacts) -> Contacts:
+    """Return the contacts whose pairs of bodies are not among others."""
+    if not len(met.bodies):
+        return met
+    touch = set(pairs_of(others))
+    left = [pair not in touch for pair in pairs_of(met)]
+    return Contacts._make(field[left] for field in met)

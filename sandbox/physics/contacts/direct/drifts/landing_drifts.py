@@ -1,0 +1,342 @@
+"""Drifts in which bodies land: each landing is located, and is an impact at its own time.
+
+Between two kicks leapfrog stands for a motion with the accelerations of the last kick: a parabola.
+Where bodies meet on it, the drift is cut. The kick before it is solved again for a drift that ends
+there. Then comes an impact, all at once with the joints and contacts that take part in it, and then
+another drift, in which what has met touches, or is on its way back. Thus nothing is stopped before
+it has come down, or lifted out of what it has come down on. A corner that comes down beside another
+that touches already lands in the same way, if it does so faster than what acts in a step makes it.
+
+A drift is also cut where a contact passes the end of a side: a disc that rolls off a table falls
+from there, and not from where the step ends; see `support_ends`. Nothing is struck there, but other
+contacts act from there on.
+
+It is cut where friction ends a slip as well; see `slip_stops`. From there on it holds, if it can.
+
+Bodies that take no part in a landing go on as they were.
+"""
+
+from collections.abc import Sequence
+from contextlib import suppress
+from dataclasses import replace
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+from sandbox.physics.contacts.direct.complementarity.constraint_rows import Active
+from sandbox.physics.contacts.direct.drifts.crowds import crowd, moving
+from sandbox.physics.contacts.direct.drifts.drift_meetings import SOON, Meetings, Met
+from sandbox.physics.contacts.direct.drifts.drift_parts import Part, around, concerned, others_of
+from sandbox.physics.contacts.direct.drifts.landing_record import LandingRecord
+from sandbox.physics.contacts.direct.drifts.landing_times import until_first
+from sandbox.physics.contacts.direct.drifts.slip_stops import slip_ends, until_it_stops
+from sandbox.physics.contacts.direct.kicks import impacts
+from sandbox.physics.contacts.direct.kicks.closing_gaps import closed
+from sandbox.physics.contacts.direct.kicks.kick_builder import KickBuilder
+from sandbox.physics.contacts.direct.kicks.kick_parts import Stage
+from sandbox.physics.contacts.direct.prediction.convex_parts import Pair
+from sandbox.physics.contacts.direct.prediction.speculative_contacts import SpeculativeContacts
+from sandbox.physics.contacts.direct.rows.kick_system import Kick
+from sandbox.physics.contacts.direct.solving.constraint_impulses import hold
+from sandbox.physics.contacts.direct.solving.warm_start import recalled
+from sandbox.physics.engine.batch import NO_CONTACTS, Booleans
+from sandbox.physics.joints.exact.constraints import order
+from sandbox.physics.state.errors import JointFailure, NoForces
+
+SHORT = 0.1
+"""The share of a drift below which the forces of its last part are solved for a whole one: those of
+a short part follow from small differences of positions, and their rounding is traced far back."""
+
+LEAST = 0.06
+"""The share of a drift below which it is not divided where contacts do not keep their gaps: bodies
+that turn far in it would gain energy on its curved path, by the third power of its length."""
+
+MOST = 16
+"""The most landings of one drift that are located. With more of them all bodies are a crowd."""
+
+STOPS = 2
+"""The most ends of slips that are located in a drift."""
+
+AGAIN = 4
+"""The most times that a drift is followed anew, since more bodies take part in it."""
+
+
+class _Late(Exception):  # noqa: N818 (no error: the drift is followed once more)
+    """Somebody takes part in a landing who should have been followed from the first one on."""
+
+
+class Landings:
+    """Cuts a drift where bodies land in it; N bodies with the plane.
+
+    `laws`, (3 N,), are the accelerations by gravity and force laws [m/s², rad/s²]; the drift ends
+    at the time `until` [s]. `driven` tells whether running surfaces or kinematic bodies may add
+    energy, and `stopped`, (n,), which bodies are in crowds that were stopped: they do not land.
+
+    Attributes
+    ----------
+    reached
+        (n,), which bodies take part in landings.
+    crowd
+        (n,), which bodies are in a crowd: then nothing is located.
+    record
+        What collided in them, and how hard.
+    """
+
+    def __init__(
+        self,
+        speculative: SpeculativeContacts,
+        build: KickBuilder,
+        laws: Array,
+        until: float,
+        *,
+        driven: bool,
+        stopped: Booleans,
+    ) -> None:
+        self._speculative, self._build = speculative, build
+        self._laws, self._until = laws, until
+        self._driven, self._stopped = driven, stopped
+        self._meetings = Meetings(speculative, laws)
+        count = len(laws) // 3 - 1
+        self._order, self._anew = order(count), True
+        self._whole: Part  # the drift
+        self.crowd: Booleans = np.zeros(count, dtype=bool)
+        self._begin(np.zeros(count, dtype=bool))
+
+    def follow(self, whole: Part) -> list[Part]:
+        """Return the parts of the drift after a kick: the drift itself if nothing lands.
+
+        Whoever takes part in a later landing has to be followed from the first one on, where other
+        bodies press on it. So then the drift is followed once more from its start.
+        """
+        joints, kick, self._whole = whole.kick.joints, whole.kick.joints.kick, whole
+        try:
+            for _ in range(AGAIN):
+                with suppress(_Late):
+                    return self._parts(whole)
+                self._begin(self.reached | around(whole.kick, self._near))
+            self._anew = False
+            return self._parts(whole)
+        finally:
+            joints.time(kick, whole.drift)
+
+    def _begin(self, reached: Booleans) -> None:
+        """Begin a drift in whose landings some bodies, (n,), are known to take part."""
+        self.reached = reached
+        self._stops = 0  # the ends of slips that were located
+        self._early: Booleans | None = None  # who takes part from the first landing on
+        self._near: list[Pair] = []  # who might take part
+        self.record = LandingRecord(len(reached))
+
+    def _take_in(self, bodies: Booleans) -> None:
+        """Note who takes part: (n,).
+
+        Raises `_Late` if some press on others, but did not take part from the first landing on.
+        """
+        self.reached = self.reached | bodies
+        if self._early is not None and self._anew:
+            late, whole = self.reached & ~self._early, self._whole
+            if np.count_nonzero(whole.forces[concerned(whole.kick, late)]):
+                raise _Late
+
+    def _parts(self, whole: Part) -> list[Part]:
+        """Return the parts of a drift."""
+        parts = [whole]
+        while len(parts) <= MOST and (found := self._cut(parts[-1])):
+            parts[-1:] = found
+        if len(parts) > MOST:
+            self.crowd, parts = moving(whole.kick), [whole]
+        elif len(parts) > 1:
+            parts[-1] = self._lasting(parts[-1], whole.drift)
+        return parts
+
+    def _lasting(self, last: Part, drift: float) -> Part:
+        """Return the last part with forces that last for a whole drift [s].
+
+        They stay its own if other rows would be active then.
+        """
+        if last.drift >= SHORT * drift:
+            return last
+        try:
+            longer = self._solved(last, drift, drift / 2)
+        except (JointFailure, NoForces):
+            return last
+        same = longer.active.equals(last.active)
+        return last._replace(lasting=longer.forces) if same else last
+
+    def _cut(self, part: Part) -> tuple[Part, Part] | None:
+        """Return a part up to its first landing, and the rest of it; None if nothing lands."""
+        kick, known = part.kick, (self.reached, self._early)
+        stopped = self._until_it_stops(part)
+        kick.joints.time(part.drift, part.drift)
+        seen = stopped or part
+        ahead = self._meetings.ahead(seen, self._is_calm)
+        self._near += ahead.pairs
+        met = self._meetings.first(seen, seen.drift, ahead) if any(ahead) else None
+        sunk = self._sunk(seen)
+        if not (met or stopped or sunk) or (met and self._is_crowd(part, met)):
+            return None
+        self._take_in(around(kick, [*(met.pairs if met else ()), *sunk]))
+        self._early = self.reached if self._early is None else self._early
+        try:
+            if met:
+                seen, met = until_first(seen, met, self._meetings, self._shortened)
+            elif stopped:
+                self._stops += 1
+            seen, met = self._kept(part, seen, met)
+            left = part.drift - seen.drift
+            if met and met.passing:
+                return seen, self._pass(seen, left, met, ahead.pairs)
+            return seen, self._land(seen, left, met, ahead.pairs)
+        except (JointFailure, NoForces):
+            self.reached, self._early = known  # it is found where the drift ends
+            return None
+
+    def _until_it_stops(self, part: Part) -> Part | None:
+        """Return a part up to where its first slip ends; None if none does."""
+        ends = slip_ends(part, self._laws)
+        ends = ends[~self._stopped[part.kick.layout.touching.sliding[:, ends]].any(axis=0)]
+        if not len(ends) or self._stops == STOPS:
+            return None
+        known, slides = self.reached, part.kick.layout.touching.sliding[:, ends]
+        self.reached = known | around(part.kick, slides.T.tolist())
+        if (stopped := until_it_stops(part, ends, self._laws, self._shortened)) is None:
+            self.reached = known
+        return stopped
+
+    def _is_crowd(self, part: Part, met: Met) -> bool:
+        """Return whether so many bodies land from the start of the drift on that they are a crowd.
+
+        They are then left to `crowds.stopped`.
+        """
+        if part.left < self._whole.drift or self._stopped.any():
+            return False
+        dull = self._speculative.dull
+        lands = [pair for pair in (*met.coming, *met.falling) if dull[pair]]
+        self.crowd = crowd(part.kick, lands)
+        return bool(self.crowd.any())
+
+    def _sunk(self, part: Part) -> list[Pair]:
+        """Return the pairs of bodies because of which a part is divided."""
+        if part.drift <= LEAST * self._whole.drift:
+            return []
+        return part.sunk
+
+    def _is_calm(self, pair: Pair) -> bool:
+        """Return whether one of two bodies was stopped, and nothing has struck them since."""
+        both = [*pair]
+        return bool(self._stopped[both].any() and not self.reached[both].any())
+
+    def _kept(self, part: Part, shorter: Part, met: Met | None) -> tuple[Part, Met | None]:
+        """Return a part so short that its contacts keep their gaps, and what meets at its end."""
+        while self._sunk(shorter):
+            shorter, met = self._shortened(part, shorter.drift / 2, shorter), None
+        return shorter, met
+
+    def _shortened(self, part: Part, drift: float, near: Part) -> Part:
+        """Return a part with a shorter drift [s]; Newton's method begins with a similar part."""
+        lasts = part.lasts - (part.drift - drift) / 2
+        if drift >= SOON * part.drift:
+            return self._solved(part._replace(forces=near.forces, active=near.active), drift, lasts)
+        moved = part.begun + lasts * (self._laws + part.pulls)
+        return part._replace(drift=drift, lasts=lasts, moved=moved)
+
+    def _land(self, shorter: Part, left: float, met: Met | None, near: Sequence[Pair]) -> Part:
+        """Return the part after a landing, of length `left` [s]; None where it is merely cut."""
+        place, joints, down = shorter.end, shorter.kick.joints, NO_CONTACTS
+        if met:
+            down = self._speculative.contacts(met.corners, place, joints.origin, met.hits)
+            near = [pair for pair in near if pair not in met.pairs]
+        joints.time(left, left)
+        lengths = joints.lengths(self._until - left), joints.lengths(self._until)
+        rest = self._meetings.resting(shorter, near)
+        known = shorter.kick.contacts_at(place).and_(rest)
+        kick = self._build.anew(place, known.and_(down), lengths)
+        forces, active = recalled(shorter.kick, shorter.forces, shorter.active, kick)
+        self._take_in(around(kick, down.and_(rest).bodies.tolist()))
+        part = shorter._replace(kick=kick, forces=forces, active=active)
+        struck = kick.layout.touching.pair >= len(kick.contacts.bodies) - len(down.bodies)
+        begun, stages = self._struck(part, struck) if met else self._arrived(part, struck)[1:]
+        after = part._replace(left=left, drift=left, begun=begun, before=stages, moved=begun)
+        return self._closed(self._solved(after, left, left / 2))
+
+    def _pass(self, shorter: Part, left: float, met: Met, near: Sequence[Pair]) -> Part:
+        """Return the part after contacts pass the ends of sides, of length `left` [s]."""
+        place, joints, ends = shorter.end, shorter.kick.joints, self._speculative.ends
+        joints.time(left, left)
+        lengths = joints.lengths(self._until - left), joints.lengths(self._until)
+        ended = shorter._replace(kick=shorter.kick.between(place, *lengths))
+        _, begun, stages = self._arrived(ended, np.zeros(len(ended.kick.ahead), dtype=bool))
+        beside = self._meetings.beside(ended, begun, met, near)
+        after, at_ends = ends.after(ended.kick, met.passing, begun)
+        known = shorter.kick.contacts_at(place, [one.contact for one in met.passing])
+        kick = self._build.anew(place, known.and_(beside).and_(after), lengths, at_ends)
+        self._take_in(around(kick, beside.bodies.tolist()))
+        forces, active = recalled(shorter.kick, shorter.forces, shorter.active, kick)
+        part = Part(kick, left, left, begun, left / 2, forces, active, begun, stages)
+        return self._closed(self._solved(part, left, left / 2))
+
+    def _arrived(self, part: Part, struck: Booleans) -> tuple[Kick, Array, tuple[Stage, ...]]:
+        """Return the velocities at the end of a part, before any impact, and the stage up to there.
+
+        See `_struck`; also the rows of bodies that are `reached`.
+        """
+        mine, others, drive = others_of(part, self._laws, self.reached)
+        some = replace(part.kick, layout=part.kick.layout.around(mine))
+        half = part.drift / 2
+        came, to_it = impacts.come(some, part.moved + half * drive, struck, part.active)
+        return some, came, (Stage.of(part.kick, half, came[self._order], to_it + half * others),)
+
+    def _struck(self, part: Part, struck: Booleans) -> tuple[Array, tuple[Stage, ...]]:
+        """Return the velocities after the impact at the end of a part, and its stages.
+
+        The part already has the rows there; `struck` tells which of its gaps land, (k,).
+        """
+        some, came, before = self._arrived(part, struck)
+        begun, pushes, pairs = impacts.bounce(some, came, struck, part.active)
+        stages = *before, Stage.of(part.kick, 0.0, begun[self._order], pushes)
+        landed = part.kick.layout.touching.pair[struck]
+        time = self._whole.drift - part.left + part.drift
+        self.record.note(pairs, time, stages[1].contacts, landed)
+        return begun, stages
+
+    def _solved(self, part: Part, drift: float, lasts: float) -> Part:
+        """Return a part solved for given lengths of its drift and of its kick [s]."""
+        joints, start = part.kick.joints, self._until - part.left
+        joints.time(drift, drift)
+        kick = part.kick.lasting(joints.lengths(start), joints.lengths(start + drift))
+        mine, _, drive = others_of(part, self._laws, self.reached)
+        motion = part.begun + lasts * drive
+        part = part._replace(kick=kick, drift=drift, lasts=lasts, moved=motion)
+        if not mine.any():
+            return part
+        slips = mine[kick.layout.slips]
+        some = replace(kick, layout=kick.layout.around(mine))
+        guess = Active(part.active.on & mine, np.where(slips, part.active.slip, 0))
+        impulse, moved, held, flat = hold(
+            some, motion, (np.where(mine, part.forces * lasts, 0.0), guess), driven=self._driven
+        )
+        leaning = some.leaning(moved, impulse)
+        if leaning is not None:
+            found = impulse, held
+            impulse, moved, held, flat = hold(leaning, motion, found, driven=self._driven)
+            kick = replace(leaning, layout=kick.layout)
+        return part._replace(
+            kick=kick,
+            forces=np.where(mine, impulse / lasts, part.forces),
+            active=Active(
+                np.where(mine, held.on, part.active.on),
+                np.where(slips, held.slip, part.active.slip),
+            ),
+            moved=moved,
+            flat=flat,
+        )
+
+    def _closed(self, part: Part) -> Part:
+        """Return a part in which corners have come down; see `closed`."""
+        return closed(part, self._speculative, self._build, self._laws, self._again)[0]
+
+    def _again(self, part: Part, kick: Kick) -> Part:
+        """Return a part, solved with more rows."""
+        forces, active = recalled(part.kick, part.forces, part.active, kick)
+        more = part._replace(kick=kick, forces=forces, active=active)
+        return self._solved(more, part.drift, part.lasts)

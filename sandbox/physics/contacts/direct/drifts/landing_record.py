@@ -1,0 +1,74 @@
+"""What collided in the landings of a drift, and how hard."""
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from sandbox.physics.contacts.detection.contact_queries import pairs_of
+from sandbox.physics.contacts.direct.prediction.convex_parts import Pair
+from sandbox.physics.engine.batch import NO_CONTACTS, Contacts, Integers
+
+
+class Struck(NamedTuple):
+    """Two bodies that collided within a drift.
+
+    Attributes
+    ----------
+    bodies
+        Their indices.
+    time
+        The time since the step before [s].
+    """
+
+    bodies: Pair
+    time: float
+
+
+class LandingRecord:
+    """Records the landings of a drift; n bodies.
+
+    Attributes
+    ----------
+    pushed
+        (n,), the sums of the sizes of their impulses on each body [N s].
+    met
+        The contacts that take part in them, without impulses.
+    struck
+        Who collided in them, in turn.
+    given
+        Their normal impulses, by pair, in turn [N s].
+    """
+
+    def __init__(self, count: int) -> None:
+        self.pushed = np.zeros(count)
+        self.met = NO_CONTACTS
+        self.struck: list[Struck] = []
+        self.given: dict[Pair, float] = {}
+
+    def note(self, pairs: Sequence[Pair], time: float, pushed: Contacts, landed: Integers) -> None:
+        """Note a landing.
+
+        Parameters
+        ----------
+        pairs
+            Who collided.
+        time
+            The time since the start of the drift [s].
+        pushed
+            All contacts, with the impulses of the landing.
+        landed
+            Which of them have landed.
+        """
+        self.struck += (Struck(pair, time) for pair in pairs)
+        self.given |= {pair: self.given.get(pair, 0.0) for pair in pairs}
+        both = pushed.bodies.T.ravel()
+        pushes = np.bincount(both, np.tile(pushed.normal, 2), len(self.pushed))
+        self.pushed = self.pushed + pushes
+        takes = pushed.normal > 0
+        takes[landed] = True
+        none = 0.0 * pushed.normal
+        calm = pushed._replace(normal=none, friction=none, impulse=0.0 * pushed.impulse)
+        self.met = self.met.and_(Contacts._make(field[takes] for field in calm))
+        for pair, push in zip(pairs_of(pushed), pushed.normal.tolist(), strict=True):
+            self.given[pair] = self.given.get(pair, 0.0) + push

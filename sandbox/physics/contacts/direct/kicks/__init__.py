@@ -1,0 +1,1 @@
+"""A kick, from the contacts at its beginning to its result."""

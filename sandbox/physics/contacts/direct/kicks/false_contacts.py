@@ -1,0 +1,91 @@
+"""False contacts, which pymunk reports and which are removed here.
+
+For parallel shapes that are far apart, pymunk sometimes reports a contact, without a direction or
+with a large overlap.
+"""
+
+from collections.abc import Callable
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+from sandbox.physics.contacts.detection.contact_queries import Query, pairs_of
+from sandbox.physics.engine.batch import Booleans, Contacts, Integers
+from sandbox.physics.joints.exact.constraints import QUADRATIC
+
+FURTHER = 1.5
+"""The largest overlap of a new contact, as a multiple of the motion of its bodies in a step."""
+
+
+class FalseContacts:
+    """Removes false contacts.
+
+    A pair that did not touch in the step before cannot overlap by more than its bodies have moved
+    since. A new contact that is deeper than that is false.
+
+    Parameters
+    ----------
+    query
+        Finds the contacts of bodies that were moved.
+    """
+
+    def __init__(self, query: Query) -> None:
+        self._query = query
+        self._pairs: set[tuple[int, int]] | None = None  # of the last step, if known
+        self._same: Integers | None = None  # of the last step's contacts, if all were real
+
+    def forget(self) -> None:
+        """Accept all contacts once: bodies were put elsewhere."""
+        self._pairs = self._same = None
+
+    def sound(self, contacts: Contacts, moved: Callable[[], tuple[Array, Array]]) -> Contacts:
+        """Return the contacts that are real.
+
+        Parameters
+        ----------
+        moved
+            Returns the positions of the bodies, (n, 2) [m], and the sizes of their displacements in
+            the last step, (n, 3) [m, rad].
+        """
+        if not len(contacts.bodies):
+            self._pairs, self._same = set(), None
+            return contacts
+        directed = np.count_nonzero(contacts.direction.view(complex)) == len(contacts.bodies)
+        if contacts.bodies is self._same and directed:
+            return contacts
+        good: Booleans = np.asarray(contacts.direction.any(axis=1))
+        pairs, known = pairs_of(contacts), self._pairs
+        if known is not None and (new := np.array([pair not in known for pair in pairs])).any():
+            good &= ~new | (contacts.depth <= _reach(contacts, *moved()))
+        self._pairs = {pair for pair, keep in zip(pairs, good, strict=True) if keep}
+        whole = bool(good.all())
+        self._same = contacts.bodies if whole else None
+        return contacts if whole else Contacts._make(field[good] for field in contacts)
+
+    def since(self, contacts: Contacts, state: Array, shift: Array, least: float) -> Contacts:
+        """Return contacts with those that a displacement has made; the same object if none.
+
+        Parameters
+        ----------
+        state
+            (n, 6), the state of the bodies now, see `Batch.state`.
+        shift
+            (n, 3), their displacements [m, rad].
+        least
+            The smallest displacement that counts [m, rad].
+        """
+        moved = np.flatnonzero((np.abs(shift) > least).any(axis=1)).tolist()
+        found = self._query.more(contacts, moved, least) if moved else contacts
+        return (
+            contacts
+            if found is contacts
+            else self.sound(found, lambda: (state[:, :2], np.abs(shift)))
+        )
+
+
+def _reach(contacts: Contacts, place: Array, way: Array) -> Array:
+    """Return the largest overlaps that a step can cause: (k,) [m]."""
+    arms = np.hypot(*np.moveaxis(contacts.points[:, :1] - place[contacts.bodies], 2, 0))
+    motion = way[contacts.bodies]
+    ways = np.hypot(motion[..., 0], motion[..., 1]) + arms * motion[..., 2]
+    return np.asarray(FURTHER * ways.sum(axis=1) + QUADRATIC)

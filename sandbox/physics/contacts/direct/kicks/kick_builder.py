@@ -1,0 +1,171 @@
+"""Builds the system of equations of a kick: the rows of all contacts and joints."""
+
+from collections.abc import Callable
+from math import nan
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+from sandbox.physics.contacts.detection.contact_queries import Query
+from sandbox.physics.contacts.direct.kicks.corner_pairs import CornerPairs
+from sandbox.physics.contacts.direct.kicks.false_contacts import FalseContacts
+from sandbox.physics.contacts.direct.rows.kick_system import Kick
+from sandbox.physics.contacts.direct.rows.row_layout import Layouts, Surfaces
+from sandbox.physics.contacts.direct.solving.overlap_correction import OverlapCorrection
+from sandbox.physics.contacts.direct.solving.warm_start import WarmStart
+from sandbox.physics.engine.batch import NO_CONTACTS, Batch, Booleans, Contacts
+from sandbox.physics.joints.exact.constraints import Coordinates, order
+from sandbox.physics.joints.exact.shake import ExactJoints
+
+
+class KickBuilder:
+    """Builds the system of each kick; n bodies, m equations of joints.
+
+    Parameters
+    ----------
+    batch
+        Reads and writes the bodies.
+    joints
+        The exact joints, if any.
+    surfaces
+        The contact properties of the bodies.
+    moves
+        (n,), whether a body is dynamic.
+    query
+        Finds the contacts of bodies that were moved.
+    known
+        The warm start, for the correction of overlaps.
+
+    Attributes
+    ----------
+    contacts
+        The contacts of the present kick.
+    shift
+        (n, 3), the displacements by the correction of overlaps in this step [m, rad].
+    """
+
+    def __init__(
+        self,
+        batch: Batch,
+        joints: ExactJoints,
+        surfaces: Surfaces,
+        moves: Booleans,
+        query: Query,
+        known: WarmStart,
+    ) -> None:
+        self._batch, self._joints, self._surfaces = batch, joints, surfaces
+        self._moves, self._order = moves, order(len(moves))
+        self._still: Array = np.zeros((len(moves), 3))
+        self._still.setflags(write=False)
+        self._until = 0.0
+        self._lengths = joints.lengths(0.0), joints.lengths(0.0)  # before and after the drift
+        self._layouts = Layouts(joints, surfaces, moves)
+        self._false, self._corners = FalseContacts(query), CornerPairs()
+        self._overlaps = OverlapCorrection(surfaces, known)
+        self.contacts: Contacts = NO_CONTACTS
+        self.shift = self._still
+
+    def find_contacts(self, moved: Callable[[], Array]) -> None:
+        """Take the contacts that pymunk has found, without the false ones.
+
+        Parameters
+        ----------
+        moved
+            Returns the sizes of the bodies' displacements in the last step, (n, 3) [m, rad]. It is
+            called only if there are new contacts.
+        """
+        shift = self.shift
+        self.contacts = self._false.sound(
+            self._batch.contacts(),
+            lambda: (self._batch.state()[:, :2], moved() + np.abs(shift)),
+        )
+        self.shift = self._still
+
+    def follow(self, until: float) -> None:
+        """Take up the lengths that joints keep before and after a drift that ends at a time [s]."""
+        if until == self._until and not np.count_nonzero(self._joints.added):
+            return
+        lengths, last = self._joints.lengths(until), self._lengths[1]
+        self._until = until
+        self._lengths = last if len(last) == len(lengths) else lengths, lengths
+
+    def go_on(self, t: float) -> None:
+        """Begin at a time, and not at the start [s]."""
+        self._lengths = self._joints.lengths(t), self._joints.lengths(t)
+
+    def standing(self, lengths: tuple[Array, Array]) -> Kick:
+        """Return the system at the present positions, between two steps; see `Direct.standing`."""
+        self._lengths = lengths
+        return self.at(self._joints.place())
+
+    def relay(self) -> None:
+        """Begin anew with other joints, at the present positions."""
+        self._layouts.forget()
+        self._until = nan
+
+    def forget(self) -> None:
+        """Begin anew: bodies were put elsewhere."""
+        self._false.forget()
+        self._corners.forget()
+        self.shift = self._still
+
+    def look(self, leaving: Array) -> Kick:
+        """Return the system at the present positions, after the correction of overlaps.
+
+        Parameters
+        ----------
+        leaving
+            (3 N,), the displacements of the next step without forces [m, rad].
+        """
+        place, _ = self._joints.coordinates()
+        kick = self.at(place)
+        way = self._overlaps.way(kick, leaving)
+        if way is None:
+            return kick
+        state = self._batch.state()
+        self.shift = np.where(self._moves[:, None], way[self._order], 0.0)
+        state[:, :3] += self.shift
+        self._batch.set_state(state)
+        there = Coordinates(place.values + way)
+        carried = kick.carried(there)
+        found = self._false.since(carried, state, self.shift, self._surfaces.slop)
+        if found is carried:
+            return kick.moved(there)
+        self.contacts = found
+        return self.at(there)
+
+    def at(self, place: Coordinates) -> Kick:
+        """Return the system at given positions of the bodies."""
+        joints = self._joints
+        self.contacts = self._corners.steady(self.contacts, place, joints.origin)
+        layout, running = self._layouts.of(self.contacts), self._surfaces.running
+        kick = Kick.at(place, joints, self.contacts, layout, running, self._lengths)
+        self._corners.note(kick)
+        return kick
+
+    def with_ahead(self, kick: Kick, ahead: Contacts) -> Kick:
+        """Return the system with rows for contacts that close within the drift."""
+        contacts = kick.contacts.and_(ahead)
+        layout, ends = self._layouts.anew(contacts), kick.layout.touching.ends
+        if ends is not None:
+            known = ends[:, : len(kick.contacts.bodies)]  # the first points of all come first
+            layout = layout.at_ends(np.pad(known, ((0, 0), (0, len(ahead.bodies)))))
+        running, closes = self._surfaces.running, kick.closes + len(ahead.bodies)
+        lengths = kick.before, kick.after
+        return Kick.at(kick.place, self._joints, contacts, layout, running, lengths, closes)
+
+    def anew(
+        self,
+        place: Coordinates,
+        contacts: Contacts,
+        lengths: tuple[Array, Array],
+        ends: Booleans | None = None,
+    ) -> Kick:
+        """Return the system of contacts at given positions, between lengths of the joints.
+
+        `ends` tells which of the bodies of the last contacts, (2, c), touch with the end of a side.
+        """
+        layout, running = self._layouts.anew(contacts), self._surfaces.running
+        if ends is not None and ends.any():
+            layout = layout.at_ends(ends)
+        return Kick.at(place, self._joints, contacts, layout, running, lengths)

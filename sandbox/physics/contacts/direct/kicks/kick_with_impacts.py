@@ -1,0 +1,90 @@
+"""A whole kick: up to its step, the impacts there, and the rest of it."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+from sandbox.physics.contacts.direct.kicks import impacts
+from sandbox.physics.contacts.direct.kicks.kick_parts import Stage, Taken
+from sandbox.physics.contacts.direct.rows.kick_system import Kick
+from sandbox.physics.contacts.direct.solving.constraint_impulses import hold
+from sandbox.physics.contacts.direct.solving.warm_start import WarmStart
+from sandbox.physics.joints.exact.constraints import order
+
+
+class Beginning(NamedTuple):
+    """The state and the forces at the beginning of a kick; N bodies with the plane.
+
+    Attributes
+    ----------
+    velocity
+        (3 N,), the velocities before it [m/s, rad/s].
+    acceleration
+        (3 N,), by gravity and force laws [m/s², rad/s²].
+    change
+        (3 N,), the change of the velocities in the step before it [m/s, rad/s].
+    lead
+        The time from its beginning to its step [s].
+    step
+        The time step [s].
+    driven
+        Whether running surfaces or kinematic bodies may add energy.
+    """
+
+    velocity: Array
+    acceleration: Array
+    change: Array
+    lead: float
+    step: float
+    driven: bool
+
+
+def take(kick: Kick, start: Beginning, known: WarmStart, *, placed: bool = False) -> Taken:
+    """Take a kick, whose length its joints know, and return the result.
+
+    Parameters
+    ----------
+    kick
+        Its rows.
+    start
+        The state and the forces at its beginning.
+    known
+        The warm start: the forces of the last kick.
+    placed
+        See `hold`.
+
+    Raises
+    ------
+    JointFailure, NoForces
+        If no impulses are found.
+    """
+    velocity, acceleration, lead = start.velocity, start.acceleration, start.lead
+    at_step, acts = velocity + acceleration * lead, acceleration * start.step
+    strikes = impacts.struck(kick, at_step, acts, start.change)
+    if not (np.count_nonzero(strikes) or np.count_nonzero(kick.joints.added)):
+        return _onwards(kick, start, velocity, kick.joints.kick, known, placed=placed)
+    places = order(len(velocity) // 3 - 1)
+    came, before = impacts.come(kick, at_step, strikes)
+    left, pushes, _ = impacts.bounce(kick, came, strikes)
+    rest = _onwards(kick, start, left, kick.joints.kick - lead, known, placed=placed)
+    stages = (
+        Stage.of(kick, lead, came[places], before),
+        Stage.of(kick, 0, left[places], pushes),
+        Stage.of(kick, rest.lasts, rest.moved[places], rest.total),
+    )
+    record, total = impacts.recorded(kick, left, pushes), before + pushes + rest.total
+    return rest._replace(total=total, impacts=record, stages=stages)
+
+
+def _onwards(
+    kick: Kick, start: Beginning, begun: Array, lasts: float, known: WarmStart, *, placed: bool
+) -> Taken:
+    """Return a kick without impacts, or the rest of a kick after them, of length `lasts` [s]."""
+    motion = begun + start.acceleration * lasts
+    guess = known.guess(kick, motion, lasts)
+    held = hold(kick, motion, guess, driven=start.driven, placed=placed)
+    impulse, moved, active, flat = held
+    slides = bool(np.count_nonzero(active.slip) or np.count_nonzero(guess[1].slip))
+    forces, whole = impulse / lasts, (impulse, None, ())
+    return Taken(kick, moved, forces, active, *whole, begun, lasts, slides=slides, flat=flat)

@@ -1,0 +1,1 @@
+"""What will touch, or come off, within the drift after a kick."""

@@ -1,0 +1,256 @@
+"""Pairs of bodies that do not touch, but might within a drift.
+
+A body that touches one part of another, as one side of a kink, may meet the next part.
+
+The distance of a pair is computed again only when the two may have moved that far relative to each
+other since the last time: about ten times for a body that falls, once for one that stands beside
+another.
+"""
+
+from collections.abc import Iterable, Iterator
+from dataclasses import replace
+from itertools import pairwise, product
+
+import numpy as np
+import pymunk
+
+from sandbox.model.expressions import Array
+from sandbox.physics.contacts.detection.contact_queries import Query, pairs_of
+from sandbox.physics.contacts.detection.time_of_impact import (
+    Hit,
+    Motion,
+    Path,
+    meet,
+    nearest,
+    touching,
+)
+from sandbox.physics.contacts.direct.complementarity.linear_systems import most
+from sandbox.physics.contacts.direct.prediction.convex_parts import Pair, Placed, Shapes
+from sandbox.physics.contacts.direct.prediction.corner_contacts import LEAST
+from sandbox.physics.contacts.direct.prediction.hollow_pairs import HollowCorner, HollowPairs
+from sandbox.physics.contacts.direct.prediction.separation import Separation, spread
+from sandbox.physics.contacts.direct.rows.outlines import PARALLEL
+from sandbox.physics.contacts.direct.rows.row_layout import Surfaces
+from sandbox.physics.contacts.shapes.collision_filter import meets
+from sandbox.physics.engine.batch import Booleans, Contacts, Integers
+from sandbox.physics.geometry.distance import Outline, outlines
+from sandbox.physics.joints.exact.constraints import Coordinates, planes
+
+MOST = 6
+"""The largest relative motion of two bodies, as a multiple of the largest coordinate change."""
+
+
+class ApproachingPairs:
+    """Keeps lower bounds of the distances between bodies, to find those that may meet; n bodies.
+
+    Parameters
+    ----------
+    query
+        Knows the bodies, and which of them pass through others.
+    shapes
+        Their parts.
+    surfaces
+        Their contact properties, and the pairs to consider.
+    moves
+        (n,), which of them are dynamic.
+    hollows
+        The pairs of a hollow body and another.
+    beside
+        (n, n), the pairs that may meet beside where they touch.
+    """
+
+    def __init__(
+        self,
+        query: Query,
+        shapes: Shapes,
+        surfaces: Surfaces,
+        moves: Booleans,
+        hollows: HollowPairs,
+        beside: Booleans,
+    ) -> None:
+        self._bodies, self._gates, self._shapes = query.bodies, query.gates, shapes
+        self._hollows = hollows
+        reach, convex = self._hollows.reach(shapes.reach), surfaces.figures.convex
+        known = np.isfinite(reach)
+        convex = known & convex
+        may = np.triu(surfaces.lands & (convex[:, None] & convex | self._hollows.pairs), 1)
+        may &= moves[:, None] | moves
+        self._first, self._second = np.nonzero(may)
+        self._beside = beside[may]
+        self._outlines: dict[int, list[Outline]] = {}
+        self._hollow = surfaces.figures.inner > 0
+        reach = np.where(known, reach, 0.0)
+        self._weights = np.concatenate((np.ones(2 * len(reach) + 2), reach, (0.0,)))
+        self._room = np.zeros(len(self._first))  # lower bounds of their distances [m]
+        self._calm = 0.0  # the least of these [m]
+        self._seen: Array | None = None  # the positions at the last search
+        self._touch: Integers | None = None  # the contacts then
+        self._ahead = b""  # the displacements that were expected then
+        self._found: list[Pair] = []  # its result
+
+    def forget(self) -> None:
+        """Look at all pairs anew: joints changed, and what was one solid may collide."""
+        self._room[:], self._seen = 0.0, None
+
+    def near(self, contacts: Contacts, place: Coordinates, way: Array) -> list[Pair]:
+        """Return the pairs that do not touch, or not where they might within the drift.
+
+        Parameters
+        ----------
+        contacts
+            The contacts.
+        place
+            The positions of the bodies.
+        way
+            (3 N,), their displacements in the drift [m, rad].
+        """
+        if not len(self._first):
+            return []
+        way = way * self._weights
+        if self._seen is not None and contacts.bodies is self._touch:
+            went = (place.values - self._seen) * self._weights
+            if MOST * most(np.abs(went) + np.abs(way)) < self._calm:
+                return []
+            if not np.count_nonzero(went) and self._ahead == way.tobytes():
+                return self._found
+        self._ahead, self._found = way.tobytes(), self._search(contacts, place, way)
+        return self._found
+
+    def meet(self, path: Path, lasts: float, pairs: Iterable[Pair]) -> list[Hit]:
+        """Return the impacts of pairs of bodies on a path of length `lasts` [s]."""
+        gives = np.stack((path.acceleration * lasts,) * 2)
+        hits = []
+        for a, b in pairs:
+            if self._hollows.pairs[a, b]:
+                hits += self._hollows.meet(path, lasts, (a, b), gives)
+        for both in self._unsure(path, lasts, pairs):
+            if hit := meet(path, *both, 0.0, lasts, gives):
+                hits.append(hit)
+        return hits
+
+    def ahead(self, path: Path, lasts: float, pairs: Iterable[Pair]) -> list[Hit]:
+        """Return the places at the start where pairs of bodies are nearest that meet on a path.
+
+        Hollow bodies are left out.
+        """
+        none = np.zeros((2, *path.velocity.shape))
+        return [
+            nearest(path, *both, 0.0)
+            for both in self._unsure(path, lasts, pairs)
+            if meet(path, *both, 0.0, lasts, none)
+        ]
+
+    def _unsure(
+        self, path: Path, lasts: float, pairs: Iterable[Pair]
+    ) -> Iterator[tuple[Outline, Outline]]:
+        """Yield the parts of pairs of bodies that may meet; hollow bodies are left out."""
+        separation = Separation(self._shapes, path, lasts)
+        for a, b in pairs:
+            if not self._hollows.pairs[a, b]:
+                for first, second in separation.unsure((a, b)):
+                    yield self.outlines(a)[first], self.outlines(b)[second]
+
+    def touching(
+        self, path: Path, soon: float, pairs: Iterable[Pair]
+    ) -> tuple[list[HollowCorner], list[Hit]]:
+        """Return the contacts of pairs of bodies at the start of a path.
+
+        They are those that will be there `soon`: at the ends of lines rounding would decide [s].
+        """
+        corners: list[HollowCorner] = []
+        hits: list[Hit] = []
+        here, later = spread(path.place), spread(path.place_at(soon))
+        for a, b in pairs:
+            if self._hollows.pairs[a, b]:
+                corners += self._hollows.touching((a, b), here, later)
+                continue
+            for one, other in product(self.outlines(a), self.outlines(b)):
+                if touching(path, one, other, soon):
+                    hits.append(_on_sides(nearest(path, one, other, 0.0), path, (one, other)))
+        return corners, hits
+
+    def outlines(self, body: int) -> list[Outline]:
+        """Return the outlines of a body's shapes, in the order of its parts."""
+        if body not in self._outlines:
+            own = outlines([self._bodies[body]])
+            self._outlines[body] = [replace(outline, body=body) for outline in own]
+        return self._outlines[body]
+
+    def _search(self, contacts: Contacts, place: Coordinates, way: Array) -> list[Pair]:
+        """Return the pairs that may meet, and update the bounds of those that have come close."""
+        first = self._seen is None
+        if self._seen is not None:
+            went = (place.values - self._seen) * self._weights
+            self._room -= self._between(went)
+        self._seen, self._touch = place.values, contacts.bodies
+        ahead = self._between(way)
+        touch, here = set(pairs_of(contacts)), self._shapes.at(place)
+        room, found = self._room.copy(), []
+        for row in np.flatnonzero(self._room < ahead).tolist():
+            pair = int(self._first[row]), int(self._second[row])
+            if pair in touch:  # computed again in each search
+                beside = self._beside[row]
+                gap = self._shapes.gap(pair, here, beside=True) if beside else np.inf
+                self._room[row], room[row] = 0.0, gap
+            else:
+                gap = self._gap(pair, here)
+                near = first or gap <= ahead[row]
+                if near and (self._never_meet(pair) or self._within(pair, gap)):
+                    gap = np.inf
+                self._room[row] = room[row] = gap
+            if LEAST < ahead[row] >= gap and not self._is_let(pair, place):
+                found.append(pair)
+        self._calm = float(room.min())
+        return found
+
+    def _gap(self, pair: Pair, here: Placed) -> float:
+        """Return a lower bound of the distance between two bodies [m]."""
+        if self._hollows.pairs[pair]:
+            return self._hollows.gap(pair, here.place)
+        return self._shapes.gap(pair, here)
+
+    def _is_let(self, pair: Pair, place: Coordinates) -> bool:
+        """Return whether one of two bodies lets the other pass through from this side."""
+        if self._gates is None:
+            return False
+        at, there = ((complex(place.plane[b]), complex(place.turned[b])) for b in pair)
+        return self._gates.lets_at(*pair, at, there)
+
+    def _between(self, way: Array) -> Array:
+        """Return a bound of how much closer displacements, (3 N,) [m], bring each pair [m]."""
+        count = len(way) // 3
+        plane, turn = planes(way), np.abs(way[2 * count :])
+        first, second = self._first, self._second
+        return np.asarray(np.abs(plane[first] - plane[second]) + turn[first] + turn[second])
+
+    def _within(self, pair: Pair, gap: float) -> bool:
+        """Return whether one of two bodies is within the other, and never met from outside."""
+        return bool(gap < 0 and not self._hollows.pairs[pair] and self._hollow[list(pair)].any())
+
+    def _never_meet(self, pair: Pair) -> bool:
+        """Return whether two bodies do not collide, or are parts of one solid."""
+        one, other = (self._bodies[body] for body in pair)
+        return not meets(one, other) or _are_one(one, other)
+
+
+def _on_sides(hit: Hit, path: Path, both: tuple[Outline, Outline]) -> Hit:
+    """Return a hit with the normal of a side that is near: sharp corners are a little round."""
+    for outline, sign in zip(both, (1, -1), strict=True):
+        corners = Motion(path, outline.body, hit.time).put(outline.corners)
+        for here, there in pairwise((*corners, corners[0])):
+            if there != here:
+                normal = sign * -1j * (there - here) / abs(there - here)
+                if abs(normal - hit.normal) < PARALLEL:
+                    return hit._replace(normal=normal)
+    return hit
+
+
+def _are_one(one: pymunk.Body, other: pymunk.Body) -> bool:
+    """Return whether two bodies are welded or stuck together, so that they do not collide."""
+    solids = _solids(one)
+    return bool(solids and solids & _solids(other))
+
+
+def _solids(body: pymunk.Body) -> set[int]:
+    """Return the collision groups of a body's shapes, but for 0."""
+    return {shape.filter.group for shape in body.shapes} - {0}

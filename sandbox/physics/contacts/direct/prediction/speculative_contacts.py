@@ -1,0 +1,244 @@
+"""Contacts that close within a drift: they are solved in the kick before it.
+
+Two touching bodies rotate relative to each other, so another corner meets its partner within the
+drift. Found only at the end of the drift, it would overlap deeply, and the correction would lift
+the bodies. So each kick is followed to the end of its drift. Corners that would overlap there, and
+do not yet, get a row of their own: the gap may close but no further. Then the kick is solved again
+(Stewart and Trinkle 1996; Anitescu and Potra 1997). This removes the part of the approach that
+exceeds the gap; the impact at the next step removes the rest. Neither adds energy.
+
+That is for corners that come down gently. Those that strike, and bodies that do not touch yet, are
+located within the drift (see `landing_drifts`).
+"""
+
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+from sandbox.physics.contacts.detection.contact_queries import Query, Touched, contacts_of, pairs_of
+from sandbox.physics.contacts.detection.time_of_impact import Hit, Path
+from sandbox.physics.contacts.direct.prediction.approaching_pairs import ApproachingPairs
+from sandbox.physics.contacts.direct.prediction.convex_parts import Pair, Placed, Shapes
+from sandbox.physics.contacts.direct.prediction.corner_contacts import (
+    ALIKE,
+    LEAST,
+    Spot,
+    on_side,
+    within,
+)
+from sandbox.physics.contacts.direct.prediction.hollow_pairs import (
+    HollowCorner,
+    HollowPairs,
+    placed,
+)
+from sandbox.physics.contacts.direct.prediction.support_ends import SupportEnds
+from sandbox.physics.contacts.direct.rows.kick_system import Kick
+from sandbox.physics.contacts.direct.rows.row_layout import Surfaces
+from sandbox.physics.engine.batch import NO_CONTACTS, Booleans, Contacts
+from sandbox.physics.joints.exact.constraints import Coordinates, angles, order, planes
+
+LOOKS = 30
+"""The most times that a drift is followed to its end: in a rocking stack each time finds one more
+box."""
+
+LITTLE = 0.1
+"""The share of its energy that a rebound keeps at most if it may be left out."""
+
+
+class Corner(NamedTuple):
+    """A corner of one body that meets a side of another, which it already touches elsewhere.
+
+    Attributes
+    ----------
+    pair, parts
+        The bodies, and a part of each.
+    own
+        The body with the side: 0 or 1.
+    side, corner
+        Their indices.
+    """
+
+    pair: Pair
+    parts: Pair
+    own: int
+    side: int
+    corner: int
+
+
+AnyCorner = Corner | HollowCorner
+"""A corner that meets a side, an arc or a curve."""
+
+
+class SpeculativeContacts:
+    """Finds the corners that meet a side within a drift; n bodies.
+
+    Parameters
+    ----------
+    query
+        Knows the bodies, and which of them pass through others.
+    surfaces
+        Their contact properties.
+    moves
+        (n,), which of them are dynamic.
+
+    Attributes
+    ----------
+    approaching
+        The pairs of bodies that do not touch, but might.
+    dull
+        (n, n), which pairs lose nearly all their energy in an impact.
+    ends
+        The contacts that pass the ends of sides.
+    """
+
+    def __init__(self, query: Query, surfaces: Surfaces, moves: Booleans) -> None:
+        self._bodies, self._shapes = query.bodies, Shapes(query.bodies)
+        shapes, self._hollows = self._shapes, HollowPairs(query.hollows, len(moves))
+        looks = shapes.sided[:, None] & shapes.sided | self._hollows.pairs
+        self._looks = looks & ((surfaces.restitution == 0) | surfaces.lands)
+        self._looks &= moves[:, None] | moves
+        self.dull: Booleans = surfaces.restitution**2 < LITTLE
+        self._any = bool(self._looks.any())
+        several = ~(shapes.single[:, None] & shapes.single)
+        self._slides = several | self._hollows.pairs  # where corners may meet without any rotation
+        self._asked: tuple[Kick, float, Array] | None = None  # who asked last, and about what
+        self._found: list[AnyCorner] = []  # what came of it
+        beside = several & ~self._looks
+        self.approaching = ApproachingPairs(query, shapes, surfaces, moves, self._hollows, beside)
+        self.ends = SupportEnds(shapes, surfaces, query.hollows, self._hollows.reach(shapes.reach))
+
+    def corners(self, kick: Kick, motion: Array) -> list[AnyCorner]:
+        """Return the corners that come down within the drift after a kick and are new to it.
+
+        Whoever closes a drift and whoever looks for landings in it ask for the same ones.
+
+        Parameters
+        ----------
+        motion
+            (3 N,), the velocities after the kick [m/s, rad/s].
+        """
+        if not self._any:
+            return []
+        drift = kick.joints.drift
+        if self._asked:
+            last, lasted, moved = self._asked
+            if last is kick and lasted == drift and np.array_equal(moved, motion):
+                return self._found
+        self._asked, self._found = (kick, drift, motion), self._search(kick, motion, drift)
+        return self._found
+
+    def _search(self, kick: Kick, motion: Array, drift: float) -> list[AnyCorner]:
+        """Return the corners that come down within so long a drift [s]; see `corners`."""
+        turning = self._turning(kick.contacts, motion * drift)
+        if not turning:
+            return []
+        ended = Coordinates(kick.place.values + drift * motion)
+        here, there = self._shapes.at(kick.place), self._shapes.at(ended)
+        found = [one for pair in turning for one in self._down(pair, here, there)]
+        if not found:
+            return []
+        new = _new(self.contacts(found, kick.place, kick.joints.origin), kick).tolist()
+        return [corner for corner, is_new in zip(found, new, strict=True) if is_new]
+
+    def _down(self, pair: Pair, here: Placed, there: Placed) -> Iterator[AnyCorner]:
+        """Yield the corners of two bodies that come down between two placements.
+
+        A side that has landed flat touches with one corner only. The other one is then as deep.
+        """
+        if self._hollows.pairs[pair]:
+            yield from self._hollows.corners(pair, here.place, there.place)
+            return
+        for parts in self._shapes.close(pair, there):
+            for down in within(there.both(pair, parts)):
+                if on_side(here.both(pair, parts), *down).gap > -LEAST:
+                    yield Corner(pair, parts, *down)
+
+    def ahead(self, kick: Kick, motion: Array, some: Booleans) -> Contacts:
+        """Return contacts of some bodies, (n,), that meet in the drift after a kick, at its start.
+
+        Hollow bodies are left out, but for their corners.
+
+        Parameters
+        ----------
+        motion
+            (3 N,), the velocities in that drift [m/s, rad/s].
+        """
+        drift, places = kick.joints.drift, order(len(kick.place.values) // 3 - 1)
+        near = self.approaching.near(kick.contacts, kick.place, drift * motion)
+        path = Path(kick.place.values[places], motion[places], np.zeros(places.shape))
+        hits = self.approaching.ahead(path, drift, [pair for pair in near if some[[*pair]].any()])
+        corners = [one for one in self.corners(kick, motion) if some[[*one.pair]].any()]
+        return self.contacts(corners, kick.place, kick.joints.origin, hits)
+
+    def height(self, corner: AnyCorner, place: Coordinates) -> float:
+        """Return the distance of a corner from its side at given positions [m]."""
+        return self._spot(corner, place).gap
+
+    def contacts(
+        self,
+        corners: Sequence[AnyCorner],
+        place: Coordinates,
+        origin: complex,
+        hits: Sequence[Hit] = (),
+    ) -> Contacts:
+        """Return the contacts of corners and of bodies that have met, at given positions."""
+        found: dict[Pair, list[Touched]] = {}
+        for corner in corners:
+            touched = self._touched(corner.pair, self._spot(corner, place), origin)
+            found.setdefault(corner.pair, []).append(touched)
+        for _, pair, normal, points, _, gap in hits:
+            both = [(point + origin, point + origin + normal * gap) for point in points]
+            touched = Touched(self._bodies[pair[1]], normal, both, -gap)
+            found.setdefault(pair, []).append(touched)
+        return contacts_of(found) if found else NO_CONTACTS
+
+    def _spot(self, corner: AnyCorner, place: Coordinates) -> Spot:
+        if isinstance(corner, HollowCorner):
+            return Spot(corner.own, *corner.spot(placed(corner.pair, place)))
+        pair, parts, own, side, number = corner
+        return on_side(self._shapes.at(place).both(pair, parts), own, side, number)
+
+    def _turning(self, contacts: Contacts, way: Array) -> list[Pair]:
+        """Return the touching pairs that move far enough for another corner to meet.
+
+        Two straight sides only meet one if they rotate.
+
+        Parameters
+        ----------
+        way
+            (3 N,), the displacements of the bodies in the drift [m, rad].
+        """
+        a, b = contacts.bodies.T
+        reach, single, turns = self._shapes.reach, self._shapes.single, angles(way)
+        turned = np.abs(turns[a] - turns[b])
+        far = turned * np.minimum(reach[a], reach[b]) > LEAST
+        slides = self._slides[a, b]
+        if np.count_nonzero(slides):
+            plane = planes(way)
+            far |= slides & (np.abs(plane[a] - plane[b]) + turned > LEAST)
+        if not np.count_nonzero(far):
+            return []
+        whole = (contacts.touches == 2) & single[a] & single[b]
+        turns = (far & self._looks[a, b] & ~whole).tolist()
+        pairs = pairs_of(contacts)
+        return sorted({pair for pair, looks in zip(pairs, turns, strict=True) if looks})
+
+    def _touched(self, pair: Pair, spot: Spot, origin: complex) -> Touched:
+        """Return the contact of a corner with a side."""
+        own, normal, gap = spot.own, spot.normal, spot.gap
+        tip, foot = spot.tip + origin, spot.tip + origin - normal * gap
+        points = (tip, foot) if own else (foot, tip)
+        return Touched(self._bodies[pair[1]], -normal if own else normal, [points], -gap)
+
+
+def _new(found: Contacts, kick: Kick) -> Booleans:
+    """Return which contacts are new to a kick.
+
+    A rounded corner that rotates ends a little deeper than its row allowed, and is not new.
+    """
+    known = kick.contacts.after(len(kick.contacts.bodies) - kick.closes)
+    far = np.abs(found.points[:, None, 0] - known.points[:, 0]).max(axis=2)
+    same = (found.bodies[:, None] == known.bodies).all(axis=2) & (far < ALIKE)
+    return np.asarray(~same.any(axis=1))

@@ -1,0 +1,1 @@
+"""The rows of a kick: gaps and slips as functions of positions."""

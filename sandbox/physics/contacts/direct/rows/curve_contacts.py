@@ -1,0 +1,212 @@
+"""Contacts on curves, as functions of the bodies' positions.
+
+With P the centre of a disc, or a corner, F the foot of the perpendicular from P to the curve, t and
+κ the tangent and the curvature there, and d the distance from F to P, all along the axes of the
+curve's body:
+
+    V = d    dV = n · dP    S = −h ∫ (1 − κ δ0) ds    dS = i n · dP (1 − κ δ0) / (1 − κ δ)
+
+h is 1 where P is on the left of the curve and −1 on the right, n = h i t, and δ = h d. S is the
+distance of P along the curve that is parallel through its first position.
+"""
+
+from cmath import phase
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from sandbox.model.expressions import Array
+from sandbox.physics.contacts.direct.rows.outlines import Figures
+from sandbox.physics.engine.batch import Booleans, Integers
+from sandbox.physics.geometry.distance import dot
+from sandbox.physics.geometry.plane_curve import Course, Foot
+from sandbox.physics.state.anchor import Plane
+
+ACROSS = 1e-7
+"""m, how far beyond its end a curve still counts as touched from the side, and not at its end."""
+
+FLAT = 1e-4
+"""1/m, the curvature below which a straight side touches a curve only with its ends."""
+
+
+class Followed(NamedTuple):
+    """A contact on a curve, at some position.
+
+    Attributes
+    ----------
+    gap, slip
+        V and S above [m].
+    normal
+        n, from the curve to P, along the axes of the curve's body.
+    share
+        (1 − κ δ0) / (1 − κ δ).
+    """
+
+    gap: float
+    slip: float
+    normal: complex
+    share: float
+
+
+@dataclass(frozen=True, slots=True)
+class Curved:
+    """A contact point on a curve.
+
+    Attributes
+    ----------
+    point
+        The index of the contact point.
+    curve, other
+        The bodies.
+    sign
+        1 if the curve is the first of the two, else −1.
+    course, foot
+        The shape of the curve, and F at the beginning of the drift.
+    hand
+        h above.
+    start
+        δ0 above [m].
+    radius
+        The radius of the disc, or of the corner [m].
+    """
+
+    point: int
+    curve: int
+    other: int
+    sign: int
+    course: Course
+    foot: Foot
+    hand: int
+    start: float
+    radius: float
+
+    def look(self, place: complex) -> Followed:
+        """Return the contact with P at a place, along the axes of the curve's body."""
+        first, foot = self.foot, self.course.follow(place, self.foot.at)
+        left = 1j * foot.tangent
+        apart = dot(place - foot.point, left)
+        turned = phase(foot.tangent / first.tangent)
+        way = self.course.length(first.at, foot.at) - self.start * turned
+        share = (1 - foot.bend * self.start) / (1 - foot.bend * apart)
+        return Followed(self.hand * apart, -self.hand * way, self.hand * left, share)
+
+    @property
+    def center(self) -> complex:
+        """The centre of the osculating circle, along the axes of the curve's body [m]."""
+        return self.foot.point + 1j * self.foot.tangent / self.foot.bend
+
+    @property
+    def arched(self) -> bool:
+        """Whether a straight side can touch the curve there, and not only with its ends."""
+        return self.hand * self.foot.bend < -FLAT
+
+
+def on_curves(
+    figures: Figures,
+    bodies: Integers,
+    normal: Plane,
+    points: Plane,
+    placed: tuple[Plane, Plane],
+) -> Iterator[Curved]:
+    """Yield the contact points on curves, but for their ends, which count as discs.
+
+    Parameters
+    ----------
+    figures
+        The outlines of the bodies.
+    bodies
+        The two bodies of each point, (2, k).
+    normal
+        (k,), from the first to the second.
+    points
+        The points on the first and on the second body, (2, k) [m].
+    placed
+        The positions of all bodies, and their rotations as unit complex numbers, (n,) each.
+    """
+    pairs = bodies.T.tolist() if figures.courses else ()
+    for point, (a, b) in enumerate(pairs):
+        for curve, other, sign in ((a, b, 1), (b, a, -1)):
+            if course := figures.courses.get(curve):
+                out = complex(normal[point]) * sign
+                on_curve, place = (complex(side[point]) for side in points[::sign])
+                if radius := figures.radius[other]:
+                    place = complex(placed[0][other])
+                else:
+                    radius = figures.rounding[other]
+                    place += out * radius
+                where, turned = (complex(values[curve]) for values in placed)
+                touched, at = (on_curve - where) / turned, (place - where) / turned
+                near = course.foot(touched) or _end(course, touched, figures.rounding[curve])
+                if near:
+                    foot = course.follow(at, near.at)
+                    left = 1j * foot.tangent
+                    hand = 1 if dot(out / turned, left) >= 0 else -1
+                    start = dot(at - foot.point, left)
+                    yield Curved(point, curve, other, sign, course, foot, hand, start, radius)
+
+
+def _end(course: Course, point: complex, half: float) -> Foot | None:
+    """Return the end of a curve, half as thick, that a point is across; None if it is beyond."""
+    for end in course.ends:
+        way = point - end.point
+        if abs(dot(way, end.tangent)) < ACROSS and abs(way) < half + ACROSS:
+            return end
+    return None
+
+
+def follow_curves(
+    curved: Sequence[Curved],
+    placed: tuple[Plane, Plane],
+    arms: Plane,
+    rows: tuple[Array, Array, Plane, Plane],
+) -> None:
+    """Set the rows of contact points on curves.
+
+    Parameters
+    ----------
+    curved
+        The points on curves.
+    placed
+        The positions of all bodies, and their rotations as unit complex numbers, (n,) each.
+    arms
+        The lever arms from the two bodies of each point to it, (2, k) [m].
+    rows
+        The gaps and slips, and their derivatives by d, (k,) each.
+    """
+    gap, slip, along, across = rows
+    for one in curved:
+        where, turned = placed[0], complex(placed[1][one.curve])
+        own, other = arms[:: one.sign]
+        way = complex(where[one.other] + other[one.point] - where[one.curve])
+        found = one.look(way / turned)
+        gap[one.point], slip[one.point] = found.gap, found.slip
+        along[one.point] = one.sign * found.normal * turned
+        across[one.point] = 1j * along[one.point] * found.share
+        own[one.point] = way
+
+
+def roll_on_curves(
+    curved: Sequence[Curved], faces: Booleans, rubs: Integers, figures: Figures, rolls: Array
+) -> None:
+    """Set the radii by which the angles of bodies count in the slip on curves.
+
+    Parameters
+    ----------
+    curved
+        The points on curves.
+    faces
+        (k,), whether a straight side touches there.
+    rubs
+        (f,), the points with friction.
+    figures
+        The outlines of the bodies.
+    rolls
+        The radii of the first bodies and the second ones, (2, f) [m].
+    """
+    for one in curved:
+        slip = rubs == one.point
+        radius = one.radius
+        if faces[one.point]:
+            radius = -1 / abs(one.foot.bend) - figures.rounding[one.curve]
+        own, other = rolls[:: one.sign]
+        own[slip], other[slip] = radius, -radius

@@ -1,0 +1,344 @@
+"""Gaps between bodies, as functions of the bodies' positions.
+
+A contact is a corner on a side, a disc on a side, or two discs on each other. Each has a gap V,
+which must not shrink, and a slip S, the distance that its surfaces have slipped. Both are functions
+of the positions: constrained at the end of the drift they hold to second order on curved paths, as
+joints do (see `shake`). Velocities of the contact points at the beginning of the drift would leave
+a curved path by h v² / 2R a step.
+
+With A and B the points of the two bodies, d = B − A, and n from the first body to the second, in
+the complex plane:
+
+    on a side     V = Re(n̄ d)     S = Re((i n)̄ d) + a θ_a + b θ_b    n turns with the side's body
+    discs         V = s |d|        S = s |d| φ + a θ_a + b θ_b         φ is the rotation of d
+
+For discs A and B are the centres, and s = −1 where one is inside the other. The radii a and b, by
+which angles count, end midway between the surfaces of two discs. For curves see `curve_contacts`; a
+side touches a curve as if it were its osculating circle.
+"""
+
+from collections.abc import Sequence
+from copy import copy
+from dataclasses import dataclass
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+from sandbox.physics.contacts.direct.rows.curve_contacts import (
+    Curved,
+    follow_curves,
+    on_curves,
+    roll_on_curves,
+)
+from sandbox.physics.contacts.direct.rows.outlines import SHARP, Outlines
+from sandbox.physics.contacts.direct.rows.touching import FROM_TO, Touching
+from sandbox.physics.engine.batch import Booleans, Contacts, Integers
+from sandbox.physics.joints.exact.constraints import Coordinates
+from sandbox.physics.state.anchor import Plane
+
+OUT = -FROM_TO
+"""The sign of the direction from each of the two bodies to the other."""
+
+
+@dataclass(slots=True)  # not frozen: made in every step
+class Features:
+    """The contact points of N bodies with the plane.
+
+    Attributes
+    ----------
+    touching
+        Their layout.
+    points
+        A and B above, (2, k + f), along their bodies' axes [m].
+    side
+        (k + f,), the body with the side; the first body where there is none.
+    normal
+        (k + f,), n above, and i n for friction, along the axes of that body.
+    owns
+        (2, k + f), 1 for the body with the side, else 0.
+    rounds
+        The r points without a side; None if all have one.
+    sign
+        (r,), s above, of these points.
+    rolls
+        a and b above, (2, f) [m].
+    circles
+        (f,), s above for friction between discs, and 0 elsewhere.
+    apart
+        (k,), d at the beginning of the drift [m].
+    curved
+        The points on curves, which are osculating circles in the other fields.
+    corners
+        (k,), where corners meet corners, which count as sides of the first body; None if nowhere.
+    """
+
+    touching: Touching
+    points: Plane
+    side: Integers
+    normal: Plane
+    owns: Array
+    rounds: slice | Integers | None
+    sign: Array
+    rolls: Array
+    circles: Array
+    apart: Plane
+    curved: tuple[Curved, ...] = ()
+    corners: Booleans | None = None
+
+    def look(self, place: Coordinates, total: Array, jacobian: Array) -> None:
+        """Write the gaps and slips, (k + f,), and their Jacobian, (k + f, 3 N).
+
+        Entries of the Jacobian that are 0 are not written.
+        """
+        held, count = self.touching.held, len(self.apart)
+        turned, plane = place.turned, place.plane
+        arms = self.points * turned.take(held)
+        ends = plane.take(held) + arms
+        d = ends[1] - ends[0]
+        ways = self.normal * turned.take(self.side)
+        beside = ways.conj() * d  # along the normal, and along the side
+        if self.rounds is not None or self.curved:
+            self._bend(place, arms, d[:count], ways, beside)
+        total[:] = beside.real
+        way = FROM_TO * ways
+        spin = (way * arms.conj()).imag
+        spin += self.owns * beside.imag
+        if len(held[0]) > count:
+            rolled = self.rolls * place.angle.take(held[:, count:])
+            total[count:] += rolled[0]
+            total[count:] += rolled[1]
+            spin[:, count:] += self.rolls
+        in_plane, in_angle = self.touching.into
+        flat = jacobian.reshape(-1)
+        flat[in_plane], flat[in_angle] = way.view(float), spin
+
+    def _bend(self, place: Coordinates, arms: Plane, d: Plane, ways: Plane, beside: Plane) -> None:
+        """Correct the rows of discs and curves, for which normals turn; see `look`."""
+        rubs, count = self.touching.rubs, len(d)
+        along, across = ways[:count], 1j * ways[:count]
+        rows = gap, slip, _, _ = beside.real[:count], beside.imag[:count], along, across
+        if self.rounds is not None:
+            self._of_round(d, rows)
+        if self.curved:
+            follow_curves(self.curved, (place.plane, place.turned), arms[:, :count], rows)
+            arms[:, count:] = arms[:, rubs]
+        if len(rubs):
+            beside.real[count:], beside.imag[count:] = slip.take(rubs), -gap.take(rubs)
+            ways[count:] = across.take(rubs)
+
+    def _of_round(self, d: Plane, rows: tuple[Array, Array, Plane, Plane]) -> None:
+        """Set the rows of discs: the gaps and slips, and their derivatives by d, (k,) each."""
+        gap, slip, along, across = rows
+        rounds, sign = self.rounds, self.sign
+        d = d[rounds]
+        size = np.abs(d)
+        gap[rounds], along[rounds] = sign * size, sign * d / size
+        if len(self.touching.rubs):
+            apart = self.apart[rounds]
+            first, turned = np.abs(apart), d / apart
+            slip[rounds] = sign * first * np.arctan2(turned.imag, turned.real)
+            across[rounds] = 1j * along[rounds] * (first / size)
+
+    def moved(self, place: Coordinates) -> "Features":
+        """Return the same contact points for a drift that begins at other positions."""
+        held = self.touching.held
+        first, second = (place.plane[held] + self.points * place.turned[held])[:, : len(self.apart)]
+        there = copy(self)
+        there.apart = second - first
+        there.rolls = _to_the_middle(self.rolls, self.circles, there.apart[self.touching.rubs])
+        return there
+
+
+def _rounds(corner: Booleans, apart: Array, normal: Array) -> tuple[Array, slice | Integers]:
+    """Return the sign s of each gap between discs, 0 of others, and the indices of the former."""
+    sign = np.where(corner, np.where((apart.conj() * normal).real < 0, -1.0, 1.0), 0.0)
+    return sign, slice(None) if corner.all() else np.flatnonzero(corner)
+
+
+def features(
+    contacts: Contacts, touching: Touching, place: Coordinates, origin: complex
+) -> Features:
+    """Return the contact points of a step; the origin is that of the positions [m]."""
+    bodies, pair, _, number, rubs = touching[:5]
+    figures, outlines = touching.figures, touching.outlines
+    n = contacts.direction.view(complex).take(pair)
+    middle = np.ascontiguousarray(contacts.points).view(complex).take(number) - origin
+    out = OUT * n  # of each body
+    surfaces = middle + out * (contacts.depths.take(number) / 2)
+    where, turned = place.plane.take(bodies), place.turned.take(bodies)
+    is_round, center = outlines.round(where, turned, n, middle)
+    back = turned.conj()
+    owns = _owners(touching, out * back)
+    curved = tuple(on_curves(figures, bodies, n, surfaces, (place.plane, place.turned)))
+    if (ends := touching.ends) is not None:
+        is_round = is_round & ~ends
+        curved = tuple(one for one in curved if not ends[int(one.sign < 0), one.point])
+    is_round, center = _with_curves(curved, place, is_round, center, owns)
+    corners, corner = _corners(outlines, is_round, owns)
+    bends = _bends(outlines, is_round, owns, corner)
+    core = surfaces if bends is None else surfaces - out * np.where(bends, outlines.rounding, 0.0)
+    at = np.where(is_round, center, core)
+    d = at[1] - at[0]
+    sign, rounds = (None, None) if corner is None else _rounds(corner, d, n)
+    side = np.where(owns[1], bodies[1], bodies[0])
+    rolls = _rolls(touching, is_round, owns, sign, bends)
+    if curved:
+        roll_on_curves(curved, owns[0] | owns[1], rubs, figures, rolls)
+    circles = _circles(sign, curved, rubs)
+    normal = n * place.turned.take(side).conj()
+    return Features(
+        touching=touching,
+        points=((at - where) * back).take(touching.rows, axis=1),
+        side=side.take(touching.rows),
+        normal=np.concatenate((normal, 1j * normal.take(rubs))),
+        owns=owns.take(touching.rows, axis=1).astype(float),
+        rounds=rounds,
+        sign=np.zeros(0) if sign is None else sign[rounds],
+        rolls=_to_the_middle(rolls, circles, d[rubs]),
+        circles=circles,
+        apart=d,
+        curved=tuple(one for one in curved if corner is not None and corner[one.point]),
+        corners=corners,
+    )
+
+
+def _owners(touching: Touching, out: Plane) -> Booleans:
+    """Return which body has the side: (2, k), at most one of the two at each point.
+
+    Parameters
+    ----------
+    out
+        (2, k), the direction from each body to the other, along its axes.
+    """
+    owns = touching.outlines.faces(out)
+    if touching.ends is not None:
+        owns &= ~touching.ends
+    if touching.outlines.sided:
+        owns[0] &= ~(owns[1] & touching.yields)
+        owns[1] &= ~owns[0]
+    return owns
+
+
+def _with_curves(
+    curved: Sequence[Curved],
+    place: Coordinates,
+    is_round: Booleans,
+    center: Plane,
+    owns: Booleans,
+) -> tuple[Booleans, Plane]:
+    """Return which points are on discs, and the centres, with curves as discs: (2, k) each.
+
+    The normal is that of a curve, if it bends there, and not that of a side of the other body.
+    """
+    if not curved:
+        return is_round, center
+    is_round, center = is_round.copy(), center.copy()
+    for one in curved:
+        own = int(one.sign < 0)
+        center[own, one.point] = place.plane[one.curve] + place.turned[one.curve] * one.center
+        is_round[own, one.point] = True
+        owns[1 - own, one.point] &= one.arched
+    return is_round, center
+
+
+def _corners(
+    outlines: Outlines, is_round: Booleans, owns: Booleans
+) -> tuple[Booleans | None, Booleans | None]:
+    """Return where corners meet corners, and where else no side takes part: (k,), None if nowhere.
+
+    Corners that meet count as sides of the first body.
+
+    Parameters
+    ----------
+    is_round, owns
+        (2, k), whether the bodies are round there, and which has the side.
+    """
+    corner = ~(owns[0] | owns[1])
+    if not np.count_nonzero(corner):
+        return None, None
+    if not np.count_nonzero(outlines.sharp):
+        return None, corner
+    sharp = corner & outlines.sharp & ~is_round.any(axis=0)
+    if not np.count_nonzero(sharp):
+        return None, corner
+    owns[0] |= sharp
+    corner &= ~sharp
+    return sharp, corner if np.count_nonzero(corner) else None
+
+
+def _bends(
+    outlines: Outlines, is_round: Booleans, owns: Booleans, corner: Booleans | None
+) -> Booleans | None:
+    """Return where bodies touch with a rounded corner or end: (2, k), None if nowhere.
+
+    A corner on a side counts as sharp, unless its rounding is that of a thick line.
+    """
+    if not outlines.figures.thick:
+        return None if corner is None else np.stack((corner, corner))
+    bends = ~(owns | is_round) & (outlines.rounding > SHARP)
+    return bends if corner is None else bends | corner
+
+
+def _rolls(
+    touching: Touching,
+    is_round: Booleans,
+    owns: Booleans,
+    sign: Array | None,
+    bends: Booleans | None,
+) -> Array:
+    """Return the radii by which the angles of the two bodies count in the slip: (2, f) [m].
+
+    Parameters
+    ----------
+    is_round
+        (2, k), whether the bodies are round there.
+    owns
+        (2, k), which body has the side.
+    sign
+        (k,), s above, and 0 where there is a side; None if there is one everywhere.
+    bends
+        (2, k), where they have rounded corners; None if nowhere.
+    """
+    outlines, rubs = touching.outlines, touching.rubs
+    if not len(rubs):
+        return np.zeros((2, 0))
+    if sign is None:
+        radius = outlines.rolls(is_round, bends, None).take(rubs, axis=1)
+        return np.where(owns.take(rubs, axis=1), radius[::-1], -radius)
+    inner = None
+    if touching.figures.hollow:
+        inner = (sign < 0) & (outlines.inner > 0)
+        inner[1] &= ~inner[0] | (outlines.inner[1] > outlines.inner[0])
+        inner[0] &= ~inner[1]
+    radius = outlines.rolls(is_round, bends, inner).take(rubs, axis=1)
+    own = -radius if inner is None else np.where(inner.take(rubs, axis=1), radius, -radius)
+    return np.where(owns.take(rubs, axis=1), radius[::-1], own)
+
+
+def _circles(sign: Array | None, curved: Sequence[Curved], rubs: Integers) -> Array:
+    """Return s for friction between discs, and 0 where there is a side or a curve: (f,)."""
+    if sign is None:
+        return np.zeros(len(rubs))
+    circles = sign.copy()
+    for one in curved:
+        circles[one.point] = 0.0
+    return circles.take(rubs)
+
+
+def _to_the_middle(rolls: Array, circles: Array, apart: Plane) -> Array:
+    """Return radii that end midway in the gap or overlap: (2, f) [m].
+
+    Friction then acts on both bodies at one point, and leaves their angular momentum as it is.
+
+    Parameters
+    ----------
+    rolls, circles
+        See `Features`.
+    apart
+        (f,), from one centre to the other [m].
+    """
+    if not np.count_nonzero(circles):
+        return rolls
+    missing = np.where(circles, -circles * np.abs(apart) - rolls.sum(axis=0), 0.0)
+    centred: Array = rolls + missing / 2
+    return centred

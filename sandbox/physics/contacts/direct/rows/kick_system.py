@@ -1,0 +1,299 @@
+"""The system of equations of a kick, before it is solved."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+from sandbox.physics.contacts.direct.rows.gap_functions import Features, features
+from sandbox.physics.contacts.direct.rows.row_layout import Layout
+from sandbox.physics.engine.batch import NO_CONTACTS, Booleans, Contacts
+from sandbox.physics.joints.exact.constraints import (
+    Coordinates,
+    Rows,
+    angles,
+    blur,
+    planes,
+)
+from sandbox.physics.joints.exact.shake import ExactJoints
+
+PROUD = 1e-9
+"""m, the overlap with which a gap closes within a drift: exactly 0 would not count as contact."""
+
+LIFTS = 1e-8
+"""m, by which a point must separate in a drift to lose its friction. If it separates by less, w, it
+slips as the other point of its side does, at a distance l, but for w² / l."""
+
+
+@dataclass  # not frozen: made in every step
+class Kick:
+    """The rows of a kick; r of them, N bodies with the plane.
+
+    Attributes
+    ----------
+    joints, contacts
+        The exact joints and the contacts.
+    layout, features
+        The layout of the rows, and the contact points.
+    place
+        The positions of the bodies.
+    here
+        The rows at these positions.
+    response
+        (r, 3 N), the velocity changes by a unit impulse of each row: J M⁻¹.
+    runs
+        (f,), the slip velocities of running surfaces, such as belts [m/s].
+    before, after
+        (m,), the lengths that joints keep before and after the drift [m, rad].
+    closes
+        How many of the contacts, the last ones, are still open, and close within the drift.
+    """
+
+    joints: ExactJoints
+    contacts: Contacts
+    layout: Layout
+    features: Features
+    place: Coordinates
+    here: Rows
+    response: Array
+    runs: Array
+    before: Array
+    after: Array
+    closes: int = 0
+
+    @classmethod
+    def at(
+        cls,
+        place: Coordinates,
+        joints: ExactJoints,
+        contacts: Contacts,
+        layout: Layout,
+        running: Array,
+        lengths: tuple[Array, Array],
+        closes: int = 0,
+    ) -> "Kick":
+        """Return the system at a place.
+
+        Parameters
+        ----------
+        running
+            (n, 2), the velocities of running surfaces relative to their bodies [m/s].
+        lengths
+            The lengths that joints keep before and after the drift, (m,) each [m, rad].
+        closes
+            How many of the contacts, the last ones, close only within the drift.
+        """
+        found = features(contacts, layout.touching, place, joints.origin)
+        here = rows_at(place, joints, found)
+        response, runs = here.jacobian * joints.inverse, _runs(contacts, layout, running)
+        return cls(
+            joints, contacts, layout, found, place, here, response, runs, *lengths, closes=closes
+        )
+
+    def moved(self, place: Coordinates) -> "Kick":
+        """Return the system of the same contacts at other positions, with their normals there."""
+        kick, contacts = self._on(self.features.moved(place), place), self.contacts
+        pairs = np.arange(len(contacts.bodies))  # the first points of all come first
+        columns = 2 * contacts.bodies[:, 1:] + (0, 1)
+        direction = kick.here.jacobian[self.layout.gaps][pairs[:, None], columns]
+        kick.contacts = contacts._replace(direction=direction)
+        return kick
+
+    def strikes(self, moved: Array, laws: Array, pulls: Array) -> bool:
+        """Return whether a gap that is still open closes faster than forces alone explain.
+
+        Parameters
+        ----------
+        moved
+            (3 N,), the velocities after the kick [m/s, rad/s].
+        laws, pulls
+            (3 N,), the accelerations by force laws, and by joints and contacts [m/s², rad/s²].
+        """
+        jacobian = self.here.jacobian[self.layout.gaps][self.ahead]
+        closing, *others = np.stack((moved, laws, laws + pulls)) @ jacobian.T
+        return bool((closing < -np.maximum(*np.abs(others)) * self.joints.drift).any())
+
+    def contacts_at(self, place: Coordinates, without: Sequence[int] = ()) -> Contacts:
+        """Return the contacts that are still closed at other positions, `without` some."""
+        return _shut(self.carried(place), without) if len(self.contacts.bodies) else NO_CONTACTS
+
+    def carried(self, place: Coordinates) -> Contacts:
+        """Return the contacts at other positions.
+
+        Contact points move with their corner or disc, and along their side.
+        """
+        there, touching = self.moved(place), self.layout.touching
+        each = np.arange(len(touching.pair))
+        guest = (self.features.side[each] == touching.bodies[0]).astype(np.intp)
+        body, sense = touching.bodies[guest, each], 1 - 2 * guest
+        arm = self.features.points[guest, each]
+        first, last = (at.plane[body] + arm * at.turned[body] for at in (self.place, place))
+        old, new = (
+            kick.contacts.direction.view(complex).take(touching.pair) for kick in (self, there)
+        )
+        points = np.ascontiguousarray(self.contacts.points).view(complex)[..., 0].copy()
+        depths, number, origin = self.contacts.depths.copy(), touching.number, self.joints.origin
+        depth = depths.take(number)
+        tip = points.take(number) - origin + sense * old * depth / 2
+        depth -= (there.here.total - self.here.total)[self.layout.gaps]
+        tip = last + (tip - first) * (new / old)
+        points.reshape(-1)[number] = tip - sense * new * depth / 2 + origin
+        depths.reshape(-1)[number] = depth
+        return there.contacts._replace(
+            points=np.stack((points.real, points.imag), 2), depths=depths
+        )
+
+    def between(self, place: Coordinates, before: Array, after: Array) -> "Kick":
+        """Return the system at other positions, for a drift between other lengths of the joints."""
+        return self.moved(place).lasting(before, after)
+
+    def lasting(self, before: Array, after: Array) -> "Kick":
+        """Return the same before a drift between other lengths of the joints: (m,) each."""
+        return replace(self, before=before, after=after)
+
+    def leaning(self, moved: Array, forces: Array) -> "Kick | None":
+        """Return the system with the friction of tilting sides at the point that bears the load.
+
+        One of the two points of a side carries the friction of both: they slip alike as long as the
+        side lies flat. None if all sides do.
+
+        Parameters
+        ----------
+        moved, forces
+            The velocities after the kick, (3 N,) [m/s, rad/s], and its forces, (r,) [N].
+        """
+        first, gaps = self.layout.gaps.start, self.layout.gaps
+        if gaps.stop - first == len(self.contacts.bodies):  # each touches at one point
+            return None
+        one, other = self.layout.problem.friction.contact
+        bears = (forces[one] <= 0) & (other >= 0) & (forces[other] > 0)
+        if not np.count_nonzero(bears):
+            return None
+        leaves = self.here.jacobian[gaps] @ moved * self.joints.drift > LIFTS
+        bears &= leaves[one - first]
+        if not np.count_nonzero(bears):
+            return None
+        touching = self.layout.touching.rubbing_at(np.where(bears, other, one) - first)
+        found = features(self.contacts, touching, self.place, self.joints.origin)
+        return self._on(found, self.place)
+
+    def _on(self, found: Features, place: Coordinates) -> "Kick":
+        """Return the system with other contact points, or at other positions."""
+        here = rows_at(place, self.joints, found)
+        return Kick(
+            self.joints,
+            self.contacts,
+            self.layout,
+            found,
+            place,
+            here,
+            here.jacobian * self.joints.inverse,
+            self.runs,
+            self.before,
+            self.after,
+            self.closes,
+        )
+
+    def rows(self, way: Array) -> Rows:
+        """Return the rows after a displacement, (3 N,); see `rows_at`."""
+        return rows_at(Coordinates(self.place.values + way), self.joints, self.features)
+
+    def flat_rows(self, way: Array) -> Rows:
+        """Return the same, with contacts linearized in the displacement."""
+        here, there, touch = self.here, self.rows(way), self.layout.touch
+        total, jacobian = there.total.copy(), there.jacobian.copy()
+        total[touch] = here.total[touch] + here.jacobian[touch] @ way
+        jacobian[touch] = here.jacobian[touch]
+        return Rows(total, jacobian)
+
+    def targets(self) -> Array:
+        """Return the target values of the rows after the drift: (r,)."""
+        wanted = self.here.total.copy()
+        wanted[self.layout.joints] = -self.after
+        wanted[self.layout.slips] -= self.joints.drift * self.runs
+        if self.closes:
+            closed = self.contacts.depths.take(self.layout.touching.number) - PROUD
+            wanted[self.layout.gaps] += np.where(self.ahead, closed, 0.0)
+        return wanted
+
+    @cached_property
+    def ahead(self) -> Booleans:
+        """Which gaps are still open, and close within the drift: (k,)."""
+        return np.asarray(self.layout.touching.pair >= len(self.contacts.bodies) - self.closes)
+
+    @cached_property
+    def acts(self) -> Booleans:
+        """Which bodies each row acts on: (r, n)."""
+        moved = (planes(self.response) != 0) | (angles(self.response) != 0)
+        return np.asarray(moved[:, :-1])
+
+    @cached_property
+    def blur(self) -> float:
+        """The rounding error of velocities that follow from positions [m/s]."""
+        return blur(self.place.values, self.joints.drift)
+
+    def joint_rates(self) -> Array:
+        """Return the rates of change of the lengths that joints keep: (m,) [m/s, rad/s]."""
+        return np.asarray((self.after - self.before) / self.joints.drift)
+
+    def wrenches(self, impulse: Array, body: int) -> Array:
+        """Return the impulses on a body by each contact: (2, k, 3) [N s, N m s].
+
+        First the normal ones, then friction; from the impulses of the rows, (r,).
+        """
+        layout, touching = self.layout, self.layout.touching
+        columns = [2 * body, 2 * body + 1, len(self.place.values) // 3 * 2 + body]
+        given = impulse[:, None] * self.here.jacobian[:, columns]
+        found = np.zeros((2, len(self.contacts.bodies), 3))
+        np.add.at(found[0], touching.pair, given[layout.gaps])
+        found[1, touching.rubs] = given[layout.slips]
+        return found
+
+    def pushing(self, impulse: Array) -> Contacts:
+        """Return the contacts with the impulses of the rows, (r,)."""
+        layout, touching = self.layout, self.layout.touching
+        number = len(self.contacts.bodies)
+        normal = np.bincount(touching.pair, impulse[layout.gaps], number).astype(float, copy=False)
+        friction = np.zeros(number)
+        friction[touching.rubs] = impulse[layout.slips]
+        push = self.contacts.direction.view(complex) * (normal + 1j * friction)[:, None]
+        return self.contacts._replace(
+            normal=normal, friction=np.abs(friction), impulse=push.view(float)
+        )
+
+
+def _shut(contacts: Contacts, without: Sequence[int]) -> Contacts:
+    """Return contacts, `without` some, and only with points that are closed."""
+    shut = (contacts.depths > -PROUD) & (np.arange(2) < contacts.touches[:, None])
+    second = ~shut[:, 0]
+    points, depths = contacts.points.copy(), contacts.depths.copy()
+    points[second, 0], depths[second, 0] = points[second, 1], depths[second, 1]
+    left = contacts._replace(touches=shut.sum(axis=1), points=points, depths=depths)
+    stay: Booleans = np.asarray(shut.any(axis=1))
+    stay[list(without)] = False
+    return Contacts._make(field[stay] for field in left)
+
+
+def rows_at(place: Coordinates, joints: ExactJoints, found: Features) -> Rows:
+    """Return all rows at given positions; those of joints as length to keep less present length."""
+    first = len(joints.pulls_only)
+    count = first + len(found.touching.rows)
+    total, jacobian = np.empty(count), np.zeros((count, len(place.values)))
+    found.look(place, total[first:], jacobian[first:])
+    if first:
+        held = joints.look(place)
+        np.negative(held.total, out=total[:first])
+        np.negative(held.jacobian, out=jacobian[:first])
+    return Rows(total, jacobian)
+
+
+def _runs(contacts: Contacts, layout: Layout, running: Array) -> Array:
+    rubs = layout.touching.rubs
+    if not np.count_nonzero(running):
+        return np.zeros(len(rubs))
+    a, b = layout.touching.sliding
+    runs = running[b] - running[a]
+    direction = contacts.direction[layout.touching.pair[rubs]]
+    return np.asarray(runs[:, 1] * direction[:, 0] - runs[:, 0] * direction[:, 1])

@@ -1,0 +1,125 @@
+"""Overlap correction: bodies are moved apart, and their velocities stay.
+
+A body that is moved out of one body may be lifted off another: a car that is lifted out of a hill
+at its front wheel turns, and its rear wheel leaves the ground by a nanometre. The wheel would then
+bear no force for a whole step, and a spring would push it into the ground. So bodies that press on
+each other stay in contact, where that is possible.
+"""
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+from sandbox.physics.contacts.direct.complementarity.constraint_rows import Active
+from sandbox.physics.contacts.direct.rows.kick_system import PROUD, Kick
+from sandbox.physics.contacts.direct.rows.row_layout import Layout, Surfaces
+from sandbox.physics.contacts.direct.solving.newton import newton
+from sandbox.physics.contacts.direct.solving.warm_start import WarmStart
+from sandbox.physics.state.errors import JointFailure, NoForces
+
+NOTHING = 1e-12
+"""m, the rounding of an overlap from step to step; smaller corrections are not made."""
+
+FURTHEST = 100.0
+"""The most that bodies may be moved [m, rad], as a multiple of the overlap that is to be removed:
+jammed ones could only be freed by turning them far, through others."""
+
+
+class OverlapCorrection:
+    """Corrects overlaps, step by step.
+
+    Parameters
+    ----------
+    surfaces
+        How bodies touch.
+    known
+        The warm start: forces and active rows of the last kick.
+    """
+
+    def __init__(self, surfaces: Surfaces, known: WarmStart) -> None:
+        self._surfaces, self._known = surfaces, known
+        self._held: tuple[Layout, Active] | None = None  # the active rows of the last correction
+        self._lost: Array = np.zeros(0)  # the last places and targets without a solution
+
+    def way(self, kick: Kick, leaving: Array) -> Array | None:
+        """Return the displacement, (3 N,) [m, rad], that removes a share of each large overlap.
+
+        Bodies that separate by themselves are left alone: lifting a body that bounces would add
+        energy. So are bodies that have only just met, and overlaps that joints enforce. None if
+        there is nothing to correct, or no such displacement.
+
+        Parameters
+        ----------
+        kick
+            The rows of contacts and joints.
+        leaving
+            (3 N,), the displacements of the next step without forces [m, rad].
+        """
+        back = self._back(kick, leaving)
+        if back is None:
+            return None
+        layout, here, wanted = kick.layout, kick.here, kick.targets()
+        held, slack = here.total[layout.joints], wanted[layout.joints]
+        slack = np.minimum(held, slack)  # a slack rope may grow as long as it is
+        wanted[layout.joints] = np.where(kick.joints.pulls_only, slack, held)
+        wanted[layout.gaps] += back
+        asked = np.concatenate((kick.place.values, wanted))
+        if np.array_equal(asked, self._lost):  # as in the kick before, while bodies are held
+            return None
+        try:
+            way, self._held = self._apart(kick, wanted, layout.smooth, self._start(layout))
+        except (JointFailure, NoForces):
+            self._lost = asked
+            return None
+        way = self._together(kick, wanted, way)
+        return way if np.abs(way).max() <= FURTHEST * back.max() else None
+
+    def _apart(
+        self, kick: Kick, wanted: Array, layout: Layout, start: Active
+    ) -> tuple[Array, tuple[Layout, Active]]:
+        """Return the smallest displacement that satisfies the rows, and the active rows."""
+        none, still = np.zeros_like(wanted), np.zeros_like(kick.place.values)
+        _, way, held = newton(kick, layout, kick.rows, still, 1.0, wanted, none, start)
+        return way, (kick.layout, held)
+
+    def _together(self, kick: Kick, wanted: Array, way: Array) -> Array:
+        """Return a displacement that keeps bodies in contact which press on each other.
+
+        Parameters
+        ----------
+        kick, wanted
+            The rows, and their least values afterwards, (r,).
+        way
+            The smallest displacement, (3 N,) [m, rad]; returned if there is no such one.
+        """
+        layout, depths = kick.layout, kick.contacts.depths.take(kick.layout.touching.number)
+        lifts = (kick.rows(way).total - wanted)[layout.gaps]
+        holds = np.zeros(len(wanted), dtype=bool)
+        holds[layout.gaps] = self._known.pressed(kick) & (lifts > np.maximum(depths - PROUD, 0.0))
+        if not np.count_nonzero(holds):
+            return way
+        problem = layout.smooth.problem
+        free, pushes = problem.free | holds, problem.pushes & ~holds
+        holding = layout.smooth.asking(problem._replace(free=free, pushes=pushes))
+        slip = np.zeros(len(layout.touching.rubs), dtype=np.intp)
+        try:
+            return self._apart(kick, wanted, holding, Active(free, slip))[0]
+        except (JointFailure, NoForces):
+            return way
+
+    def _back(self, kick: Kick, leaving: Array) -> Array | None:
+        """Return by how much the gaps are to grow, (k,) [m]; None if none is to."""
+        layout, correction = kick.layout, self._surfaces.correction
+        deep = kick.contacts.depths.take(layout.touching.number) - self._surfaces.slop
+        if not correction or not np.count_nonzero(deep > 0):
+            return None
+        parts = kick.here.jacobian[layout.gaps] @ leaving
+        parts[self._known.pressed(kick)] = 0.0  # rolling bodies separate a little: their paths bend
+        back = correction * deep - np.maximum(parts, 0.0)
+        back = np.where(self._known.met(kick) & (back > NOTHING), back, 0.0)
+        return back if back.any() else None
+
+    def _start(self, layout: Layout) -> Active:
+        """Return the active rows of the last correction, if the contacts are the same."""
+        if self._held and self._held[0] is layout:
+            return self._held[1]
+        return Active(layout.problem.free, np.zeros(len(layout.touching.rubs), dtype=np.intp))

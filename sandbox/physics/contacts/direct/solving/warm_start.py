@@ -1,0 +1,182 @@
+"""The warm start of a kick: forces and active rows of the last ones.
+
+While the same rows are active and their forces change smoothly, the next forces are extrapolated by
+a parabola through the last three. Newton's method then converges in its first iteration.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+from sandbox.physics.contacts.direct.complementarity.constraint_rows import Active
+from sandbox.physics.contacts.direct.complementarity.linear_systems import most
+from sandbox.physics.contacts.direct.rows.kick_system import Kick
+from sandbox.physics.contacts.direct.rows.row_layout import Layout
+from sandbox.physics.contacts.direct.rows.touching import Touching
+from sandbox.physics.engine.batch import Booleans, Integers
+from sandbox.physics.joints.exact.shake import parabola
+
+SMOOTH = 0.5
+"""The largest second difference of forces, as a share of their last change, that counts as smooth.
+Forces that jump to and fro would be extrapolated further off, and may lead to another solution."""
+
+AT_REST = 1e-9
+"""m/s, the largest slip velocity at which friction of a new contact sticks."""
+
+
+class Known(NamedTuple):
+    """The outcome of a kick, for the next one.
+
+    Attributes
+    ----------
+    layout
+        The layout of its rows.
+    forces
+        (r,), the forces of its rows [N].
+    active
+        Its active rows.
+    """
+
+    layout: Layout
+    forces: Array
+    active: Active
+
+    @property
+    def tension(self) -> Array:
+        """The forces of the joints: (m,) [N]."""
+        return self.forces[self.layout.joints]
+
+    @property
+    def force(self) -> Array:
+        """The forces at the gaps: (k,) [N]."""
+        return self.forces[self.layout.gaps]
+
+
+class WarmStart:
+    """Remembers a kick for the next one."""
+
+    def __init__(self) -> None:
+        self._known: Known | None = None
+        self._past: list[Array] = []  # the forces since the same rows hold, (r,) [N], newest first
+
+    def forget(self) -> None:
+        """Forget everything."""
+        self._known, self._past = None, []
+
+    def note(self, kick: Kick, forces: Array, active: Active) -> None:
+        """Remember the forces of a kick, (r,) [N], and its active rows."""
+        known, self._known = self._known, Known(kick.layout, forces, active)
+        same = known and known.layout is kick.layout and known.active.equals(active)
+        self._past = [forces, *self._past[:2]] if same else [forces]
+
+    def guess(self, kick: Kick, motion: Array, length: float) -> tuple[Array, Active]:
+        """Return a guess of the impulses of a kick, (r,), and of its active rows.
+
+        New contacts are active if they approach, and slip if their surfaces do.
+
+        Parameters
+        ----------
+        motion
+            (3 N,), the velocities without impulses [m/s, rad/s].
+        length
+            The length of the kick [s].
+        """
+        if known := self._recalled(kick):
+            return self._expected() * length, known.active
+        force, along, on, slip = self._new(kick, motion)
+        tension, taut = kick.joints.expected()
+        if self._known and len(self._known.tension) == len(tension):
+            tension = self._known.tension
+        impulse = np.concatenate((tension, force, along)) * length
+        if not len(slip):
+            return impulse, Active(np.concatenate((taut, on)), slip)
+        contact, first = kick.layout.problem.friction.contact, kick.layout.gaps.start
+        presses = (on[contact - first * (contact >= 0)] & (contact >= 0)).any(axis=0)
+        slip = np.where(presses, slip, 0)
+        return impulse, Active(np.concatenate((taut, on, presses & (slip == 0))), slip)
+
+    def pressed(self, kick: Kick) -> Booleans:
+        """Return which gaps had a normal force in the last kick: (k,)."""
+        if known := self._recalled(kick):
+            return np.asarray(known.force > 0)
+        force = np.zeros(len(kick.layout.touching.pair))
+        for gap, old in self._same(kick):
+            assert self._known
+            force[gap] = self._known.force[old]
+        return np.asarray(force > 0)
+
+    def met(self, kick: Kick) -> Booleans:
+        """Return which gaps existed in the last kick: (k,)."""
+        if self._recalled(kick):
+            return np.ones(len(kick.layout.touching.pair), dtype=bool)
+        found = np.zeros(len(kick.layout.touching.pair), dtype=bool)
+        found[[gap for gap, _ in self._same(kick)]] = True
+        return found
+
+    def _expected(self) -> Array:
+        """Return the forces that come next, (r,) [N], if the same rows hold."""
+        last = self._past[0]
+        if len(self._past) < 3:
+            return last
+        _, before, first = self._past
+        bend = most(last - 2 * before + first)
+        return parabola(self._past) if bend <= SMOOTH * most(last - before) else last
+
+    def _recalled(self, kick: Kick) -> Known | None:
+        """Return the last kick, if it had the same contacts."""
+        known = self._known
+        return known if known and known.layout.touching is kick.layout.touching else None
+
+    def _new(self, kick: Kick, motion: Array) -> tuple[Array, Array, Booleans, Integers]:
+        """Return a guess for other contacts: from the last kick where known, else from the motion.
+
+        It consists of the normal forces, (k,), the friction, (f,), the active gaps, (k,), and the
+        signs of sliding friction, (f,), 0 where it sticks.
+        """
+        touching, layout, known = kick.layout.touching, kick.layout, self._known
+        rates = kick.here.jacobian @ motion
+        rates[layout.slips] += kick.runs
+        on, speed = rates[layout.gaps] < 0, rates[layout.slips]
+        force, along = np.zeros(len(on)), np.zeros(len(speed))
+        slip = np.where(np.abs(speed) > AT_REST, -np.sign(speed), 0).astype(np.intp)
+        if known:
+            old_force, old_on = known.force, known.active.on[known.layout.gaps]
+            old_along = known.forces[known.layout.slips]
+            rubs = {int(gap): place for place, gap in enumerate(touching.rubs)}
+            before = {int(gap): place for place, gap in enumerate(known.layout.touching.rubs)}
+            for gap, old in self._same(kick):
+                force[gap], on[gap] = old_force[old], old_on[old]
+                if gap in rubs and old in before:
+                    along[rubs[gap]] = old_along[before[old]]
+                    slip[rubs[gap]] = known.active.slip[before[old]]
+        return force, along, on, slip
+
+    def _same(self, kick: Kick) -> list[tuple[int, int]]:
+        """Return the gaps that existed in the last kick, with their indices then."""
+        if self._known is None:
+            return []
+        old = {key: gap for gap, key in enumerate(_keys(self._known.layout.touching))}
+        return [(g, old[key]) for g, key in enumerate(_keys(kick.layout.touching)) if key in old]
+
+
+def recalled(old: Kick, forces: Array, active: Active, new: Kick) -> tuple[Array, Active]:
+    """Return the forces of a kick, (r,) [N], and its active rows, for one with other rows.
+
+    New contacts have no force.
+    """
+    known = WarmStart()
+    known.note(old, forces, active)
+    return known.guess(new, np.zeros(new.response.shape[1]), 1.0)
+
+
+def _keys(touching: Touching) -> list[tuple[int, int, int]]:
+    """Return the keys by which gaps are recognised in the next step."""
+    seen: dict[tuple[int, int], int] = {}
+    keys = []
+    for a, b in touching.bodies.T.tolist():
+        both = (a, b) if a < b else (b, a)
+        number = seen.get(both, 0)
+        seen[both] = number + 1
+        keys.append((*both, number))
+    return keys

@@ -1,0 +1,1 @@
+"""Impacts at a step, and the velocities of contact points."""

@@ -1,0 +1,138 @@
+"""A kick as the ledger books it, and the work of contacts in it."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+from sandbox.physics.contacts.impacts.kinematics import point_velocity
+from sandbox.physics.engine.batch import Contacts
+from sandbox.physics.state.motion import Motion
+
+
+class Kick(NamedTuple):
+    """The data of a kick for the books; n bodies.
+
+    Attributes
+    ----------
+    t, length
+        The time and length of the kick [s].
+    seen
+        The motion that the force laws see in it.
+    place
+        (n, 2), the positions of the bodies [m].
+    mean
+        (n, 3), the mean of their velocities before and after [m/s, rad/s].
+    inertia
+        (n, 3), their masses, masses and moments; 0 for immovable bodies [kg, kg m²].
+    """
+
+    t: float
+    length: float
+    seen: Motion
+    place: Array
+    mean: Array
+    inertia: Array
+
+    def work(self, impulse: Array) -> float:
+        """Return the work of impulses: (n, 3) [J]."""
+        return float(np.sum(impulse * self.mean))
+
+
+def pressed(contacts: Contacts, row: int) -> Array:
+    """Return the impulse of all contacts on a body: (2,)."""
+    given = contacts.impulse[contacts.bodies[:, 1] == row].sum(axis=0)
+    taken = contacts.impulse[contacts.bodies[:, 0] == row].sum(axis=0)
+    return np.asarray(given - taken)
+
+
+def completed(contacts: Contacts, impulse: Array) -> Contacts:
+    """Return contacts with the total impulse for bodies that have only one contact.
+
+    pymunk's own value differs if friction breaks loose within a step, as it is then reduced after
+    the solve.
+    """
+    counts = np.bincount(contacts.bodies.ravel(), minlength=len(impulse))
+    whole = contacts.impulse.copy()
+    for side, sign in ((0, -1.0), (1, 1.0)):
+        rows = contacts.bodies[:, side]
+        alone = (counts[rows] == 1) & impulse[rows].any(axis=1)
+        whole[alone] = sign * impulse[rows[alone], :2]
+    return contacts._replace(impulse=whole)
+
+
+def couples(contacts: Contacts, impulse: Array, place: Array, inertia: Array) -> Array:
+    """Return the angular impulse of contacts on their second bodies, about their middle: (k,).
+
+    The pressure of one side on another is larger at one end. The difference follows from the
+    missing angular impulse [N m s] of the bodies that rotate freely; if it is not unique, the
+    least-norm solution is taken.
+
+    Parameters
+    ----------
+    contacts, place, inertia
+        As for `rubbing`.
+    impulse
+        (n, 3), the impulse of all contacts on each body.
+    """
+    found = np.zeros(len(contacts.bodies))
+    sides = np.flatnonzero(contacts.touches == 2)
+    if not len(sides):
+        return found
+    turning, lack = inertia[:, 2] > 0, impulse[:, 2].copy()
+    gives = np.zeros((len(impulse), len(sides)))
+    arms = contacts.on_surfaces(_middles(contacts)) - place[contacts.bodies]
+    for side, sign in ((0, -1.0), (1, 1.0)):
+        rows, arm = contacts.bodies[:, side], arms[:, side]
+        across = arm[:, 0] * contacts.impulse[:, 1] - arm[:, 1] * contacts.impulse[:, 0]
+        np.subtract.at(lack, rows, sign * across)
+        gives[rows[sides], np.arange(len(sides))] = sign
+    found[sides] = np.linalg.lstsq(gives[turning], lack[turning], rcond=None)[0]
+    return found
+
+
+def rubbing(
+    contacts: Contacts,
+    place: Array,
+    mean: Array,
+    inertia: Array,
+    running: Array,
+    turned: Array | float = 0.0,
+) -> tuple[float, dict[str, float]]:
+    """Return the work of friction, and the energy from kinematic bodies and belts [J].
+
+    Parameters
+    ----------
+    contacts
+        The contacts of a kick.
+    place, mean, inertia
+        As in a `Kick`.
+    running
+        (n, 2), the velocities of the bodies' running surfaces [m/s].
+    turned
+        (k,), the angular impulses of the contacts on their second bodies; see `couples`.
+    """
+    along = np.stack((-contacts.direction[:, 1], contacts.direction[:, 0]), axis=1)
+    friction = np.sum(contacts.impulse * along, axis=1)[:, None] * along
+    on_surfaces = contacts.on_surfaces(_middles(contacts))
+    slip = np.zeros_like(along)
+    work = {"bodies": 0.0, "belt": 0.0}
+    for side, sign in ((0, -1.0), (1, 1.0)):
+        rows = contacts.bodies[:, side]
+        arm, goes = on_surfaces[:, side] - place[rows], mean[rows]
+        moves = point_velocity(goes, arm)
+        driven = inertia[rows, 0] == 0
+        runs = running[rows]
+        slip += sign * (moves + runs)
+        gives = np.sum(contacts.impulse * moves, axis=1) + turned * goes[:, 2]
+        work["bodies"] -= sign * float(np.sum(gives[driven]))
+        work["belt"] -= sign * float(np.sum(friction * runs))
+    return float(np.sum(friction * slip)), work
+
+
+def _middles(contacts: Contacts) -> Array:
+    """Return the middle of each contact: (k, 2) [m]."""
+    second = np.where(contacts.touches == 2, 1, 0)
+    both = contacts.points[np.arange(len(second)), second]
+    middles: Array = (contacts.points[:, 0] + both) / 2
+    return middles

@@ -1,0 +1,231 @@
+"""Sequential impacts: hard bodies that touch each other collide one pair after the other.
+
+pymunk solves all contacts of a step at once, so a shot into a row of touching balls moves several
+of them. Here, between drift and kick, the pair that approaches fastest collides first: an impulse
+along its normal reverses the approach velocity, scaled by e (Newton's law of restitution). That may
+make neighbours approach, and so on until no pair does. For pymunk's solver there then remain only
+bodies that separate or rest.
+
+The velocities before impacts are those *at* the step, half a kick after pymunk's, so the speed of
+an impact is of second order under any forces.
+"""
+
+from functools import partial
+from typing import NamedTuple
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+from sandbox.physics.contacts.impacts.impact_outcome import ImpactOutcome
+from sandbox.physics.contacts.impacts.kinematics import over_bodies, pair_jacobian
+from sandbox.physics.contacts.impacts.post_impact_velocity import reached
+from sandbox.physics.contacts.impacts.simultaneous_impacts import ROUNDING, Pile
+from sandbox.physics.engine.batch import NO_CONTACTS, Batch, Booleans, Contacts, Integers
+
+FAINTEST = 1e-290
+"""m/s: slower approaches count as zero. The smallest numbers have few digits, so rounding is no
+fixed share of them."""
+
+
+class Sequence:
+    """Finds and solves the impacts of a step, one after the other; n bodies.
+
+    Parameters
+    ----------
+    batch
+        Reads and writes the bodies.
+    restitution
+        (n, n), the coefficients of restitution of the pairs.
+    inverse_mass
+        (n, 3), the inverses of masses, masses and moments of inertia [1/kg, 1/(kg m²)].
+    dt
+        The time step [s].
+    """
+
+    def __init__(self, batch: Batch, restitution: Array, inverse_mass: Array, dt: float) -> None:
+        self._batch, self._dt = batch, dt
+        self._restitution, self._inverse_mass = restitution, inverse_mass
+        self._moving: Booleans = inverse_mass[:, 0] > 0
+        self._turning: Booleans = inverse_mass[:, 2] > 0
+        self._begun = self._smooth = np.zeros_like(inverse_mass)  # velocities and accelerations
+        self._lasted = dt
+        self._before: partial[Array] | None = None  # constraint accelerations in the kick before
+        self.last = ImpactOutcome.none(len(inverse_mass))
+        self._asked, self._pushes = b"", np.zeros(0)  # the last pile-up, and its impulses
+        self._places = _Places.of(NO_CONTACTS, self._turning)
+
+    def collide(self, smooth: Array, *, start: bool) -> None:
+        """Let touching bodies that approach collide, and change their velocities.
+
+        Parameters
+        ----------
+        smooth
+            (n, 3), the accelerations by gravity and force laws at the step [m/s², rad/s²].
+        start
+            Whether this is the first kick, of half a step, which begins with the velocities at its
+            time.
+
+        Raises
+        ------
+        EndlessImpacts
+            If elastic bodies collide more often than can be followed.
+        """
+        state = self._batch.state()
+        velocity = begins = state[:, 3:]
+        jump, impulse = np.zeros_like(begins), np.zeros(len(begins))
+        contacts = self._batch.contacts()
+        if len(contacts.bodies):
+            held = before = np.zeros_like(smooth)
+            if not start:
+                held = _held(begins, self._begun, self._lasted, self._smooth)
+                before = self._before() if self._before else held
+                velocity = begins + (smooth + held) * (self._dt / 2)
+            gives = np.array((smooth, smooth + held, smooth + before)) * self._dt
+            self._exchange(contacts, state[:, :2], velocity, gives, jump, impulse)
+            if impulse.any():
+                self._batch.set_velocity(begins + jump)
+        self.last = ImpactOutcome(np.asarray(jump.any(axis=1)), jump, velocity + jump, impulse)
+        self._before = (
+            None if start else partial(_held, begins, self._begun, self._lasted, self._smooth)
+        )
+        self._begun, self._smooth = begins + jump, smooth
+        self._lasted = self._dt / 2 if start else self._dt
+
+    def shift(self, jump: Array, change: Array) -> None:
+        """Add the impacts located in time since the last kick; see `located_impacts.Cut`."""
+        self._begun = self._begun + jump - change * self._lasted
+
+    def _exchange(
+        self,
+        contacts: Contacts,
+        place: Array,
+        velocity: Array,
+        gives: Array,
+        jump: Array,
+        impulse: Array,
+    ) -> None:
+        """Add the outcome of the impacts to `jump` and `impulse`; for `gives` see `_allowed`."""
+        if not self._places.are_of(contacts):
+            self._places = _Places.of(contacts, self._turning)
+        points = self._places.points(contacts, place)
+        parts = np.einsum("kbc,kbc->kb", points.jacobian, velocity[points.bodies])
+        parting = parts.sum(axis=1)
+        rounding = ROUNDING * np.abs(parts).max(axis=1) + FAINTEST
+        if not np.count_nonzero(parting < -rounding):
+            return
+        allowed = np.maximum(_allowed(points, gives), rounding)
+        struck = parting < -allowed
+        if not struck.any():
+            return
+        touched = reached(points.bodies, struck, self._moving)
+        near = touched[points.bodies[:, 0]] | touched[points.bodies[:, 1]]
+        points, parting, allowed = points.only(near), parting[near], allowed[near]
+        jacobian = points.over(len(place))
+        response = jacobian * self._inverse_mass
+        delassus = response.reshape(len(parting), -1) @ jacobian.reshape(len(parting), -1).T
+        a, b = points.bodies.T
+        asked = b"".join(x.tobytes() for x in (points.bodies, delassus, parting, allowed))
+        if asked != self._asked:  # kicks of held bodies are repeated
+            pile = Pile(delassus, parting, allowed, self._restitution[a, b], points.partner)
+            self._asked, self._pushes = asked, pile.settle(points.bodies)
+        pushes = self._pushes
+        jump += np.tensordot(pushes, response, 1)
+        np.add.at(impulse, a, pushes)
+        np.add.at(impulse, b, pushes)
+
+
+def _held(ended: Array, begun: Array, lasted: float, smooth: Array) -> Array:
+    """Return the accelerations in a kick except by gravity and laws: (n, 3) [m/s², rad/s²]."""
+    held: Array = (ended - begun) / lasted - smooth
+    return held
+
+
+class _Points(NamedTuple):
+    """The k contact points of pairs.
+
+    Attributes
+    ----------
+    bodies
+        (k, 2), the bodies of each point.
+    jacobian
+        (k, 2, 3), the Jacobian of the separation rate, for the velocities of the two bodies.
+    partner
+        (k,), the other contact point of the same two sides; −1 if there is none.
+    """
+
+    bodies: Integers
+    jacobian: Array
+    partner: Integers
+
+    def only(self, near: Booleans) -> "_Points":
+        """Return some of the points, always with their partners."""
+        renumbered = np.append(np.cumsum(near) - 1, -1)
+        return _Points(self.bodies[near], self.jacobian[near], renumbered[self.partner[near]])
+
+    def over(self, count: int) -> Array:
+        """Return the Jacobian over all bodies: (k, n, 3)."""
+        return over_bodies(self.jacobian, self.bodies, count)
+
+
+class _Places(NamedTuple):
+    """The indices of contact points; without rotation, one point of a side represents both.
+
+    Attributes
+    ----------
+    pairs, touches
+        The bodies of the contacts, and their numbers of contact points; see `Contacts`.
+    pair, which
+        (k,), the contact of each point, and the index of the point in it.
+    bodies, partner
+        (k, 2) and (k,), as in `_Points`.
+    """
+
+    pairs: Integers
+    touches: Integers
+    pair: Integers
+    which: Integers
+    bodies: Integers
+    partner: Integers
+
+    @classmethod
+    def of(cls, contacts: Contacts, turning: Booleans) -> "_Places":
+        """Return the indices for contacts, given the bodies that can rotate, (n,)."""
+        pairs, touches, count = contacts.bodies, contacts.touches, len(contacts.bodies)
+        two = np.flatnonzero((touches == 2) & turning[pairs].any(axis=1))
+        pair = np.concatenate((np.arange(count), two))
+        partner = np.full(len(pair), -1)
+        partner[two], partner[count:] = count + np.arange(len(two)), two
+        which = np.repeat((0, 1), (count, len(two)))
+        return cls(pairs, touches, pair, which, pairs[pair], partner)
+
+    def are_of(self, contacts: Contacts) -> bool:
+        """Return whether contacts have the same pairs and numbers of points: the same arrays."""
+        return contacts.bodies is self.pairs and contacts.touches is self.touches
+
+    def points(self, contacts: Contacts, place: Array) -> _Points:
+        """Return the contact points, given the positions of the bodies, (n, 2) [m]."""
+        at = contacts.points[self.pair, self.which]
+        arm = at[:, None] - place[self.bodies]
+        jacobian = pair_jacobian(arm, contacts.direction[self.pair])
+        return _Points(self.bodies, jacobian, self.partner)
+
+
+def _allowed(points: _Points, gives: Array) -> Array:
+    """Return the approach velocity of bodies that rest, which is left to pymunk: (k,) [m/s].
+
+    It is the change by gravity and laws in a step, or by these and the constraint forces of the
+    last kick, if that is larger. The latter is bounded by the forces of the kick before: anything
+    beyond is a jerk, and does not count.
+
+    Parameters
+    ----------
+    points
+        The contact points.
+    gives
+        (3, n, 3), these three accelerations as changes of velocity in a step [m/s, rad/s].
+    """
+    both = points.jacobian, gives[2, points.bodies]
+    sizes = [np.sqrt(np.add.reduce(a * a, axis=2)) for a in both]
+    adds = np.einsum("kbc,skbc->sk", points.jacobian, gives[:2, points.bodies])
+    alone, held = np.abs(adds)
+    return np.asarray(np.maximum(alone, np.minimum(held, np.sum(sizes[0] * sizes[1], axis=1))))

@@ -1,0 +1,1 @@
+"""Shapes in pymunk's space, and what they let through."""
