@@ -2,7 +2,7 @@
 
 import pytest
 
-from sandbox.physics.contacts.shapes.pymunk_shapes import line_ends
+from sandbox.physics.contacts.shapes import line_ends
 from sandbox.physics.run import build
 from tests.physics.scenes import GRAVITY, disc, fixed, level
 

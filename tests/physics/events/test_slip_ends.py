@@ -26,9 +26,12 @@ FLAT: Spec = {"type": "box", "width": 200, "height": 1}
 
 
 def rub(*located: str, **rest: object) -> Spec:
-    """Return the effects of bodies that rub; `located` is left out where nobody is named."""
+    """Return the effects of bodies that rub; `located` is left out where nobody is named.
+
+    The direct solver would locate them by itself.
+    """
     friction = {"located": located, **rest} if located else rest
-    return {**GRAVITY, "contact": {}, "friction": friction}
+    return {**GRAVITY, "contact": {"solver": "iterative"}, "friction": friction}
 
 
 def thrown_along(speed: float, mu: float = MU, *, located: bool = True, rate: float = 60) -> Level:
