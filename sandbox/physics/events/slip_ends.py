@@ -5,12 +5,8 @@ pymunk detects that in the next kick, and reduces the friction of that whole kic
 slips back: the end comes up to half a step early or late. Here the drift is cut where the slip
 ends. Between two kicks leapfrog represents a motion with the acceleration of the last, so a slip
 changes linearly and its zero is known. pymunk's solver and the joints determine how the bodies
-continue from there for the rest of the step (`acceleration_after_event.py`). pymunk is then given the positions
-at the end of the drift, and the velocities half a kick before.
-
-If the slip ends within the second half of a kick, the half after its step, pymunk has reduced the
-friction at the step already. That kick is then taken again, short enough for everything to keep
-slipping, so that the values at the step are right.
+continue from there for the rest of the step (`acceleration_after_event.py`). pymunk is then given
+the positions at the end of the drift, and the velocities half a kick before.
 """
 
 from collections.abc import Callable
