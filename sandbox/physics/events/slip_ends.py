@@ -7,6 +7,10 @@ ends. Between two kicks leapfrog represents a motion with the acceleration of th
 changes linearly and its zero is known. pymunk's solver and the joints determine how the bodies
 continue from there for the rest of the step (`acceleration_after_event.py`). pymunk is then given
 the positions at the end of the drift, and the velocities half a kick before.
+
+If the slip ends within the second half of a kick, the half after its step, pymunk has reduced the
+friction at the step already. That kick is then taken again, short enough for everything to keep
+slipping, so that the values at the step are right.
 """
 
 from collections.abc import Callable
