@@ -158,8 +158,6 @@ class SpeculativeContacts:
     def ahead(self, kick: Kick, motion: Array, some: Booleans) -> Contacts:
         """Return contacts of some bodies, (n,), that meet in the drift after a kick, at its start.
 
-        Hollow bodies are left out, but for their corners.
-
         Parameters
         ----------
         motion
@@ -167,9 +165,14 @@ class SpeculativeContacts:
         """
         drift, places = kick.joints.drift, order(len(kick.place.values) // 3 - 1)
         near = self.approaching.near(kick.contacts, kick.place, drift * motion)
+        near = [pair for pair in near if some[[*pair]].any()]
         path = Path(kick.place.values[places], motion[places], np.zeros(places.shape))
-        hits = self.approaching.ahead(path, drift, [pair for pair in near if some[[*pair]].any()])
+        hits = self.approaching.ahead(path, drift, near)
         corners = [one for one in self.corners(kick, motion) if some[[*one.pair]].any()]
+        here, there = kick.place, Coordinates(kick.place.values + drift * motion)
+        for pair in near:
+            if self._hollows.pairs[pair]:
+                corners += self._hollows.corners(pair, here, there)
         return self.contacts(corners, kick.place, kick.joints.origin, hits)
 
     def height(self, corner: AnyCorner, place: Coordinates) -> float:
