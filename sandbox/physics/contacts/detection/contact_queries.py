@@ -22,16 +22,8 @@ Points = tuple[complex, complex]
 class Touched(NamedTuple):
     """A contact of a shape.
 
-    Attributes
-    ----------
-    body
-        The other body, of pymunk.
-    normal
-        The unit normal towards it.
-    points
-        One or two contact points; the shape's own surface first.
-    depth
-        The largest overlap [m].
+    The unit normal points towards the other body, `body` of pymunk. There are one or two contact
+    points, the shape's own surface first; `depth` is the largest overlap [m].
     """
 
     body: pymunk.Body
@@ -70,21 +62,8 @@ def touched(
 class Query:
     """Finds the contacts of bodies that were moved outside pymunk's step; n bodies.
 
-    Parameters
-    ----------
-    space
-        The space of the bodies.
-    bodies
-        All bodies, in order.
-    hollows
-        The hollow bodies; None if there are none.
-    gates
-        The one-way surfaces; None if there are none.
-
-    Attributes
-    ----------
-    bodies, hollows, gates
-        As above.
+    `bodies` are all bodies, in order; `hollows` and `gates`, the one-way surfaces, are None if
+    there are none.
     """
 
     def __init__(
@@ -101,16 +80,8 @@ class Query:
         """Return known contacts, updated for bodies that were moved.
 
         Pairs that now touch with more shapes, or overlap deeply at more points, get new contacts;
-        the others keep the known ones.
-
-        Parameters
-        ----------
-        known
-            The contacts at the earlier positions.
-        moved
-            The rows of the moved bodies.
-        least
-            The least overlap that counts as deep [m].
+        the others keep the known ones. `moved` are the rows of the moved bodies; overlaps of at
+        least `least` [m] count as deep.
         """
         found: dict[tuple[int, int], list[Touched]] = {}
         for row, other, contact in self._found(moved):

@@ -58,12 +58,8 @@ def refuse_overlaps(
 ) -> None:
     """Refuse bodies that overlap by more than is allowed; the error names the worst pair.
 
-    Bodies that never collide, because they are welded or neither moves, are left out.
-
-    Raises
-    ------
-    SimulationError
-        If two bodies overlap.
+    Bodies that never collide, because they are welded or neither moves, are left out. The error is
+    a `SimulationError`.
     """
     least = tolerated(space, contact, values)
     worst = max(islice(overlaps(space, bodies, least, hollows, gates), ENOUGH), default=None)

@@ -36,10 +36,8 @@ def most_pairs(iterations: int, *, direct: bool) -> int:
 def refuse_crowd(shapes: Mapping[str, Sequence[pymunk.Shape]], most: int) -> None:
     """Refuse bodies with too many pairs, before their shapes are added to a space.
 
-    Raises
-    ------
-    SimulationError
-        If the bounding boxes of more than `most` pairs overlap; it names the body with the most.
+    Raises `SimulationError` if the bounding boxes of more than `most` pairs overlap; it names the
+    body with the most.
     """
     rows = np.repeat(np.arange(len(shapes)), [len(made) for made in shapes.values()])
     if len(rows) * (len(rows) - 1) // 2 <= most:

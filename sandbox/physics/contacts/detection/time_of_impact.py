@@ -39,20 +39,9 @@ step, counts as zero."""
 class Hit(NamedTuple):
     """An impact of two bodies.
 
-    Attributes
-    ----------
-    time
-        The time since the previous step [s].
-    bodies
-        Their indices.
-    normal
-        The unit vector from the first to the second.
-    points
-        Their contact points in the plane [m].
-    parting
-        The least separation rate at these points [m/s].
-    gap
-        The distance of the bodies there [m].
+    `time` is since the previous step [s]. The unit normal points from the first body to the second;
+    the contact points are in the plane, and `gap` is the distance of the bodies there [m].
+    `parting` is the least separation rate at these points [m/s].
     """
 
     time: float
@@ -66,16 +55,9 @@ class Hit(NamedTuple):
 class Path:
     """The motion of n bodies between two kicks, each on a parabola since its last impact.
 
-    Attributes
-    ----------
-    since
-        (n,), the time of the last impact [s].
-    place, velocity
-        (n, 3), x, y and angle at that time, and their rates [m, rad, m/s, rad/s].
-    acceleration
-        (n, 3), the accelerations from then on [m/s², rad/s²].
-    struck
-        (n,), the bodies with an impact.
+    `place` and `velocity`, (n, 3), are x, y and angle at the time of the last impact, and their
+    rates [m, rad, m/s, rad/s]; `since`, (n,), is that time [s], and `acceleration`, (n, 3), holds
+    from then on [m/s², rad/s²]. `struck`, (n,), tells which bodies had an impact.
     """
 
     def __init__(self, place: Array, velocity: Array, acceleration: Array) -> None:
@@ -149,15 +131,8 @@ def meet(
     that overlap at the end of a drift belongs to that drift, and comes at its end at the latest.
     Shapes that are still apart there are left to the next drift.
 
-    Parameters
-    ----------
-    path
-        The motion of the bodies.
-    since, until
-        The interval of times to search [s].
-    gives
-        (2, n, 3), the changes of velocity by gravity and laws alone in a step, and by all forces in
-        the rest of it [m/s, rad/s].
+    The times to search are from `since` to `until` [s]. `gives`, (2, n, 3), are the changes of
+    velocity by gravity and laws alone in a step, and by all forces in the rest of it [m/s, rad/s].
     """
     t, at_end = since, False
     gets = [[complex(*way) for way in gives[:, o.body, :2].tolist()] for o in (one, other)]

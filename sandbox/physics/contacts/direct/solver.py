@@ -49,17 +49,12 @@ class Direct:
     """Solves contacts and exact joints together; n bodies.
 
     `batch` reads and writes the bodies, and `query` finds the contacts of those that were moved.
-    `inertia`, (n, 3), has masses twice and moments, 0 for bodies that do not move or turn [kg,
-    kg m²]; `dt` is the time step [s].
+    `inertia`, (n, 3), has masses twice and moments, 0 for bodies that do not move or
+    turn [kg, kg m²]; `dt` is the time step [s].
 
-    Attributes
-    ----------
-    last
-        The impacts of the last kick, with the impulses of landings in the drift before it.
-    stages
-        Its stages, if it had impacts; else empty.
-    drifts
-        The drifts before and after it.
+    `last` are the impacts of the last kick, with the impulses of landings in the drift before it;
+    `stages` are its stages, if it had impacts, else empty. `drifts` are the drifts before and after
+    it.
     """
 
     def __init__(

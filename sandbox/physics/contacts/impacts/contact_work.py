@@ -13,18 +13,10 @@ from sandbox.physics.state.motion import Motion
 class Kick(NamedTuple):
     """The data of a kick for the books; n bodies.
 
-    Attributes
-    ----------
-    t, length
-        The time and length of the kick [s].
-    seen
-        The motion that the force laws see in it.
-    place
-        (n, 2), the positions of the bodies [m].
-    mean
-        (n, 3), the mean of their velocities before and after [m/s, rad/s].
-    inertia
-        (n, 3), their masses, masses and moments; 0 for immovable bodies [kg, kg m²].
+    `t` and `length` are its time and length [s], and `seen` is the motion that the force laws see
+    in it. `place`, (n, 2), are the positions of the bodies [m], `mean`, (n, 3), is the mean of
+    their velocities before and after [m/s, rad/s], and `inertia`, (n, 3), has their masses, masses
+    and moments; 0 for immovable bodies [kg, kg m²].
     """
 
     t: float
@@ -68,12 +60,8 @@ def couples(contacts: Contacts, impulse: Array, place: Array, inertia: Array) ->
     missing angular impulse [N m s] of the bodies that rotate freely; if it is not unique, the
     least-norm solution is taken.
 
-    Parameters
-    ----------
-    contacts, place, inertia
-        As for `rubbing`.
-    impulse
-        (n, 3), the impulse of all contacts on each body.
+    `impulse`, (n, 3), is that of all contacts on each body; the other arguments are as for
+    `rubbing`.
     """
     found = np.zeros(len(contacts.bodies))
     sides = np.flatnonzero(contacts.touches == 2)
@@ -101,16 +89,9 @@ def rubbing(
 ) -> tuple[float, dict[str, float]]:
     """Return the work of friction, and the energy from kinematic bodies and belts [J].
 
-    Parameters
-    ----------
-    contacts
-        The contacts of a kick.
-    place, mean, inertia
-        As in a `Kick`.
-    running
-        (n, 2), the velocities of the bodies' running surfaces [m/s].
-    turned
-        (k,), the angular impulses of the contacts on their second bodies; see `couples`.
+    `contacts` are those of a kick, and `place`, `mean` and `inertia` are as in a `Kick`. `running`,
+    (n, 2), are the velocities of the bodies' running surfaces [m/s]; `turned`, (k,), are the
+    angular impulses of the contacts on their second bodies, see `couples`.
     """
     along = np.stack((-contacts.direction[:, 1], contacts.direction[:, 0]), axis=1)
     friction = np.sum(contacts.impulse * along, axis=1)[:, None] * along

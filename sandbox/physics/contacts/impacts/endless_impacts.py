@@ -11,10 +11,7 @@ OFTEN = Message(
 class EndlessImpacts(Exception):  # noqa: N818 (it is converted into an error)
     """Bodies collide at one instant more often than can be followed.
 
-    Attributes
-    ----------
-    body
-        The index of one of the bodies; the reason may name it, as {body}.
+    `body` is the index of one of the bodies; the reason may name it, as {body}.
     """
 
     def __init__(self, body: int, reason: Message = OFTEN, **values: object) -> None:

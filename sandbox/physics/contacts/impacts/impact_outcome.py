@@ -11,16 +11,10 @@ from sandbox.physics.engine.batch import Booleans
 class ImpactOutcome(NamedTuple):
     """The outcome of the impacts of a step; n bodies.
 
-    Attributes
-    ----------
-    struck
-        (n,), the bodies that they reached.
-    jump
-        (n, 3), the changes of the velocities [m/s, rad/s].
-    velocity
-        (n, 3), the velocities at the step, right after the impacts [m/s, rad/s].
-    impulse
-        (n,), the sum of the magnitudes of the impulses on each body [N s].
+    `struck`, (n,), tells which bodies they reached. `jump`, (n, 3), are the changes of the
+    velocities, and `velocity`, (n, 3), the velocities at the step, right after the
+    impacts [m/s, rad/s]. `impulse`, (n,), is the sum of the magnitudes of the impulses on each
+    body [N s].
     """
 
     struck: Booleans

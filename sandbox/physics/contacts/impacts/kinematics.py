@@ -9,12 +9,8 @@ from sandbox.physics.engine.batch import Integers
 def point_velocity(rate: Array, arm: Array) -> Array:
     """Return v + ω × r of points of bodies, or the same of accelerations: (..., 2) [m/s].
 
-    Parameters
-    ----------
-    rate
-        (..., 3), the velocities of the bodies [m/s, rad/s].
-    arm
-        (..., 2), the lever arms from their centres to the points [m].
+    `rate`, (..., 3), are the velocities of the bodies [m/s, rad/s], and `arm`, (..., 2), the lever
+    arms from their centres to the points [m].
     """
     across = np.empty(arm.shape)
     np.negative(arm[..., 1], out=across[..., 0])
@@ -26,12 +22,8 @@ def point_velocity(rate: Array, arm: Array) -> Array:
 def pair_jacobian(arm: Array, way: Array) -> Array:
     """Return the Jacobian of the relative velocity of two bodies along a direction: (k, 2, 3).
 
-    Parameters
-    ----------
-    arm
-        (k, 2, 2), the lever arms from the centre of each body to the contact point [m].
-    way
-        (k, 2), unit vectors: the normals or the tangents.
+    `arm`, (k, 2, 2), are the lever arms from the centre of each body to the contact point [m];
+    `way`, (k, 2), are unit vectors: the normals or the tangents.
     """
     jacobian = np.empty((len(way), 2, 3))
     jacobian[:, :, :2] = way[:, None]

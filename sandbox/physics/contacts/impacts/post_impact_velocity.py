@@ -37,22 +37,10 @@ def impacts(
     floor to the next. Friction and strings after the impact are left out: the velocity has an error
     of half a step of their effect.
 
-    Parameters
-    ----------
-    contacts
-        The contacts of the step.
-    solid
-        (s, 2), pairs of bodies that are welded together.
-    place
-        (n, 3), the positions of the bodies [m, rad].
-    before, after
-        (n, 3), the velocities half a step before and after [m/s, rad/s].
-    smooth
-        (n, 3), the accelerations by gravity and force laws [m/s², rad/s²].
-    mass
-        (n,), 0 for immovable bodies [kg].
-    dt
-        The time step [s].
+    `solid`, (s, 2), are pairs of bodies that are welded together. `place`, (n, 3), are the
+    positions of the bodies [m, rad], `before` and `after`, (n, 3), the velocities half a step
+    before and after [m/s, rad/s], and `smooth`, (n, 3), the accelerations by gravity and force
+    laws [m/s², rad/s²]. `mass`, (n,), is 0 for immovable bodies [kg]; `dt` is the time step [s].
     """
     arms = touching(contacts, place)
     gain, parting, meeting = rates_apart(contacts, arms, np.stack((smooth, after, before)))
@@ -79,16 +67,10 @@ def touching(contacts: Contacts, place: Array) -> Array:
 
 
 def rates_apart(contacts: Contacts, arms: Array, rate: Array) -> Array:
-    """Return the rates of separation at contact points: (..., k, 2).
+    """Return the rates of separation at the points of k contacts: (..., k, 2).
 
-    Parameters
-    ----------
-    contacts
-        The k contacts.
-    arms
-        (k, 2, 2, 2), the lever arms from `touching` [m].
-    rate
-        (..., n, 3), the velocities, or accelerations, of the bodies [m/s, rad/s].
+    `arms`, (k, 2, 2, 2), are the lever arms from `touching` [m]; `rate`, (..., n, 3), are the
+    velocities, or accelerations, of the bodies [m/s, rad/s].
     """
     moves = point_velocity(rate[..., contacts.bodies, :][..., None, :, :], arms)
     apart = moves[..., 1, :] - moves[..., 0, :]
@@ -101,16 +83,9 @@ def reached(
 ) -> Booleans:
     """Return the bodies connected to struck pairs, directly or through movable bodies: (n,).
 
-    Parameters
-    ----------
-    bodies
-        (k, 2), the pairs that touch.
-    struck
-        (k,), the struck pairs.
-    moving
-        (n,), the bodies that can move.
-    linked
-        (m, 2), pairs that are connected without a contact.
+    `bodies`, (k, 2), are the pairs that touch, and `struck`, (k,), tells which of them are struck;
+    `moving`, (n,), tells which bodies can move. `linked`, (m, 2), are pairs that are connected
+    without a contact.
     """
     pairs = np.concatenate((bodies, linked))
     pairs = pairs[moving[pairs].all(axis=1)]

@@ -30,16 +30,9 @@ fixed share of them."""
 class Sequence:
     """Finds and solves the impacts of a step, one after the other; n bodies.
 
-    Parameters
-    ----------
-    batch
-        Reads and writes the bodies.
-    restitution
-        (n, n), the coefficients of restitution of the pairs.
-    inverse_mass
-        (n, 3), the inverses of masses, masses and moments of inertia [1/kg, 1/(kg m²)].
-    dt
-        The time step [s].
+    `batch` reads and writes the bodies, and `restitution`, (n, n), are the coefficients of
+    restitution of the pairs. `inverse_mass`, (n, 3), has the inverses of masses, masses and moments
+    of inertia [1/kg, 1/(kg m²)]; `dt` is the time step [s].
     """
 
     def __init__(self, batch: Batch, restitution: Array, inverse_mass: Array, dt: float) -> None:
@@ -57,18 +50,10 @@ class Sequence:
     def collide(self, smooth: Array, *, start: bool) -> None:
         """Let touching bodies that approach collide, and change their velocities.
 
-        Parameters
-        ----------
-        smooth
-            (n, 3), the accelerations by gravity and force laws at the step [m/s², rad/s²].
-        start
-            Whether this is the first kick, of half a step, which begins with the velocities at its
-            time.
-
-        Raises
-        ------
-        EndlessImpacts
-            If elastic bodies collide more often than can be followed.
+        `smooth`, (n, 3), are the accelerations by gravity and force laws at the
+        step [m/s², rad/s²]. `start` tells whether this is the first kick, of half a step, which
+        begins with the velocities at its time. Raises `EndlessImpacts` if elastic bodies collide
+        more often than can be followed.
         """
         state = self._batch.state()
         velocity = begins = state[:, 3:]
@@ -143,14 +128,9 @@ def _held(ended: Array, begun: Array, lasted: float, smooth: Array) -> Array:
 class _Points(NamedTuple):
     """The k contact points of pairs.
 
-    Attributes
-    ----------
-    bodies
-        (k, 2), the bodies of each point.
-    jacobian
-        (k, 2, 3), the Jacobian of the separation rate, for the velocities of the two bodies.
-    partner
-        (k,), the other contact point of the same two sides; −1 if there is none.
+    `bodies`, (k, 2), are those of each point; `jacobian`, (k, 2, 3), is that of the separation
+    rate, for the velocities of the two bodies. `partner`, (k,), is the other contact point of the
+    same two sides; −1 if there is none.
     """
 
     bodies: Integers
@@ -170,14 +150,9 @@ class _Points(NamedTuple):
 class _Places(NamedTuple):
     """The indices of contact points; without rotation, one point of a side represents both.
 
-    Attributes
-    ----------
-    pairs, touches
-        The bodies of the contacts, and their numbers of contact points; see `Contacts`.
-    pair, which
-        (k,), the contact of each point, and the index of the point in it.
-    bodies, partner
-        (k, 2) and (k,), as in `_Points`.
+    `pairs` and `touches` are the bodies of the contacts, and their numbers of contact points; see
+    `Contacts`. `pair` and `which`, (k,), are the contact of each point, and the index of the point
+    in it; `bodies`, (k, 2), and `partner`, (k,), are as in `_Points`.
     """
 
     pairs: Integers
@@ -217,12 +192,7 @@ def _allowed(points: _Points, gives: Array) -> Array:
     last kick, if that is larger. The latter is bounded by the forces of the kick before: anything
     beyond is a jerk, and does not count.
 
-    Parameters
-    ----------
-    points
-        The contact points.
-    gives
-        (3, n, 3), these three accelerations as changes of velocity in a step [m/s, rad/s].
+    `gives`, (3, n, 3), are these three accelerations as changes of velocity in a step [m/s, rad/s].
     """
     both = points.jacobian, gives[2, points.bodies]
     sizes = [np.sqrt(np.add.reduce(a * a, axis=2)) for a in both]

@@ -58,23 +58,11 @@ TINY = 1e-300
 class Pile:
     """A pile of k contacts, whose impacts affect each other.
 
-    Parameters
-    ----------
-    delassus
-        (k, k), the separation rate of each contact by a unit impulse on each [1/kg].
-    parting
-        (k,), the separation rates [m/s].
-    allowed
-        (k,), the approach velocity that counts as zero [m/s].
-    restitution
-        (k,), the coefficients of restitution.
-    partner
-        (k,), the other contact point of the same two sides; −1 if there is none.
-
-    Attributes
-    ----------
-    met
-        The contacts of each impact, in turn.
+    `delassus`, (k, k), is the separation rate of each contact by a unit impulse on each [1/kg].
+    `parting`, (k,), are the separation rates, `allowed`, (k,), is the approach velocity that counts
+    as zero [m/s], and `restitution`, (k,), are the coefficients of restitution. `partner`, (k,), is
+    the other contact point of the same two sides; −1 if there is none. `met` has the contacts of
+    each impact, in turn.
     """
 
     def __init__(
@@ -93,10 +81,8 @@ class Pile:
     def settle(self, bodies: Integers) -> Array:
         """Return the impulses after which no contact approaches: (k,) [N s].
 
-        Raises
-        ------
-        EndlessImpacts
-            If elastic bodies are wedged in, or collide more often than can be followed.
+        Raises `EndlessImpacts` if elastic bodies are wedged in, or collide more often than can be
+        followed.
         """
         count = len(bodies)
         if not self._restitution.any():

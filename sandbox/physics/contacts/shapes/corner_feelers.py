@@ -23,18 +23,8 @@ share of the shape's length, or of the radius of an arc."""
 class Made(NamedTuple):
     """A body with contact shapes.
 
-    Attributes
-    ----------
-    row
-        Its index.
-    spec
-        The body's description in the level.
-    body
-        The body in pymunk.
-    shapes
-        Its contact shapes.
-    points
-        The corners of its shape, relative to it [m].
+    `row` is its index, `spec` its description in the level, and `body` the body in pymunk; `points`
+    are the corners of its shape, relative to it [m].
     """
 
     row: int

@@ -22,14 +22,7 @@ NEAR = 1e-4
 class Enclosures:
     """Excludes contacts between bodies that hoops separate.
 
-    Parameters
-    ----------
-    space
-        The space of the bodies.
-    made
-        The bodies with contact shapes.
-    lines
-        The lines of the hollow ones.
+    `made` are the bodies with contact shapes, and `lines` the lines of the hollow ones.
     """
 
     def __init__(

@@ -33,23 +33,10 @@ SLOWEST = 1e-12
 class Hollows:
     """The arcs and curves of a scene, and the hoops that may contain bodies.
 
-    Parameters
-    ----------
-    pairs
-        The pairs of bodies whose contacts may differ from pymunk's: their names, in order, and
-        their indices.
-    drift
-        The length of the drift after a kick [s]; None if bodies need not follow arcs more exactly
-        than with pymunk.
-    enclosures
-        Excludes contacts between bodies that hoops separate.
-
-    Attributes
-    ----------
-    pairs, rows
-        The names of these pairs, and their indices.
-    enclosures
-        As above.
+    `pairs` are the pairs of bodies whose contacts may differ from pymunk's, by name, in order, and
+    `rows` are their indices. `drift` is the length of the drift after a kick [s]; None if bodies
+    need not follow arcs more exactly than with pymunk. `enclosures` excludes contacts between
+    bodies that hoops separate.
     """
 
     def __init__(

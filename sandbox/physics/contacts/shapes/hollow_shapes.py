@@ -44,23 +44,10 @@ def make_hollow(
 ) -> Hollows | None:
     """Make the contacts of hollow bodies; None if the level has none.
 
-    Parameters
-    ----------
-    space
-        The space, with all shapes in it.
-    level, values
-        The level and the parameters that the shapes were made from.
-    shapes
-        The shapes of all bodies, in the level's order.
-    skin
-        The thickness of the contact skin on flat surfaces [m].
-    drift
-        See `Hollows`.
-
-    Raises
-    ------
-    SimulationError
-        If a body starts in a hoop that can only be touched from outside.
+    All shapes, in the level's order, are in the space already, and were made from `level` and
+    `values`. `skin` is the thickness of the contact skin on flat surfaces [m]; for `drift` see
+    `Hollows`. Raises `SimulationError` if a body starts in a hoop that can only be touched from
+    outside.
     """
     hollow = ArcShape | Hoop | CurveShape
     if not any(isinstance(body.shape, hollow) for body in level.bodies.values()):
@@ -158,14 +145,8 @@ def _refuse_within(name: str, hollow: Made, radius: float, other: str, body: Mad
 def line_of(row: int, spec: Body, values: Values, skin: float) -> Arc | Course:
     """Return the line of an arc, a hoop or a curve, along the axes of its body.
 
-    Parameters
-    ----------
-    row, spec
-        The body's index, and its description in the level.
-    values
-        The values of the parameters.
-    skin
-        The thickness of the contact skin [m].
+    `row` and `spec` are the body's index, and its description in the level; `skin` is the thickness
+    of the contact skin [m].
     """
     shape = spec.shape
     if isinstance(shape, CurveShape):

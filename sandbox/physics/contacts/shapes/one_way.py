@@ -57,21 +57,9 @@ class _Part(NamedTuple):
 class Gates:
     """The one-way surfaces of a scene; n bodies.
 
-    Parameters
-    ----------
-    level, values
-        The level and the parameters of the scene.
-    bodies
-        The bodies in pymunk, with all their shapes.
-    skin
-        The thickness of the contact skin [m].
-
-    Attributes
-    ----------
-    pairs
-        The pairs of such a surface and a body that may touch it: their names, in order.
-    reversed
-        The surfaces that are reversed compared with the start.
+    `bodies` are those in pymunk, with all their shapes; `skin` is the thickness of the contact
+    skin [m]. `pairs` are those of such a surface and a body that may touch it: their names, in
+    order. `reversed` are the surfaces that are reversed compared with the start.
     """
 
     def __init__(
@@ -120,10 +108,7 @@ class Gates:
     def admit(self, arbiter: pymunk.Arbiter, *, accept: bool) -> bool:
         """Return whether a contact that pymunk has found is valid, and remove it if not.
 
-        Parameters
-        ----------
-        accept
-            Whether to accept a valid contact in pymunk, unless that was done elsewhere.
+        `accept` tells whether to accept a valid contact in pymunk, unless that was done elsewhere.
         """
         meeting = Meeting(arbiter)
         one, other = (self._rows[shape] for shape in meeting.shapes)

@@ -15,14 +15,9 @@ from sandbox.physics.contacts.direct.complementarity.constraint_rows import Acti
 class Found(NamedTuple):
     """What an active set leads to; m rows.
 
-    Attributes
-    ----------
-    on
-        (m,), the active rows.
-    impulse, rate
-        (m,) each, scaled to inverse masses of the rows near one.
-    close, still
-        Their rounding errors: of any impulse, and of each rate, (m,).
+    `on`, (m,), tells which rows are active. Impulses and rates, (m,), are scaled to inverse masses
+    of the rows near one; `close` and `still` are their rounding errors: of any impulse, and of each
+    rate, (m,).
     """
 
     on: list[bool]
@@ -41,14 +36,8 @@ class Found(NamedTuple):
     ) -> Active | None:
         """Return a better active set; None if this one is right.
 
-        Parameters
-        ----------
-        active
-            This one.
-        pushing, friction
-            The rows with a non-negative impulse, and those of friction.
-        size
-            (m,), the factors by which impulses are scaled.
+        `active` is this one; `pushing` and `friction` are the rows with a non-negative impulse, and
+        those of friction. `size`, (m,), has the factors by which impulses are scaled.
         """
         before: list[int] = active.slip.tolist()
         on, slip = self._bearing(pushing), before.copy()

@@ -15,14 +15,9 @@ from sandbox.physics.engine.batch import Booleans, Integers
 class Friction:
     """The rows of friction, whose impulses are bounded; f of them.
 
-    Attributes
-    ----------
-    row
-        (f,), which rows.
-    contact
-        (2, f), the contact rows whose impulses, added up, bound them; −1 for none.
-    sticks, slips
-        (f,), the coefficients of static and of kinetic friction.
+    `row`, (f,), has the indices of the rows, and `contact`, (2, f), those of the contact rows whose
+    impulses, added up, bound them; −1 for none. `sticks` and `slips`, (f,), are the coefficients of
+    static and of kinetic friction.
     """
 
     row: Integers
@@ -59,12 +54,8 @@ NO_FRICTION = Friction(
 class Active(NamedTuple):
     """The active rows; m rows, f of friction.
 
-    Attributes
-    ----------
-    on
-        (m,), the rows whose rate is kept at zero.
-    slip
-        (f,), the sign of friction impulses that are at their bound; 0 for others.
+    `on`, (m,), tells which rows' rate is kept at zero; `slip`, (f,), is the sign of friction
+    impulses that are at their bound, and 0 for others.
     """
 
     on: Booleans
@@ -83,17 +74,11 @@ class Active(NamedTuple):
 class Problem(NamedTuple):
     """The kinds of the rows; m of them.
 
-    Attributes
-    ----------
-    free
-        (m,), rows with an impulse of any sign and size: joints.
-    pushes
-        (m,), rows with a non-negative impulse: contacts, ropes.
-    friction
-        All other rows.
-    alike
-        (m,), rows with the same number are scaled alike: those of one joint, so that the result
-        does not depend on the directions of its axes. If left out, each row is scaled by itself.
+    Rows in `free`, (m,), have an impulse of any sign and size: joints. Those in `pushes`, (m,),
+    have a non-negative one: contacts, ropes. All other rows are friction.
+
+    Rows with the same number in `alike`, (m,), are scaled alike: those of one joint, so that the
+    result does not depend on the directions of its axes. If left out, each row is scaled by itself.
     """
 
     free: Booleans

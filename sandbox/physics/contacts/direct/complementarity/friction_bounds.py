@@ -12,17 +12,7 @@ from sandbox.physics.engine.batch import Integers
 class FrictionBounds:
     """The bounds of friction in scaled rows; m rows, f of friction.
 
-    Parameters
-    ----------
-    friction
-        The rows of friction.
-    size
-        (m,), the factors by which impulses are scaled.
-
-    Attributes
-    ----------
-    sizes
-        These factors as plain numbers.
+    `size`, (m,), has the factors by which impulses are scaled; `sizes` has them as plain numbers.
     """
 
     def __init__(self, friction: Friction, size: Array) -> None:

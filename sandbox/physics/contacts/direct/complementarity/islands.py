@@ -10,12 +10,8 @@ from sandbox.physics.engine.batch import Booleans, Integers
 def islands(bodies: Sequence[Integers], moves: Booleans) -> list[Integers]:
     """Return the rows of each island, in ascending order; m rows, n bodies.
 
-    Parameters
-    ----------
-    bodies
-        Those that each of the m rows is about; −1, or the number n, is the plane.
-    moves
-        (n,), which of them anything can move: what nothing moves passes nothing on.
+    `bodies` are those that each row is about; −1, or the number n, is the plane. `moves`, (n,),
+    tells which of them anything can move: what nothing moves passes nothing on.
     """
     owner = list(range(len(moves)))
 

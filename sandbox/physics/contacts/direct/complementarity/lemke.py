@@ -35,13 +35,7 @@ BLOCK = 32
 
 
 def lemke(matrix: Array, offset: Array) -> Array | None:
-    """Return z, (n,); None if none is found.
-
-    Parameters
-    ----------
-    matrix, offset
-        (n, n) and (n,), M and q above.
-    """
+    """Return z, (n,), for M, (n, n), and q, (n,), as above; None if none is found."""
     count = len(offset)
     if not count or offset.min() >= 0:
         return np.zeros(count)

@@ -19,14 +19,9 @@ def by_lemke(
 ) -> Array | None:
     """Return impulses, (m,), that satisfy the rows approximately; None if none are found.
 
-    Parameters
-    ----------
-    delassus, rate
-        (m, m) and (m,), as of `complementarity.solve`, with each row's own inverse mass near one.
-    bounds
-        (f, m), the size of sliding friction as a matrix of the impulses.
-    soft
-        The compliance that is added to each row's own inverse mass.
+    `delassus`, (m, m), and `rate`, (m,), are as of `mixed_complementarity.solve`, with each row's
+    own inverse mass near one. `bounds`, (f, m), is the size of sliding friction as a matrix of the
+    impulses; `soft` is the compliance that is added to each row's own inverse mass.
     """
     free, pushes, row = (
         np.flatnonzero(problem.free),
@@ -55,12 +50,7 @@ def by_lemke(
 def _pushes(matrix: Array, rate: Array, bounds: Array) -> Array | None:
     """Return the impulses of c contacts and f rows of friction without joints: (c + f,).
 
-    Parameters
-    ----------
-    matrix, rate
-        (c + f, c + f) and (c + f,), as above.
-    bounds
-        (f, c), as above.
+    The arguments are as above: (c + f, c + f), (c + f,) and (f, c).
     """
     rubs, count = bounds.shape
     way = np.column_stack((np.eye(count + rubs), -np.eye(count + rubs)[:, count:]))

@@ -74,23 +74,10 @@ def solve(
 ) -> tuple[Array, Active]:
     """Return the impulses, (m,) [N s or N m s], and the active rows.
 
-    Parameters
-    ----------
-    delassus
-        (m, m), A above [1/kg or 1/(kg m²)].
-    rate
-        (m,), w above: the rates without impulses [m/s or rad/s].
-    guess
-        The active rows to begin with.
-    blur
-        The rounding error of the rates [m/s, rad/s].
-    lets
-        How far redundant rows may contradict each other, besides `CONTRADICTS` [m/s, rad/s].
-
-    Raises
-    ------
-    Unsolvable
-        If no impulses satisfy the rows.
+    `delassus`, (m, m), is A above [1/kg or 1/(kg m²)], and `rate`, (m,), is w: the rates without
+    impulses [m/s or rad/s]. `guess` has the active rows to begin with, `blur` is the rounding error
+    of the rates, and `lets` is how far redundant rows may contradict each other, besides
+    `CONTRADICTS` [m/s, rad/s]. Raises `Unsolvable` if no impulses satisfy the rows.
     """
     size = _sizes(delassus, problem.alike)
     own = delassus / (size[:, None] * size)
@@ -102,10 +89,7 @@ def solve(
 def solve_one(delassus: float, rate: float, blur: float, lets: float) -> float:
     """Return the impulse of a single row of a joint [N s or N m s]; for the parameters see `solve`.
 
-    Raises
-    ------
-    Unsolvable
-        If no impulse satisfies the row.
+    Raises `Unsolvable` if no impulse satisfies the row.
     """
     size = sqrt(delassus) if delassus > 0 else 1.0
     own, rate = delassus / (size * size), rate / size

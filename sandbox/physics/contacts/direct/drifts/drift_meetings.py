@@ -36,14 +36,8 @@ TOGETHER = 1e-9
 class Ahead(NamedTuple):
     """What may meet, or pass the end of its support, in a drift.
 
-    Attributes
-    ----------
-    pairs
-        The pairs of bodies that do not touch, and may land.
-    corners
-        The corners that may land on a side of a body which theirs already touches.
-    passing
-        The contacts that may pass the end of a side.
+    `pairs` are those of bodies that do not touch, and may land; `corners` may land on a side of a
+    body which theirs already touches. `passing` are the contacts that may pass the end of a side.
     """
 
     pairs: Sequence[Pair]
@@ -54,20 +48,11 @@ class Ahead(NamedTuple):
 class Met(NamedTuple):
     """The first landing of a drift, or the first contacts that pass the end of a side.
 
-    Attributes
-    ----------
-    time
-        The time after the start of the drift [s].
-    hits
-        The impacts of bodies that did not touch before.
-    corners
-        The corners that land on a side of a body which theirs already touches.
-    passing
-        The contacts that pass the end of a side, if nothing lands.
-    coming
-        All pairs of bodies that meet in the drift, these and those that follow.
-    falling
-        The pairs of which a corner lands in the drift.
+    `time` is since the start of the drift [s]. `hits` are the impacts of bodies that did not touch
+    before; `corners` land on a side of a body which theirs already touches; `passing` are the
+    contacts that pass the end of a side, if nothing lands. `coming` are all pairs of bodies that
+    meet in the drift, these and those that follow, and `falling` those of which a corner lands in
+    it.
     """
 
     time: float
@@ -92,12 +77,8 @@ class Met(NamedTuple):
 class Meetings:
     """Finds what meets first in a drift; N bodies with the plane.
 
-    Parameters
-    ----------
-    speculative
-        Knows the bodies.
-    laws
-        (3 N,), the accelerations by gravity and force laws [m/s², rad/s²].
+    `speculative` knows the bodies; `laws`, (3 N,), are the accelerations by gravity and force
+    laws [m/s², rad/s²].
     """
 
     def __init__(self, speculative: SpeculativeContacts, laws: Array) -> None:
@@ -152,16 +133,9 @@ class Meetings:
         These carry them on. What approaches faster than laws in the rest of the drift explain is
         left to land.
 
-        Parameters
-        ----------
-        ended
-            The part of the drift up to there, with the kick there.
-        begun
-            (3 N,), the velocities there [m/s, rad/s].
-        met
-            What passes.
-        pairs
-            The pairs of bodies to consider, which did not touch before.
+        `ended` is the part of the drift up to there, with the kick there, `begun`, (3 N,), are the
+        velocities there [m/s, rad/s], and `met` is what passes. `pairs` are the bodies to consider,
+        which did not touch before.
         """
         look, place = self._speculative, ended.kick.place
         guests = {one.bodies[1] for one in met.passing}
@@ -177,14 +151,8 @@ class Meetings:
         """Return the contacts of bodies that already overlap where a part of a drift ends.
 
         They came together a little before what ends the part, and more slowly than forces in the
-        rest of the drift explain: nothing would stop them. Those that are faster land.
-
-        Parameters
-        ----------
-        ended
-            The part.
-        pairs
-            The pairs of bodies to consider, which did not touch before.
+        rest of the drift explain: nothing would stop them. Those that are faster land. `pairs` are
+        the bodies to consider, which did not touch before.
         """
         look, place, total = self._speculative, ended.end, self._laws + ended.pulls
         path = Path(*(rates[self._order] for rates in (place.values, ended.moved, total)))

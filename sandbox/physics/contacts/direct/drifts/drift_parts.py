@@ -131,16 +131,9 @@ class Landed:
     after it with the forces of its last part. The excess of both is taken back at the two ends of
     the drift. Bodies that take no part in the landings go on as they were.
 
-    Parameters
-    ----------
-    whole, parts
-        The drift without landings, and its parts with them.
-    laws
-        (3 N,), the accelerations by gravity and force laws [m/s², rad/s²].
-    reached
-        (n,), which bodies take part in the landings.
-    start
-        (n, 3), the positions at its start [m, rad].
+    `whole` and `parts` are the drift without landings, and its parts with them. `laws`, (3 N,), are
+    the accelerations by gravity and force laws [m/s², rad/s²]. `reached`, (n,), tells which bodies
+    take part in the landings; `start`, (n, 3), are the positions at its start [m, rad].
     """
 
     whole: Part

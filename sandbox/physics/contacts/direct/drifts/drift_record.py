@@ -12,22 +12,11 @@ from sandbox.physics.engine.batch import NO_CONTACTS, Contacts
 class Drifts:
     """Records the drifts before and after a kick; n bodies.
 
-    Attributes
-    ----------
-    kicked
-        (n, 3), the velocities after the kick, if the drift after it is taken in parts; else None
-        [m/s, rad/s].
-    divided
-        The drift after the kick, if it is taken in parts; else None.
-    drifted
-        The same for the drift before it.
-    led
-        (n, 3), the mean velocities in `drifted`, if that was taken in parts; else None [m/s,
-        rad/s].
-    parted
-        The contacts of its landings that had parted at its end, without impulses.
-    landings
-        What collided in its landings.
+    If the drift after the kick is taken in parts, `divided` is that drift, and `kicked`, (n, 3),
+    are the velocities after the kick [m/s, rad/s]; else both are None. In the same way, `drifted`
+    is the drift before the kick, and `led`, (n, 3), are the mean velocities in it [m/s, rad/s].
+    `parted` are the contacts of its landings that had parted at its end, without impulses;
+    `landings` tells what collided in them.
     """
 
     def __init__(self, count: int) -> None:

@@ -29,14 +29,8 @@ where positions cannot be."""
 class Between(NamedTuple):
     """A kick between two parts of a drift; n bodies, m equations of joints.
 
-    Attributes
-    ----------
-    place
-        (n, 3), the positions there [m, rad].
-    jacobian
-        (m, n, 3), the Jacobian of the joints' equations there.
-    stage
-        The kick.
+    `place`, (n, 3), are the positions there [m, rad], `jacobian`, (m, n, 3), is that of the joints'
+    equations there, and `stage` is the kick.
     """
 
     place: Array
@@ -80,16 +74,8 @@ class Divided(NamedTuple):
 class Inner(NamedTuple):
     """A solved kick between two parts of a drift; r rows, N bodies with the plane.
 
-    Attributes
-    ----------
-    kick
-        Its system.
-    lasts
-        Its length [s].
-    impulse
-        (r,), its impulses.
-    moved
-        (3 N,), the velocities after it [m/s, rad/s].
+    `kick` is its system, and `lasts` its length [s]. `impulse`, (r,), are its impulses, and
+    `moved`, (3 N,), the velocities after it [m/s, rad/s].
     """
 
     kick: Kick
@@ -100,12 +86,9 @@ class Inner(NamedTuple):
     def seen(self, start: Array, origin: Array, order: Integers) -> Between:
         """Return it for the rest of the step.
 
-        Parameters
-        ----------
-        start, origin
-            The positions at the start of the drift, (n, 3), and as coordinates, (3 N,) [m, rad].
-        order
-            (n, 3), the indices of the coordinates of each body.
+        `start`, (n, 3), and `origin`, (3 N,), are the positions at the start of the drift, by
+        bodies and as coordinates [m, rad]; `order`, (n, 3), has the indices of the coordinates of
+        each body.
         """
         kick = self.kick
         place = start + (kick.place.values - origin)[order]
@@ -117,18 +100,9 @@ class Inner(NamedTuple):
 class Through(NamedTuple):
     """A solved drift in parts; r rows, N bodies with the plane.
 
-    Attributes
-    ----------
-    first
-        The kick before it.
-    inner
-        The kicks in it.
-    acceleration
-        (3 N,), by gravity and force laws in all of them [m/s², rad/s²].
-    missing
-        See `Divided`.
-    way
-        (3 N,), the displacement [m, rad].
+    `first` is the kick before it, shorter than a whole one by the time `missing` [s]; `inner` are
+    the kicks in it. The acceleration, (3 N,), is that by gravity and force laws in all of
+    them [m/s², rad/s²]; `way`, (3 N,), is the displacement [m, rad].
     """
 
     first: Taken
@@ -167,21 +141,10 @@ class Through(NamedTuple):
 def through(kick: Kick, acceleration: Array, until: float, take: Callable[..., Taken]) -> Through:
     """Return the drift after a kick of a step, in parts.
 
-    Parameters
-    ----------
-    kick
-        The kick, whose system has no solution for the whole drift.
-    acceleration
-        (3 N,), by gravity and force laws [m/s², rad/s²].
-    until
-        The time at the end of the drift [s].
-    take
-        Takes a kick, whose length its joints know; for `placed` see `hold`.
-
-    Raises
-    ------
-    JointFailure, NoForces
-        If there is no solution in any number of parts.
+    The system of `kick` has no solution for the whole drift, which ends at the time `until` [s].
+    `acceleration`, (3 N,), is that by gravity and force laws [m/s², rad/s²]. `take` takes a kick,
+    whose length its joints know; for `placed` see `hold`. Raises `JointFailure` or `NoForces` if
+    there is no solution in any number of parts.
     """
     joints, whole = kick.joints, kick.joints.drift
     lost: JointFailure | NoForces | None = None

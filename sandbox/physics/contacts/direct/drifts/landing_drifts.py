@@ -72,14 +72,8 @@ class Landings:
     at the time `until` [s]. `driven` tells whether running surfaces or kinematic bodies may add
     energy, and `stopped`, (n,), which bodies are in crowds that were stopped: they do not land.
 
-    Attributes
-    ----------
-    reached
-        (n,), which bodies take part in landings.
-    crowd
-        (n,), which bodies are in a crowd: then nothing is located.
-    record
-        What collided in them, and how hard.
+    `reached`, (n,), tells which bodies take part in landings, and `crowd`, (n,), which are in a
+    crowd: then nothing is located. `record` has what collided in them, and how hard.
     """
 
     def __init__(

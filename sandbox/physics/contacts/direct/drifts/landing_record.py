@@ -11,15 +11,7 @@ from sandbox.physics.engine.batch import NO_CONTACTS, Contacts, Integers
 
 
 class Struck(NamedTuple):
-    """Two bodies that collided within a drift.
-
-    Attributes
-    ----------
-    bodies
-        Their indices.
-    time
-        The time since the step before [s].
-    """
+    """Two bodies that collided within a drift, and the time of that since the step before [s]."""
 
     bodies: Pair
     time: float
@@ -28,16 +20,9 @@ class Struck(NamedTuple):
 class LandingRecord:
     """Records the landings of a drift; n bodies.
 
-    Attributes
-    ----------
-    pushed
-        (n,), the sums of the sizes of their impulses on each body [N s].
-    met
-        The contacts that take part in them, without impulses.
-    struck
-        Who collided in them, in turn.
-    given
-        Their normal impulses, by pair, in turn [N s].
+    `pushed`, (n,), are the sums of the sizes of their impulses on each body [N s], and `met` are
+    the contacts that take part in them, without impulses. `struck` tells who collided in them, in
+    turn; `given` has their normal impulses by pair, in turn [N s].
     """
 
     def __init__(self, count: int) -> None:
@@ -47,18 +32,10 @@ class LandingRecord:
         self.given: dict[Pair, float] = {}
 
     def note(self, pairs: Sequence[Pair], time: float, pushed: Contacts, landed: Integers) -> None:
-        """Note a landing.
+        """Note a landing, of pairs that collided at a time since the start of the drift [s].
 
-        Parameters
-        ----------
-        pairs
-            Who collided.
-        time
-            The time since the start of the drift [s].
-        pushed
-            All contacts, with the impulses of the landing.
-        landed
-            Which of them have landed.
+        `pushed` are all contacts, with the impulses of the landing; `landed` tells which of them
+        have landed.
         """
         self.struck += (Struck(pair, time) for pair in pairs)
         self.given |= {pair: self.given.get(pair, 0.0) for pair in pairs}

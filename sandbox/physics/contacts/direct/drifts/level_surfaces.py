@@ -38,12 +38,7 @@ Shapes = Callable[[int], Sequence[Outline]]
 class _Ground(NamedTuple):
     """A point of the surface on which a body lies that meets another one.
 
-    Attributes
-    ----------
-    normal
-        The unit normal, towards the body on it.
-    point
-        The point [m].
+    The unit normal points towards the body on it; the point is in the plane [m].
     """
 
     normal: complex
@@ -53,14 +48,8 @@ class _Ground(NamedTuple):
 def carries_on(part: Part, path: Path, hit: Hit, shapes: Shapes) -> bool:
     """Return whether a body only comes onto what carries on the surface on which it lies.
 
-    Parameters
-    ----------
-    part, path
-        A part of a drift, and the motion in it.
-    hit
-        What that meets.
-    shapes
-        Returns the outlines of bodies other than curves.
+    `part` and `path` are a part of a drift, and the motion in it; `hit` is what that meets.
+    `shapes` returns the outlines of bodies other than curves.
     """
     bodies, gaps = part.kick.layout.touching.bodies, part.kick.layout.gaps
     bears = {frozenset(pair) for pair in bodies[:, part.forces[gaps] > 0].T.tolist()}

@@ -58,16 +58,9 @@ def until_it_stops(
 ) -> Part | None:
     """Return a part of a drift up to where the first of some slips ends; None if none does.
 
-    Parameters
-    ----------
-    part
-        The part with the kick before it.
-    ends
-        The friction that may end a slip; see `slip_ends`.
-    laws
-        See there.
-    shortened
-        Returns the part with a shorter drift [s], with a similar part to begin with.
+    `part` comes with the kick before it, and `ends` is the friction that may end a slip; for this
+    and `laws` see `slip_ends`. `shortened` returns the part with a shorter drift [s], with a
+    similar part to begin with.
     """
     shorter, time, known = part, part.drift, (0.0, 0.0)
     for _ in range(TRIES):

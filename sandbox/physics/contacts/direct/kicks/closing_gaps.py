@@ -43,18 +43,10 @@ def closed(
 ) -> tuple[Some, bool]:
     """Return a kick after which slow corners have come down, and whether another one strikes.
 
-    Parameters
-    ----------
-    solved
-        The kick without these corners.
-    speculative, build
-        Find the corners, and build the system with them.
-    laws
-        (3 N,), the accelerations by gravity and force laws [m/s², rad/s²].
-    again
-        Solves the kick with more rows.
-    locates
-        Whether corners that close faster than forces explain are left to be located in the drift.
+    `solved` is the kick without these corners. `speculative` finds them, `build` builds the system
+    with them, and `again` solves the kick with more rows. `laws`, (3 N,), are the accelerations by
+    gravity and force laws [m/s², rad/s²]. `locates` tells whether corners that close faster than
+    forces explain are left to be located in the drift.
     """
     for _ in range(LOOKS):
         kick = solved.kick

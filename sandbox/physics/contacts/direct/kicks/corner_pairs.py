@@ -24,14 +24,9 @@ REACH = 1e-7
 class Held(NamedTuple):
     """Two corners that meet.
 
-    Attributes
-    ----------
-    points
-        The corners, along the axes of the first body and of the second [m].
-    normal
-        From the first to the second, along the axes of the first.
-    turned
-        The angle of the second relative to the first [rad].
+    The points are along the axes of the first body and of the second [m]. The normal is from the
+    first to the second, along the axes of the first; `turned` is the angle of the second relative
+    to the first [rad].
     """
 
     points: tuple[complex, complex]
@@ -66,12 +61,7 @@ class CornerPairs:
     def steady(self, contacts: Contacts, place: Coordinates, origin: complex) -> Contacts:
         """Return the contacts with the remembered normals of corner pairs.
 
-        Parameters
-        ----------
-        place
-            The positions of the bodies.
-        origin
-            The origin of these positions [m].
+        `place` has the positions of the bodies, and `origin` is the origin of these [m].
         """
         if not self._held:
             return contacts

@@ -21,12 +21,8 @@ class FalseContacts:
     """Removes false contacts.
 
     A pair that did not touch in the step before cannot overlap by more than its bodies have moved
-    since. A new contact that is deeper than that is false.
-
-    Parameters
-    ----------
-    query
-        Finds the contacts of bodies that were moved.
+    since. A new contact that is deeper than that is false. `query` finds the contacts of bodies
+    that were moved.
     """
 
     def __init__(self, query: Query) -> None:
@@ -41,11 +37,8 @@ class FalseContacts:
     def sound(self, contacts: Contacts, moved: Callable[[], tuple[Array, Array]]) -> Contacts:
         """Return the contacts that are real.
 
-        Parameters
-        ----------
-        moved
-            Returns the positions of the bodies, (n, 2) [m], and the sizes of their displacements in
-            the last step, (n, 3) [m, rad].
+        `moved` returns the positions of the bodies, (n, 2) [m], and the sizes of their
+        displacements in the last step, (n, 3) [m, rad].
         """
         if not len(contacts.bodies):
             self._pairs, self._same = set(), None
@@ -65,14 +58,8 @@ class FalseContacts:
     def since(self, contacts: Contacts, state: Array, shift: Array, least: float) -> Contacts:
         """Return contacts with those that a displacement has made; the same object if none.
 
-        Parameters
-        ----------
-        state
-            (n, 6), the state of the bodies now, see `Batch.state`.
-        shift
-            (n, 3), their displacements [m, rad].
-        least
-            The smallest displacement that counts [m, rad].
+        `state`, (n, 6), is the state of the bodies now, see `Batch.state`; `shift`, (n, 3), are
+        their displacements, and `least` is the smallest one that counts [m, rad].
         """
         moved = np.flatnonzero((np.abs(shift) > least).any(axis=1)).tolist()
         found = self._query.more(contacts, moved, least) if moved else contacts

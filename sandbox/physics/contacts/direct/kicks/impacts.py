@@ -28,12 +28,8 @@ HALVINGS = 50
 def struck(kick: Kick, came: Array, acts: Array, change: Array) -> Booleans:
     """Return which gaps close faster than forces within a step explain: (k,).
 
-    Parameters
-    ----------
-    came
-        (3 N,), the velocities at the step [m/s, rad/s].
-    acts, change
-        (3 N,), the velocity changes by forces in a step, and in the last step [m/s, rad/s].
+    `came`, (3 N,), are the velocities at the step; `acts` and `change`, (3 N,), are the velocity
+    changes by forces in a step, and in the last step [m/s, rad/s].
     """
     jacobian = kick.here.jacobian[kick.layout.gaps]
     rates = np.array((came, acts, change)).dot(jacobian.T)
@@ -60,14 +56,9 @@ def come(
 ) -> tuple[Array, Array]:
     """Return the velocities at the step before its impacts, and the impulses up to then.
 
-    Parameters
-    ----------
-    motion
-        (3 N,), the velocities without impulses [m/s, rad/s].
-    strikes
-        (k,), which gaps close.
-    held
-        Which rows held in the kick until there, if it is known; else see `impulses`.
+    `motion`, (3 N,), are the velocities without impulses [m/s, rad/s], and `strikes`, (k,), tells
+    which gaps close. `held` are the rows that held in the kick until there, if they are known; else
+    see `impulses`.
     """
     out = np.zeros(len(kick.response), dtype=bool)
     out[kick.layout.joints] = kick.joints.added
@@ -85,19 +76,8 @@ def bounce(
     1985). Nor do wedged bodies always have impulses that separate them. In these cases the largest
     share of the rebound is taken that adds no energy and has impulses.
 
-    Parameters
-    ----------
-    came
-        (3 N,), the velocities before them [m/s, rad/s].
-    strikes
-        (k,), which gaps close.
-    held
-        Which rows held in the kick until there, if it is known; else see `impulses`.
-
-    Raises
-    ------
-    JointFailure, NoForces
-        If there are no impulses even without a rebound.
+    `came`, (3 N,), are the velocities before them [m/s, rad/s]; for `strikes` and `held` see
+    `come`. Raises `JointFailure` or `NoForces` if there are no impulses even without a rebound.
     """
     if kick.layout.in_sequence:
         impulse, met = _in_sequence(kick, came)
@@ -162,10 +142,7 @@ def _largest(rebound: "_Rebound") -> float:
 class _Rebound:
     """Shares of the rebound after an impact; for the parameters see `bounce`.
 
-    Attributes
-    ----------
-    leaves
-        (r,), minus the rate of each row after the whole rebound [m/s, rad/s].
+    `leaves`, (r,), is minus the rate of each row after the whole rebound [m/s, rad/s].
     """
 
     def __init__(self, kick: Kick, came: Array, strikes: Booleans, held: Active | None) -> None:
@@ -220,16 +197,9 @@ def impulses(
 ) -> Array:
     """Return the impulses with which velocities satisfy all rows that take part: (r,).
 
-    Parameters
-    ----------
-    motion
-        (3 N,), the velocities without them [m/s, rad/s].
-    leaves
-        (r,), minus the rate of each row with them [m/s, rad/s].
-    out
-        (r,), which rows take no part.
-    held
-        A guess which rows hold; None for those that meet, and no friction.
+    `motion`, (3 N,), are the velocities without them; `leaves`, (r,), is minus the rate of each row
+    with them [m/s, rad/s]. `out`, (r,), tells which rows take no part. `held` is a guess which rows
+    hold; None for those that meet, and no friction.
     """
     layout, joints = kick.layout, kick.layout.joints
     rate = kick.here.jacobian @ motion + leaves

@@ -21,27 +21,10 @@ from sandbox.physics.joints.exact.shake import ExactJoints
 class KickBuilder:
     """Builds the system of each kick; n bodies, m equations of joints.
 
-    Parameters
-    ----------
-    batch
-        Reads and writes the bodies.
-    joints
-        The exact joints, if any.
-    surfaces
-        The contact properties of the bodies.
-    moves
-        (n,), whether a body is dynamic.
-    query
-        Finds the contacts of bodies that were moved.
-    known
-        The warm start, for the correction of overlaps.
-
-    Attributes
-    ----------
-    contacts
-        The contacts of the present kick.
-    shift
-        (n, 3), the displacements by the correction of overlaps in this step [m, rad].
+    `batch` reads and writes the bodies, and `query` finds the contacts of those that were moved;
+    `moves`, (n,), tells which are dynamic. `known` is the warm start, for the correction of
+    overlaps. `contacts` are those of the present kick, and `shift`, (n, 3), are the displacements
+    by the correction of overlaps in this step [m, rad].
     """
 
     def __init__(
@@ -68,11 +51,8 @@ class KickBuilder:
     def find_contacts(self, moved: Callable[[], Array]) -> None:
         """Take the contacts that pymunk has found, without the false ones.
 
-        Parameters
-        ----------
-        moved
-            Returns the sizes of the bodies' displacements in the last step, (n, 3) [m, rad]. It is
-            called only if there are new contacts.
+        `moved` returns the sizes of the bodies' displacements in the last step, (n, 3) [m, rad]. It
+        is called only if there are new contacts.
         """
         shift = self.shift
         self.contacts = self._false.sound(
@@ -112,10 +92,7 @@ class KickBuilder:
     def look(self, leaving: Array) -> Kick:
         """Return the system at the present positions, after the correction of overlaps.
 
-        Parameters
-        ----------
-        leaving
-            (3 N,), the displacements of the next step without forces [m, rad].
+        `leaving`, (3 N,), are the displacements of the next step without forces [m, rad].
         """
         place, _ = self._joints.coordinates()
         kick = self.at(place)

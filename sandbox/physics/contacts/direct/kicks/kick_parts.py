@@ -15,16 +15,9 @@ from sandbox.physics.joints.exact.constraints import Coordinates
 class Stage(NamedTuple):
     """A stage of a kick with impacts: before them, the impacts themselves, or after them.
 
-    Attributes
-    ----------
-    lasts
-        Its length; 0 for the impacts [s].
-    velocity
-        (n, 3), the velocities at its end [m/s, rad/s].
-    pulls
-        (m,), the impulses of the equations of the joints; positive where they pull.
-    contacts
-        The contacts with their impulses.
+    `lasts` is its length, 0 for the impacts [s], and `velocity`, (n, 3), are the velocities at its
+    end [m/s, rad/s]. `pulls`, (m,), are the impulses of the equations of the joints, positive where
+    they pull; the contacts come with their impulses.
     """
 
     lasts: float

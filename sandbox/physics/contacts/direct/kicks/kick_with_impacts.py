@@ -16,20 +16,10 @@ from sandbox.physics.joints.exact.constraints import order
 class Beginning(NamedTuple):
     """The state and the forces at the beginning of a kick; N bodies with the plane.
 
-    Attributes
-    ----------
-    velocity
-        (3 N,), the velocities before it [m/s, rad/s].
-    acceleration
-        (3 N,), by gravity and force laws [m/s², rad/s²].
-    change
-        (3 N,), the change of the velocities in the step before it [m/s, rad/s].
-    lead
-        The time from its beginning to its step [s].
-    step
-        The time step [s].
-    driven
-        Whether running surfaces or kinematic bodies may add energy.
+    `velocity`, (3 N,), are the velocities before it, and `change`, (3 N,), is their change in the
+    step before it [m/s, rad/s]; `acceleration`, (3 N,), is that by gravity and force
+    laws [m/s², rad/s²]. `lead` is the time from its beginning to its step, and `step` the time
+    step [s]. `driven` tells whether running surfaces or kinematic bodies may add energy.
     """
 
     velocity: Array
@@ -43,21 +33,8 @@ class Beginning(NamedTuple):
 def take(kick: Kick, start: Beginning, known: WarmStart, *, placed: bool = False) -> Taken:
     """Take a kick, whose length its joints know, and return the result.
 
-    Parameters
-    ----------
-    kick
-        Its rows.
-    start
-        The state and the forces at its beginning.
-    known
-        The warm start: the forces of the last kick.
-    placed
-        See `hold`.
-
-    Raises
-    ------
-    JointFailure, NoForces
-        If no impulses are found.
+    `known` is the warm start: the forces of the last kick. For `placed` see `hold`. Raises
+    `JointFailure` or `NoForces` if no impulses are found.
     """
     velocity, acceleration, lead = start.velocity, start.acceleration, start.lead
     at_step, acts = velocity + acceleration * lead, acceleration * start.step

@@ -43,20 +43,10 @@ MOST = 6
 class ApproachingPairs:
     """Keeps lower bounds of the distances between bodies, to find those that may meet; n bodies.
 
-    Parameters
-    ----------
-    query
-        Knows the bodies, and which of them pass through others.
-    shapes
-        Their parts.
-    surfaces
-        Their contact properties, and the pairs to consider.
-    moves
-        (n,), which of them are dynamic.
-    hollows
-        The pairs of a hollow body and another.
-    beside
-        (n, n), the pairs that may meet beside where they touch.
+    `query` knows the bodies, and which of them pass through others; `shapes` are their parts,
+    `surfaces` has their contact properties, and `moves`, (n,), tells which are dynamic. `hollows`
+    are the pairs of a hollow body and another; `beside`, (n, n), tells which pairs may meet beside
+    where they touch.
     """
 
     def __init__(
@@ -95,14 +85,7 @@ class ApproachingPairs:
     def near(self, contacts: Contacts, place: Coordinates, way: Array) -> list[Pair]:
         """Return the pairs that do not touch, or not where they might within the drift.
 
-        Parameters
-        ----------
-        contacts
-            The contacts.
-        place
-            The positions of the bodies.
-        way
-            (3 N,), their displacements in the drift [m, rad].
+        `way`, (3 N,), are the displacements of the bodies in the drift [m, rad].
         """
         if not len(self._first):
             return []

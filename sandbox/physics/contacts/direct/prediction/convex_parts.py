@@ -31,18 +31,10 @@ Pair = tuple[int, int]
 class Part(NamedTuple):
     """A convex part of a body, along its axes or in the plane.
 
-    Attributes
-    ----------
-    corners
-        (k,), counter-clockwise; two for a segment, one, the centre, for a disc [m].
-    normals
-        (k,), the outward normals of the sides, each from a corner to the next; none for a disc.
-    lengths
-        (k,), the lengths of these sides [m].
-    rounding
-        The distance of its surface from the polygon of its corners [m].
-    middle, radius
-        A disc that encloses it [m].
+    `corners`, (k,), are counter-clockwise [m]: two for a segment, one, the centre, for a disc.
+    `normals` and `lengths` [m], (k,), are the outward normals and the lengths of the sides, each
+    from a corner to the next; a disc has no normals. `rounding` is the distance of its surface from
+    the polygon of its corners [m], and `middle` and `radius` are a disc that encloses it [m].
     """
 
     corners: list[complex]
@@ -146,12 +138,7 @@ def parts_of(shapes: Sequence[pymunk.Shape]) -> list[Part]:
 class Placed:
     """The parts of bodies at some positions; each is placed when it is first asked for.
 
-    Parameters
-    ----------
-    parts
-        The parts of each body, along its axes.
-    place
-        The positions of the bodies.
+    `parts` are those of each body, along its axes.
     """
 
     def __init__(self, parts: Sequence[Sequence[Part]], place: Coordinates) -> None:
@@ -173,21 +160,11 @@ class Placed:
 
 
 class Shapes:
-    """The parts of n bodies.
+    """The parts of n bodies, pymunk's in order.
 
-    Parameters
-    ----------
-    bodies
-        pymunk's, in order.
-
-    Attributes
-    ----------
-    parts
-        The parts of each body, along its axes.
-    sided, single
-        (n,), whether all parts of a body have sides, and whether it has only one part.
-    reach
-        (n,), the largest distance of corners from the centre of mass; inf without any parts [m].
+    `parts` are those of each body, along its axes. `sided` and `single`, (n,), tell whether all
+    parts of a body have sides, and whether it has only one part. `reach`, (n,), is the largest
+    distance of corners from the centre of mass; inf without any parts [m].
     """
 
     def __init__(self, bodies: Sequence[pymunk.Body]) -> None:

@@ -18,16 +18,9 @@ Both = tuple[Part, Part]
 class Spot(NamedTuple):
     """A corner of one part, and the side of the other part that it meets.
 
-    Attributes
-    ----------
-    own
-        The part with the side: 0 or 1.
-    normal
-        The outward unit normal of the side.
-    tip
-        The point of the corner that is nearest to the side [m].
-    gap
-        Its distance from the side, negative behind it [m].
+    `own` is the part with the side, 0 or 1, and `normal` is the outward unit normal of the side.
+    `tip` is the point of the corner that is nearest to the side [m]; `gap` is its distance from the
+    side, negative behind it [m].
     """
 
     own: int

@@ -46,14 +46,8 @@ Places = tuple[Placed, Placed]
 class HollowCorner(NamedTuple):
     """A point of a body that meets an arc or a curve.
 
-    Attributes
-    ----------
-    pair
-        The bodies.
-    own
-        The one with the normal, the hollow one of a contact from inside or with a curve: 0 or 1.
-    trace
-        Their contact.
+    `own` is the body with the normal, the hollow one of a contact from inside or with a curve: 0 or
+    1. `trace` is their contact.
     """
 
     pair: Pair
@@ -68,15 +62,9 @@ class HollowCorner(NamedTuple):
 class _Line(NamedTuple):
     """Points along the middle of a hollow body.
 
-    Attributes
-    ----------
-    points
-        The points, along the axes of the body [m].
-    near
-        The largest distance of its surface from the nearest of them [m].
-    reach
-        The largest distance of its surface from the centre of the body; of whole circles, which
-        look alike when they turn, that of their centre [m].
+    The points are along the axes of the body. `near` is the largest distance of its surface from
+    the nearest of them, and `reach` that from the centre of the body; of whole circles, which look
+    alike when they turn, `reach` is that of their centre [m].
     """
 
     points: Plane
@@ -103,14 +91,9 @@ class _Line(NamedTuple):
 class _Shape(NamedTuple):
     """A shape.
 
-    Attributes
-    ----------
-    piece
-        Its exact geometry.
-    outline
-        Its outline if it can be met as a convex one; None of curves and feelers.
-    middle, size
-        The centre and radius of a disc around it, along the axes of its body [m].
+    `piece` is its exact geometry, and `outline` is its outline if it can be met as a convex one;
+    None of curves and feelers. `middle` and `size` are the centre and radius of a disc around it,
+    along the axes of its body [m].
     """
 
     piece: Piece
@@ -131,17 +114,8 @@ class _Shape(NamedTuple):
 class HollowPairs:
     """Finds where bodies meet arcs, curves, and hoops from inside within a drift; n bodies.
 
-    Parameters
-    ----------
-    hollows
-        The hollow bodies; None if there are none.
-    count
-        n.
-
-    Attributes
-    ----------
-    pairs
-        (n, n), the pairs of a hollow body and another.
+    `hollows` are the hollow bodies, None if there are none, and `count` is n. `pairs`, (n, n),
+    tells which are pairs of a hollow body and another.
     """
 
     def __init__(self, hollows: Hollows | None, count: int) -> None:

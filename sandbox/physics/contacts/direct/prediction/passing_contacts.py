@@ -21,23 +21,12 @@ from sandbox.physics.state.anchor import Plane
 class Passing(NamedTuple):
     """A contact that leaves a side, an arc or a curve at its end, or comes onto a side there.
 
-    Attributes
-    ----------
-    contact, gap
-        The indices of the contact and of its point.
-    bodies
-        The body with the side, and the other one.
-    foot
-        The end of the side, along the axes of its body [m].
-    onwards
-        The direction in which the contact passes it, along the same axes.
-    point
-        The point of the other body that passes, along its axes [m].
-    leaves
-        Whether it leaves the side.
-    lies
-        How far beyond the end the point has to go, since a side of the other body lies on it [m];
-        None if none does.
+    `contact` and `gap` are the indices of the contact and of its point; `bodies` are the body with
+    the side, and the other one. `foot` is the end of the side [m], and `onwards` the direction in
+    which the contact passes it, both along the axes of its body; `point` is the point of the other
+    body that passes, along its axes [m]. `leaves` tells whether it leaves the side. `lies` is how
+    far beyond the end the point has to go, since a side of the other body lies on it [m]; None if
+    none does.
     """
 
     contact: int
@@ -63,20 +52,11 @@ class Passing(NamedTuple):
 class Lying(NamedTuple):
     """The points of a kick, of which some are on sides; k of them.
 
-    Attributes
-    ----------
-    side, other
-        (k,), the bodies with the sides, and the others.
-    number
-        (k,), which of its sides it is; -1 of none.
-    point
-        (k,), the point of the other body, along its axes [m].
-    seen
-        (k,), the position of that along the side [m].
-    begin, end
-        (k,), the positions there between which they touch [m].
-    flat
-        (k,), whether a side of the other body lies on it.
+    `side` and `other`, (k,), are the bodies with the sides, and the others; `number`, (k,), tells
+    which of its sides it is, −1 of none. `point`, (k,), is the point of the other body, along its
+    axes, and `seen`, (k,), the position of that along the side; `begin` and `end`, (k,), are the
+    positions there between which they touch [m]. `flat`, (k,), tells whether a side of the other
+    body lies on it.
     """
 
     side: Integers
@@ -119,15 +99,9 @@ class Lying(NamedTuple):
 class Line(NamedTuple):
     """An arc or a curve with ends.
 
-    Attributes
-    ----------
-    ends
-        Its two ends in the middle of its thickness, along the axes of its body [m], and the
-        directions in which it would continue.
-    half
-        Half its thickness [m].
-    center
-        The centre of an arc; None of a curve [m].
+    `ends` are its two ends in the middle of its thickness, along the axes of its body [m], and the
+    directions in which it would continue. `half` is half its thickness [m], and `center` the centre
+    of an arc; None of a curve [m].
     """
 
     ends: Sequence[tuple[complex, complex]]

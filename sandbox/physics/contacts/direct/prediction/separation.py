@@ -36,14 +36,8 @@ class _Motion(NamedTuple):
 class Separation:
     """Tells which bodies stay apart in a drift.
 
-    Parameters
-    ----------
-    shapes
-        The parts of the bodies.
-    path
-        Their motion.
-    lasts
-        The length of the drift [s].
+    `shapes` are the parts of the bodies, `path` is their motion, and `lasts` is the length of the
+    drift [s].
     """
 
     def __init__(self, shapes: Shapes, path: Path, lasts: float) -> None:

@@ -23,16 +23,9 @@ DIGITS = 5
 class Side(NamedTuple):
     """A straight side, along the axes of its body.
 
-    Attributes
-    ----------
-    normal
-        Its outward unit normal n; positions along it count along i n.
-    height
-        The distance of its surface from the centre of mass along n [m].
-    begin, end
-        The positions of its ends [m].
-    rounding
-        The radius of its corners [m].
+    `normal` is its outward unit normal n; positions along it count along i n. `height` is the
+    distance of its surface from the centre of mass along n, `begin` and `end` are the positions of
+    its ends, and `rounding` is the radius of its corners [m].
     """
 
     normal: complex
@@ -45,17 +38,8 @@ class Side(NamedTuple):
 class Sides:
     """The sides of n bodies, at most s each; sides of one body in one line count as one.
 
-    Parameters
-    ----------
-    parts
-        The convex parts of the bodies.
-
-    Attributes
-    ----------
-    normal, height, begin, end, rounding
-        (n, s) each, as of a `Side`; NaN where a body has fewer.
-    any
-        (n,), whether a body has sides.
+    They are found from the convex parts of the bodies. The fields of a `Side` are tables here,
+    (n, s), with NaN where a body has fewer; `any`, (n,), tells whether a body has sides.
     """
 
     def __init__(self, parts: Sequence[Sequence[Part]]) -> None:
@@ -70,14 +54,9 @@ class Sides:
     def facing(self, body: Integers, out: Plane, at: Plane) -> tuple[Booleans, Array]:
         """Return which sides face a direction and go through a point, or past the core of one.
 
-        These are (k, s). Also the positions of the points along them, (k,) [m].
-
-        Parameters
-        ----------
-        body
-            (k,), the bodies.
-        out, at
-            (k,), the directions and the points, along the axes of the bodies.
+        These are (k, s). Also the positions of the points along them, (k,) [m]. `body`, (k,), are
+        the bodies; `out` and `at`, (k,), are the directions and the points, along the axes of
+        these.
         """
         seen = at * out.conj()
         depth = self.height[body] - seen.real[:, None]

@@ -50,14 +50,8 @@ LITTLE = 0.1
 class Corner(NamedTuple):
     """A corner of one body that meets a side of another, which it already touches elsewhere.
 
-    Attributes
-    ----------
-    pair, parts
-        The bodies, and a part of each.
-    own
-        The body with the side: 0 or 1.
-    side, corner
-        Their indices.
+    `pair` and `parts` are the bodies, and a part of each. `own` is the body with the side, 0 or 1;
+    `side` and `corner` are their indices.
     """
 
     pair: Pair
@@ -74,23 +68,10 @@ AnyCorner = Corner | HollowCorner
 class SpeculativeContacts:
     """Finds the corners that meet a side within a drift; n bodies.
 
-    Parameters
-    ----------
-    query
-        Knows the bodies, and which of them pass through others.
-    surfaces
-        Their contact properties.
-    moves
-        (n,), which of them are dynamic.
-
-    Attributes
-    ----------
-    approaching
-        The pairs of bodies that do not touch, but might.
-    dull
-        (n, n), which pairs lose nearly all their energy in an impact.
-    ends
-        The contacts that pass the ends of sides.
+    `query` knows the bodies, and which of them pass through others; `surfaces` has their contact
+    properties, and `moves`, (n,), tells which are dynamic. `approaching` finds the pairs of bodies
+    that do not touch, but might; `ends` finds the contacts that pass the ends of sides. `dull`,
+    (n, n), tells which pairs lose nearly all their energy in an impact.
     """
 
     def __init__(self, query: Query, surfaces: Surfaces, moves: Booleans) -> None:
@@ -112,12 +93,8 @@ class SpeculativeContacts:
     def corners(self, kick: Kick, motion: Array) -> list[AnyCorner]:
         """Return the corners that come down within the drift after a kick and are new to it.
 
-        Whoever closes a drift and whoever looks for landings in it ask for the same ones.
-
-        Parameters
-        ----------
-        motion
-            (3 N,), the velocities after the kick [m/s, rad/s].
+        Whoever closes a drift and whoever looks for landings in it ask for the same ones. `motion`,
+        (3 N,), are the velocities after the kick [m/s, rad/s].
         """
         if not self._any:
             return []
@@ -158,10 +135,7 @@ class SpeculativeContacts:
     def ahead(self, kick: Kick, motion: Array, some: Booleans) -> Contacts:
         """Return contacts of some bodies, (n,), that meet in the drift after a kick, at its start.
 
-        Parameters
-        ----------
-        motion
-            (3 N,), the velocities in that drift [m/s, rad/s].
+        `motion`, (3 N,), has the velocities in that drift [m/s, rad/s].
         """
         drift, places = kick.joints.drift, order(len(kick.place.values) // 3 - 1)
         near = self.approaching.near(kick.contacts, kick.place, drift * motion)
@@ -206,12 +180,8 @@ class SpeculativeContacts:
     def _turning(self, contacts: Contacts, way: Array) -> list[Pair]:
         """Return the touching pairs that move far enough for another corner to meet.
 
-        Two straight sides only meet one if they rotate.
-
-        Parameters
-        ----------
-        way
-            (3 N,), the displacements of the bodies in the drift [m, rad].
+        Two straight sides only meet one if they rotate. `way`, (3 N,), are the displacements of the
+        bodies in the drift [m, rad].
         """
         a, b = contacts.bodies.T
         reach, single, turns = self._shapes.reach, self._shapes.single, angles(way)

@@ -42,16 +42,9 @@ MOST = 6
 class SupportEnds:
     """Finds the contacts that pass the ends of sides in a drift; n bodies.
 
-    Parameters
-    ----------
-    shapes
-        The parts of the bodies.
-    surfaces
-        Their contact properties.
-    hollows
-        The arcs and curves; None if there are none.
-    reach
-        (n,), the largest distances of points that turn with their bodies [m].
+    `shapes` are the parts of the bodies, and `surfaces` has their contact properties; `hollows` are
+    the arcs and curves, None if there are none. `reach`, (n,), are the largest distances of points
+    that turn with their bodies [m].
     """
 
     def __init__(
@@ -77,14 +70,9 @@ class SupportEnds:
     def passing(self, kick: Kick, way: Array, forces: Array) -> list[Passing]:
         """Return the contacts that pass the end of a side within a drift.
 
-        Only those that bear a force, or that would overlap at its end beside the corner.
-
-        Parameters
-        ----------
-        way
-            (3 N,), the displacements in the drift [m, rad].
-        forces
-            (r,), the forces of its rows [N].
+        Only those that bear a force, or that would overlap at its end beside the corner. `way`,
+        (3 N,), are the displacements in the drift [m, rad], and `forces`, (r,), are those of the
+        kick's rows [N].
         """
         if self._is_far(kick, way):
             return []
@@ -120,14 +108,8 @@ class SupportEnds:
     ) -> tuple[Contacts, Booleans]:
         """Return the contacts that follow, and which bodies touch there with an end: (2, c).
 
-        Parameters
-        ----------
-        kick
-            The kick, with its bodies where the contacts pass.
-        passing
-            These contacts.
-        motion
-            (3 N,), the velocities there [m/s, rad/s].
+        The bodies of the kick are where the contacts, `passing`, pass; `motion`, (3 N,), are the
+        velocities there [m/s, rad/s].
         """
         known, rows, feet, ends = kick.contacts, [], [], []
         direction = known.direction.view(complex)[:, 0].copy()

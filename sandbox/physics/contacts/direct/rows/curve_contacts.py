@@ -32,14 +32,8 @@ FLAT = 1e-4
 class Followed(NamedTuple):
     """A contact on a curve, at some position.
 
-    Attributes
-    ----------
-    gap, slip
-        V and S above [m].
-    normal
-        n, from the curve to P, along the axes of the curve's body.
-    share
-        (1 − κ δ0) / (1 − κ δ).
+    `gap` and `slip` are V and S above [m], and `normal` is n, from the curve to P, along the axes
+    of the curve's body. `share` is (1 − κ δ0) / (1 − κ δ).
     """
 
     gap: float
@@ -52,22 +46,10 @@ class Followed(NamedTuple):
 class Curved:
     """A contact point on a curve.
 
-    Attributes
-    ----------
-    point
-        The index of the contact point.
-    curve, other
-        The bodies.
-    sign
-        1 if the curve is the first of the two, else −1.
-    course, foot
-        The shape of the curve, and F at the beginning of the drift.
-    hand
-        h above.
-    start
-        δ0 above [m].
-    radius
-        The radius of the disc, or of the corner [m].
+    `point` is the index of the contact point. `curve` and `other` are the bodies; `sign` is 1 if
+    the curve is the first of the two, else −1. `course` is the shape of the curve, and `foot` is F
+    at the beginning of the drift; `hand` is h above, and `start` is δ0 [m]. `radius` is that of the
+    disc, or of the corner [m].
     """
 
     point: int
@@ -110,18 +92,9 @@ def on_curves(
 ) -> Iterator[Curved]:
     """Yield the contact points on curves, but for their ends, which count as discs.
 
-    Parameters
-    ----------
-    figures
-        The outlines of the bodies.
-    bodies
-        The two bodies of each point, (2, k).
-    normal
-        (k,), from the first to the second.
-    points
-        The points on the first and on the second body, (2, k) [m].
-    placed
-        The positions of all bodies, and their rotations as unit complex numbers, (n,) each.
+    `bodies`, (2, k), are the two bodies of each point, `normal`, (k,), is from the first to the
+    second, and `points`, (2, k), are those on the first and on the second [m]. `placed` has the
+    positions of all bodies, and their rotations as unit complex numbers, (n,) each.
     """
     pairs = bodies.T.tolist() if figures.courses else ()
     for point, (a, b) in enumerate(pairs):
@@ -162,16 +135,8 @@ def follow_curves(
 ) -> None:
     """Set the rows of contact points on curves.
 
-    Parameters
-    ----------
-    curved
-        The points on curves.
-    placed
-        The positions of all bodies, and their rotations as unit complex numbers, (n,) each.
-    arms
-        The lever arms from the two bodies of each point to it, (2, k) [m].
-    rows
-        The gaps and slips, and their derivatives by d, (k,) each.
+    For `placed` see `on_curves`. `arms`, (2, k), are the lever arms from the two bodies of each
+    point to it [m]; `rows` are the gaps and slips, and their derivatives by d, (k,) each.
     """
     gap, slip, along, across = rows
     for one in curved:
@@ -190,18 +155,8 @@ def roll_on_curves(
 ) -> None:
     """Set the radii by which the angles of bodies count in the slip on curves.
 
-    Parameters
-    ----------
-    curved
-        The points on curves.
-    faces
-        (k,), whether a straight side touches there.
-    rubs
-        (f,), the points with friction.
-    figures
-        The outlines of the bodies.
-    rolls
-        The radii of the first bodies and the second ones, (2, f) [m].
+    `faces`, (k,), tells whether a straight side touches there, and `rubs`, (f,), are the points
+    with friction. `rolls`, (2, f), are the radii of the first bodies and the second ones [m].
     """
     for one in curved:
         slip = rubs == one.point

@@ -205,10 +205,7 @@ def features(
 def _owners(touching: Touching, out: Plane) -> Booleans:
     """Return which body has the side: (2, k), at most one of the two at each point.
 
-    Parameters
-    ----------
-    out
-        (2, k), the direction from each body to the other, along its axes.
+    `out`, (2, k), is the direction from each body to the other, along its axes.
     """
     owns = touching.outlines.faces(out)
     if touching.ends is not None:
@@ -246,12 +243,8 @@ def _corners(
 ) -> tuple[Booleans | None, Booleans | None]:
     """Return where corners meet corners, and where else no side takes part: (k,), None if nowhere.
 
-    Corners that meet count as sides of the first body.
-
-    Parameters
-    ----------
-    is_round, owns
-        (2, k), whether the bodies are round there, and which has the side.
+    Corners that meet count as sides of the first body. `is_round` and `owns`, (2, k), tell whether
+    the bodies are round there, and which has the side.
     """
     corner = ~(owns[0] | owns[1])
     if not np.count_nonzero(corner):
@@ -288,16 +281,9 @@ def _rolls(
 ) -> Array:
     """Return the radii by which the angles of the two bodies count in the slip: (2, f) [m].
 
-    Parameters
-    ----------
-    is_round
-        (2, k), whether the bodies are round there.
-    owns
-        (2, k), which body has the side.
-    sign
-        (k,), s above, and 0 where there is a side; None if there is one everywhere.
-    bends
-        (2, k), where they have rounded corners; None if nowhere.
+    For `is_round` and `owns` see `_corners`. `sign`, (k,), is s above, and 0 where there is a side;
+    None if there is one everywhere. `bends`, (2, k), tells where they have rounded corners; None if
+    nowhere.
     """
     outlines, rubs = touching.outlines, touching.rubs
     if not len(rubs):
@@ -328,14 +314,8 @@ def _circles(sign: Array | None, curved: Sequence[Curved], rubs: Integers) -> Ar
 def _to_the_middle(rolls: Array, circles: Array, apart: Plane) -> Array:
     """Return radii that end midway in the gap or overlap: (2, f) [m].
 
-    Friction then acts on both bodies at one point, and leaves their angular momentum as it is.
-
-    Parameters
-    ----------
-    rolls, circles
-        See `Features`.
-    apart
-        (f,), from one centre to the other [m].
+    Friction then acts on both bodies at one point, and leaves their angular momentum as it is. For
+    `rolls` and `circles` see `Features`; `apart`, (f,), is from one centre to the other [m].
     """
     if not np.count_nonzero(circles):
         return rolls

@@ -76,14 +76,9 @@ class Kick:
     ) -> "Kick":
         """Return the system at a place.
 
-        Parameters
-        ----------
-        running
-            (n, 2), the velocities of running surfaces relative to their bodies [m/s].
-        lengths
-            The lengths that joints keep before and after the drift, (m,) each [m, rad].
-        closes
-            How many of the contacts, the last ones, close only within the drift.
+        `running`, (n, 2), are the velocities of running surfaces relative to their bodies [m/s];
+        `lengths`, (m,) each, are those that joints keep before and after the drift [m, rad].
+        The last `closes` contacts close only within the drift.
         """
         found = features(contacts, layout.touching, place, joints.origin)
         here = rows_at(place, joints, found)
@@ -104,12 +99,8 @@ class Kick:
     def strikes(self, moved: Array, laws: Array, pulls: Array) -> bool:
         """Return whether a gap that is still open closes faster than forces alone explain.
 
-        Parameters
-        ----------
-        moved
-            (3 N,), the velocities after the kick [m/s, rad/s].
-        laws, pulls
-            (3 N,), the accelerations by force laws, and by joints and contacts [m/s², rad/s²].
+        `moved`, (3 N,), are the velocities after the kick [m/s, rad/s]; `laws` and `pulls`, (3 N,),
+        are the accelerations by force laws, and by joints and contacts [m/s², rad/s²].
         """
         jacobian = self.here.jacobian[self.layout.gaps][self.ahead]
         closing, *others = np.stack((moved, laws, laws + pulls)) @ jacobian.T
@@ -157,12 +148,8 @@ class Kick:
         """Return the system with the friction of tilting sides at the point that bears the load.
 
         One of the two points of a side carries the friction of both: they slip alike as long as the
-        side lies flat. None if all sides do.
-
-        Parameters
-        ----------
-        moved, forces
-            The velocities after the kick, (3 N,) [m/s, rad/s], and its forces, (r,) [N].
+        side lies flat. None if all sides do. `moved`, (3 N,), are the velocities after the
+        kick [m/s, rad/s], and `forces`, (r,), are its forces [N].
         """
         first, gaps = self.layout.gaps.start, self.layout.gaps
         if gaps.stop - first == len(self.contacts.bodies):  # each touches at one point

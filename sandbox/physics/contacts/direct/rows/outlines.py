@@ -20,22 +20,11 @@ SHARP = 1e-7
 class Figure(NamedTuple):
     """The outline of a body, as its contacts need it.
 
-    Attributes
-    ----------
-    radius
-        The outer radius of a disc, hoop or arc; 0 of a body with sides [m].
-    normals
-        The unit normals of its sides, along its axes.
-    rounding
-        The radius of its corners or ends [m].
-    inner
-        The inner radius of a hollow body; else 0 [m].
-    center
-        The centre of a disc, hoop or arc, along its axes [m].
-    ends
-        Whether it is an arc with ends.
-    course
-        The shape of a curve; else None.
+    `radius` is the outer radius of a disc, hoop or arc, and 0 of a body with sides; `inner` is the
+    inner radius of a hollow body, else 0 [m]. `normals` are the unit normals of its sides, and
+    `center` is the centre of a disc, hoop or arc [m], both along its axes. `rounding` is the radius
+    of its corners or ends [m]; `ends` tells whether it is an arc with ends. `course` is the shape
+    of a curve; else None.
     """
 
     radius: float
@@ -50,22 +39,13 @@ class Figure(NamedTuple):
 class Figures:
     """The outlines of n bodies, as tables.
 
-    Attributes
-    ----------
-    radius, rounding, inner, center
-        (n,) each, as of a `Figure` [m].
-    ends
-        (n,), whether it is an arc with ends.
-    courses
-        The shapes of curves, by the indices of their bodies.
-    thick
-        Whether any body has rounded corners or ends that are not sharp.
-    plain
-        Whether all round bodies are full circles about their bodies' centres.
-    hollow
-        Whether any body can be touched from inside.
-    convex
-        (n,), whether a body consists of discs and straight sides alone, seen from outside.
+    `radius`, `rounding`, `inner`, `center` and `ends`, (n,), are as of a `Figure`; `courses` are
+    the shapes of curves, by the indices of their bodies. `convex`, (n,), tells whether a body
+    consists of discs and straight sides alone, seen from outside.
+
+    `thick` tells whether any body has rounded corners or ends that are not sharp; `plain`, whether
+    all round bodies are full circles about their bodies' centres; `hollow`, whether any body can be
+    touched from inside.
     """
 
     def __init__(self, figures: list[Figure]) -> None:
@@ -105,18 +85,9 @@ class Figures:
 class Outlines(NamedTuple):
     """The outlines of the first and the second bodies at k points, fields as of `Figure`: (2, k).
 
-    Attributes
-    ----------
-    figures
-        The outlines of all bodies.
-    body
-        (2, k), the indices of the bodies.
-    rounds
-        (2, k), whether they are discs, hoops or arcs.
-    sharp
-        (k,), whether both have sharp corners.
-    sided
-        Whether any has sides.
+    `figures` are the outlines of all bodies, and `body`, (2, k), are the indices of these bodies.
+    `rounds`, (2, k), tells whether they are discs, hoops or arcs, `sharp`, (k,), whether both have
+    sharp corners, and `sided` whether any has sides.
     """
 
     figures: Figures
@@ -139,12 +110,8 @@ class Outlines(NamedTuple):
     def round(self, where: Plane, turned: Plane, n: Plane, middle: Plane) -> tuple[Booleans, Plane]:
         """Return whether they are round at the contact points, and their centres: (2, k).
 
-        Parameters
-        ----------
-        where, turned
-            The positions of the bodies, and their rotations as unit complex numbers, (2, k) each.
-        n, middle
-            The normals and the contact points, (k,) each.
+        `where` and `turned`, (2, k), are the positions of the bodies, and their rotations as unit
+        complex numbers; `n` and `middle`, (k,), are the normals and the contact points.
         """
         if self.figures.plain:
             return self.rounds, where

@@ -29,22 +29,12 @@ Several islands count by the sum of the cubes of their rows."""
 class Surfaces(NamedTuple):
     """The contact properties of n bodies.
 
-    Attributes
-    ----------
-    figures
-        Their outlines.
-    friction, static, restitution
-        (n, n), the coefficients of the pairs.
-    running
-        (n, 2), the velocities of running surfaces, such as belts [m/s].
-    correction
-        The share of an overlap that a step removes.
-    slop
-        The overlap that is left alone [m].
-    lands
-        (n, n), which pairs land where they meet within a drift, and wait for nothing else.
-    in_sequence
-        Whether impacts at the same time come one after the other.
+    `figures` are their outlines, and `friction`, `static` and `restitution`, (n, n), the
+    coefficients of the pairs; `running`, (n, 2), are the velocities of running surfaces, such as
+    belts [m/s]. `correction` is the share of an overlap that a step removes, and `slop` the overlap
+    that is left alone [m]. `lands`, (n, n), tells which pairs land where they meet within a drift,
+    and wait for nothing else; `in_sequence`, whether impacts at the same time come one after the
+    other.
     """
 
     figures: Figures
@@ -61,14 +51,8 @@ class Surfaces(NamedTuple):
 class Island(NamedTuple):
     """A group of rows that affect each other, and no others.
 
-    Attributes
-    ----------
-    rows
-        Their indices among all rows.
-    slips
-        The indices of their friction among all friction.
-    problem
-        Their kinds, with indices within the island.
+    `rows` and `slips` are the indices of its rows among all rows, and of its friction among all
+    friction. `problem` has the kinds of its rows, with indices within the island.
     """
 
     rows: Integers
@@ -85,20 +69,11 @@ class Island(NamedTuple):
 class Layout:
     """The rows of a step: m of joints, k of gaps, f of slips, in this order.
 
-    Attributes
-    ----------
-    problem
-        Their kinds.
-    islands
-        The same, island by island.
-    touching
-        The points of the gaps and slips.
-    restitution, in_sequence
-        (k,), the coefficients of the gaps, and whether their impacts come one after the other.
-    joints, gaps, slips, touch
-        Their places among all rows; `touch` is gaps and slips together.
-    joined, ties
-        The gaps between bodies that also share a joint, and the rows of such joints.
+    `problem` has their kinds, and `islands` the same, island by island; `touching` has the points
+    of the gaps and slips. `restitution`, (k,), are the coefficients of the gaps, and `in_sequence`
+    tells whether their impacts come one after the other. `joints`, `gaps`, `slips` and `touch` are
+    their places among all rows; `touch` is gaps and slips together. `joined` are the gaps between
+    bodies that also share a joint, and `ties` the rows of such joints.
     """
 
     problem: Problem
@@ -207,10 +182,7 @@ def lay_out(contacts: Contacts, joints: ExactJoints, surfaces: Surfaces, moves: 
 class Layouts:
     """Lays out the rows of a step; reuses the last layout while the same bodies touch.
 
-    Parameters
-    ----------
-    joints, surfaces, moves
-        See `lay_out`.
+    For the arguments see `lay_out`.
     """
 
     def __init__(self, joints: ExactJoints, surfaces: Surfaces, moves: Booleans) -> None:
@@ -259,14 +231,8 @@ def _joined(
 def _points_of(rubs: Integers, seconds: Integers, count: int) -> Integers:
     """Return the gaps of each contact with friction: (2, r), −1 for a missing second point.
 
-    Parameters
-    ----------
-    rubs
-        (r,), the contacts with friction.
-    seconds
-        The contacts with a second point, in the order of these points.
-    count
-        The number of contacts.
+    `rubs`, (r,), are the contacts with friction, and `seconds` those with a second point, in the
+    order of these points; `count` is the number of contacts.
     """
     partner = np.full(count, -1)
     partner[seconds] = count + np.arange(len(seconds))
@@ -274,13 +240,7 @@ def _points_of(rubs: Integers, seconds: Integers, count: int) -> Integers:
 
 
 def _refuse_large(parts: Sequence[Island], touching: Touching) -> None:
-    """Refuse islands with more rows than a step can solve.
-
-    Raises
-    ------
-    TooMuch
-        If there are any.
-    """
+    """Refuse islands with more rows than a step can solve: raise `TooMuch` if there are any."""
     if sum(len(part.rows) ** 3 for part in parts) <= MOST_ROWS**3:
         return
     body = int(np.bincount(touching.bodies[touching.bodies >= 0]).argmax())

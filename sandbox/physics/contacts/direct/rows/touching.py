@@ -61,14 +61,8 @@ class Touching(NamedTuple):
     ) -> "Touching":
         """Return the points of contacts: the first points of all contacts, then the second ones.
 
-        Parameters
-        ----------
-        rubs
-            (c,), which contacts have friction.
-        figures
-            The outlines of all bodies.
-        moves
-            (n,), which bodies are dynamic.
+        `rubs`, (c,), tells which contacts have friction, and `moves`, (n,), which bodies are
+        dynamic; `figures` are the outlines of all bodies.
         """
         count, two = len(contacts.bodies), np.flatnonzero(contacts.touches == 2)
         pair = np.concatenate((np.arange(count), two))

@@ -23,16 +23,8 @@ one between them."""
 class Held(NamedTuple):
     """The impulses that satisfy all rows; r of them, N bodies with the plane.
 
-    Attributes
-    ----------
-    impulse
-        (r,), the impulses.
-    moved
-        (3 N,), the velocities with them [m/s, rad/s].
-    active
-        The active rows.
-    flat
-        Whether contacts constrain velocities instead of positions.
+    `moved`, (3 N,), are the velocities with the impulses, (r,) [m/s, rad/s], and `active` the
+    active rows. `flat` tells whether contacts constrain velocities instead of positions.
     """
 
     impulse: Array
@@ -51,21 +43,10 @@ def hold(
     enough within one step. Then velocities are constrained instead of positions, which never adds
     energy.
 
-    Parameters
-    ----------
-    motion
-        (3 N,), the velocities without impulses [m/s, rad/s].
-    guess
-        The impulses and the active rows to begin with.
-    driven
-        Whether running surfaces or kinematic bodies may add energy.
-    placed
-        Whether positions must be constrained: velocities will not do.
-
-    Raises
-    ------
-    JointFailure, NoForces
-        If no impulses are found.
+    `motion`, (3 N,), are the velocities without impulses [m/s, rad/s], and `guess` has the impulses
+    and the active rows to begin with. `driven` tells whether running surfaces or kinematic bodies
+    may add energy; `placed`, whether positions must be constrained: velocities will not do. Raises
+    `JointFailure` or `NoForces` if no impulses are found.
     """
     found = without_held(kick)
     if found is None:

@@ -113,25 +113,11 @@ def solve_rows(
 ) -> tuple[Array, Active]:
     """Solve each island by itself; return the impulses, (r,), and the active rows.
 
-    Parameters
-    ----------
-    kick, layout
-        The system, and the layout of its rows.
-    jacobian
-        (r, 3 N), the Jacobian of the rows.
-    rate
-        (r,), their rates with `impulse`, if that is given, else without impulses [m/s, rad/s].
-    active
-        The first guess.
-    lets
-        How far redundant rows may contradict each other [m/s, rad/s].
-    off
-        (r,), rows so far from their targets that their island has no such limit; None for no rows.
-
-    Raises
-    ------
-    JointFailure, NoForces
-        If there is no solution.
+    `jacobian`, (r, 3 N), is that of the rows, and `rate`, (r,), are their rates with `impulse`, if
+    that is given, else without impulses [m/s, rad/s]; `active` is the first guess. `lets` is how
+    far redundant rows may contradict each other [m/s, rad/s]. `off`, (r,), tells which rows are so
+    far from their targets that their island has no such limit; None for no rows. Raises
+    `JointFailure` or `NoForces` if there is no solution.
     """
     if layout.hangs_together:
         allow = inf if off is not None and np.count_nonzero(off) else lets

@@ -27,12 +27,8 @@ jammed ones could only be freed by turning them far, through others."""
 class OverlapCorrection:
     """Corrects overlaps, step by step.
 
-    Parameters
-    ----------
-    surfaces
-        How bodies touch.
-    known
-        The warm start: forces and active rows of the last kick.
+    `surfaces` tells how bodies touch; `known` is the warm start: forces and active rows of the last
+    kick.
     """
 
     def __init__(self, surfaces: Surfaces, known: WarmStart) -> None:
@@ -45,14 +41,8 @@ class OverlapCorrection:
 
         Bodies that separate by themselves are left alone: lifting a body that bounces would add
         energy. So are bodies that have only just met, and overlaps that joints enforce. None if
-        there is nothing to correct, or no such displacement.
-
-        Parameters
-        ----------
-        kick
-            The rows of contacts and joints.
-        leaving
-            (3 N,), the displacements of the next step without forces [m, rad].
+        there is nothing to correct, or no such displacement. `leaving`, (3 N,), are the
+        displacements of the next step without forces [m, rad].
         """
         back = self._back(kick, leaving)
         if back is None:
@@ -84,12 +74,8 @@ class OverlapCorrection:
     def _together(self, kick: Kick, wanted: Array, way: Array) -> Array:
         """Return a displacement that keeps bodies in contact which press on each other.
 
-        Parameters
-        ----------
-        kick, wanted
-            The rows, and their least values afterwards, (r,).
-        way
-            The smallest displacement, (3 N,) [m, rad]; returned if there is no such one.
+        `wanted`, (r,), are the least values of the rows afterwards. `way`, (3 N,), is the smallest
+        displacement [m, rad]; it is returned if none keeps them in contact.
         """
         layout, depths = kick.layout, kick.contacts.depths.take(kick.layout.touching.number)
         lifts = (kick.rows(way).total - wanted)[layout.gaps]

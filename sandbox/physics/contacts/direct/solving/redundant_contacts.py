@@ -44,17 +44,8 @@ def without_held(kick: Kick) -> tuple[Layout, Booleans] | None:
 def check_held(kick: Kick, decided: Booleans, motion: Array) -> None:
     """Refuse a motion in which joints push bodies into each other.
 
-    Parameters
-    ----------
-    decided
-        (k,), which contacts joints determine.
-    motion
-        (3 N,), the velocities in the drift [m/s, rad/s].
-
-    Raises
-    ------
-    NoForces
-        If bodies come to overlap by more than the skin.
+    `decided`, (k,), tells which contacts joints determine; `motion`, (3 N,), are the velocities in
+    the drift [m/s, rad/s]. Raises `NoForces` if bodies come to overlap by more than the skin.
     """
     gaps, touching = kick.layout.gaps, kick.layout.touching
     there = kick.rows(motion * kick.joints.drift).total

@@ -26,17 +26,7 @@ AT_REST = 1e-9
 
 
 class Known(NamedTuple):
-    """The outcome of a kick, for the next one.
-
-    Attributes
-    ----------
-    layout
-        The layout of its rows.
-    forces
-        (r,), the forces of its rows [N].
-    active
-        Its active rows.
-    """
+    """The outcome of a kick, for the next one: its layout, forces, (r,) [N], and active rows."""
 
     layout: Layout
     forces: Array
@@ -73,14 +63,8 @@ class WarmStart:
     def guess(self, kick: Kick, motion: Array, length: float) -> tuple[Array, Active]:
         """Return a guess of the impulses of a kick, (r,), and of its active rows.
 
-        New contacts are active if they approach, and slip if their surfaces do.
-
-        Parameters
-        ----------
-        motion
-            (3 N,), the velocities without impulses [m/s, rad/s].
-        length
-            The length of the kick [s].
+        New contacts are active if they approach, and slip if their surfaces do. `motion`, (3 N,),
+        are the velocities without impulses [m/s, rad/s], and `length` is that of the kick [s].
         """
         if known := self._recalled(kick):
             return self._expected() * length, known.active
