@@ -30,6 +30,7 @@ def read(typed: str, unit: str, values: Values) -> float:
     """
     if not typed.strip():
         raise ExpressionError("type a number first")
+    typed = re.sub(r"(?<=[\d.])\s+(?=[\d.])", "", typed)  # 1 000
     try:
         return _value(typed, values)
     except ExpressionError as error:

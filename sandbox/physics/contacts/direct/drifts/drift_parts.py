@@ -16,11 +16,14 @@ from sandbox.physics.contacts.direct.rows.kick_system import Kick
 from sandbox.physics.engine.batch import Booleans, Integers
 from sandbox.physics.joints.exact.constraints import (
     GROWS,
-    QUADRATIC,
     Coordinates,
     inertia_of,
     order,
 )
+
+DEEP = 1e-3
+"""m, the overlap in a drift because of which it is divided. Each part adds a little energy where
+bodies are squeezed out, so smaller ones are left to the correction of overlaps."""
 
 
 class Part(NamedTuple):
@@ -87,7 +90,7 @@ class Part(NamedTuple):
             return []
         kick, gaps = self.kick, self.kick.layout.gaps
         left = (kick.rows(self.drift * self.moved).total - kick.targets())[gaps]
-        return kick.layout.touching.pairs(np.flatnonzero(left < -QUADRATIC))
+        return kick.layout.touching.pairs(np.flatnonzero(left < -DEEP))
 
     @property
     def end(self) -> Coordinates:
