@@ -20,7 +20,7 @@ LEAST = 1e-8
 HALF = 0.5
 """The share of its bound above which friction may have ended a slip in the kick."""
 
-FEW = 10
+FEW = 6
 """The most friction of bodies that affect each other: in larger heaps slips end all the time, and
 chance decides where a body comes to rest."""
 
