@@ -13,6 +13,7 @@ from collections.abc import Callable, Sequence
 import numpy as np
 
 from sandbox.physics.contacts.direct.complementarity.islands import islands
+from sandbox.physics.contacts.direct.drifts.drift_parts import moving
 from sandbox.physics.contacts.direct.kicks.kick_builder import KickBuilder
 from sandbox.physics.contacts.direct.kicks.kick_parts import Taken
 from sandbox.physics.contacts.direct.prediction.convex_parts import Pair
@@ -22,16 +23,10 @@ from sandbox.physics.contacts.direct.prediction.speculative_contacts import (
 )
 from sandbox.physics.contacts.direct.rows.kick_system import Kick
 from sandbox.physics.engine.batch import Booleans
-from sandbox.physics.joints.exact.constraints import order
 from sandbox.physics.state.errors import JointFailure, NoForces
 
 MANY = 3
 """The most landings of one island in a drift that do not make a crowd."""
-
-
-def moving(kick: Kick) -> Booleans:
-    """Return which bodies impulses can move: (n,)."""
-    return np.asarray(kick.joints.inverse[order(len(kick.place.values) // 3 - 1)].any(axis=1))
 
 
 def crowd(kick: Kick, landings: Sequence[Pair]) -> Booleans:

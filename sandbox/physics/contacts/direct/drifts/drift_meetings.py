@@ -88,7 +88,6 @@ class Meetings:
     def ahead(self, part: Part, calm: Callable[[Pair], bool]) -> Ahead:
         """Return what may meet in a part of a drift, but for pairs that are `calm`."""
         look, kick, way = self._speculative, part.kick, part.drift * part.moved
-
         pairs = look.approaching.near(kick.contacts, kick.place, way)
         return Ahead(
             [pair for pair in pairs if not calm(pair)],

@@ -103,12 +103,16 @@ def concerned(kick: Kick, reached: Booleans) -> Booleans:
     return np.asarray(kick.acts[:, reached].any(axis=1))
 
 
+def moving(kick: Kick) -> Booleans:
+    """Return which bodies impulses can move: (n,)."""
+    return np.asarray(kick.joints.inverse[order(kick.acts.shape[1])].any(axis=1))
+
+
 def around(kick: Kick, pairs: Sequence[Pair]) -> Booleans:
     """Return which bodies are in the islands of some pairs: (n,)."""
-    count = kick.acts.shape[1]
-    reached = np.zeros(count, dtype=bool)
+    reached = np.zeros(kick.acts.shape[1], dtype=bool)
     reached[[body for pair in pairs for body in pair]] = True
-    reached &= kick.joints.inverse[order(count)].any(axis=1)
+    reached &= moving(kick)
     for rows, _, _ in kick.layout.islands:
         bodies = kick.acts[rows].any(axis=0)
         if (bodies & reached).any():

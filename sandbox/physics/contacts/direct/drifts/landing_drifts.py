@@ -24,9 +24,15 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.complementarity.constraint_rows import Active
-from sandbox.physics.contacts.direct.drifts.crowds import crowd, moving
+from sandbox.physics.contacts.direct.drifts.crowds import crowd
 from sandbox.physics.contacts.direct.drifts.drift_meetings import SOON, Meetings, Met
-from sandbox.physics.contacts.direct.drifts.drift_parts import Part, around, concerned, others_of
+from sandbox.physics.contacts.direct.drifts.drift_parts import (
+    Part,
+    around,
+    concerned,
+    moving,
+    others_of,
+)
 from sandbox.physics.contacts.direct.drifts.landing_record import LandingRecord
 from sandbox.physics.contacts.direct.drifts.landing_times import until_first
 from sandbox.physics.contacts.direct.drifts.slip_stops import slip_ends, until_it_stops
