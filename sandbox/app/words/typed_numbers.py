@@ -21,6 +21,9 @@ FACTORS: Mapping[str, Mapping[str, float]] = {
 }
 """For each unit, others in which a number may be typed, with their values in that unit."""
 
+SPACES = re.compile(r"(?<=\d)\s+(?=\d{3}(?!\d))|(?<=\d)\s+(?=\.\d)|(?<=\d\.)\s+(?=\d)")
+"""spaces within a number: before a group of three digits, or beside a decimal point"""
+
 
 def read(typed: str, unit: str, values: Values) -> float:
     """Return the value of a typed number, in a unit.
@@ -30,7 +33,7 @@ def read(typed: str, unit: str, values: Values) -> float:
     """
     if not typed.strip():
         raise ExpressionError("type a number first")
-    typed = re.sub(r"(?<=[\d.])\s+(?=[\d.])", "", typed)  # 1 000
+    typed = SPACES.sub("", typed)
     try:
         return _value(typed, values)
     except ExpressionError as error:

@@ -272,6 +272,9 @@ def test_after_nonsense_a_number_is_taken(asked: Person) -> None:
         ("150 cm", "m", 1.5),
         ("1e3 mm", "m", 1),
         ("5", "", 5),
+        ("12 000.5 kg", "kg", 12000.5),
+        ("2 .5 kg", "kg", 2.5),
+        ("2.\n5", "kg", 2.5),
     ],
 )
 def test_a_number_may_have_its_unit_or_another_of_its_kind(
@@ -290,6 +293,8 @@ def test_a_number_may_have_its_unit_or_another_of_its_kind(
         ("  ", "m", "type a number first"),
         ("1/0", "m", "divides by zero"),
         ("5 m m", "m", "is not"),
+        ("1 00", "m", "is not"),
+        ("1 0000", "m", "is not"),
     ],
 )
 def test_what_is_no_answer_is_told_why(typed: str, unit: str, said: str) -> None:
