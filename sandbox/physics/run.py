@@ -12,27 +12,39 @@ import numpy as np
 
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Values
-from sandbox.model.level import Level, Stepping
+from sandbox.model.level import Level, Stepping, may_be_direct
 from sandbox.physics.accuracy.cache import resolved
 from sandbox.physics.accuracy.compared_runs import lasting
 from sandbox.physics.energy.book_closure import Closer
-from sandbox.physics.measuring.recording import Recorder, Trace, count_steps, needed
+from sandbox.physics.measuring.recording import Recorder, Trace, count_steps, leans, needed
 from sandbox.physics.measuring.step_timing import step_costs
 from sandbox.physics.state.errors import BreakdownError
 from sandbox.physics.stepping.make_world import make_world
 from sandbox.physics.stepping.time_limit import Patience
 from sandbox.physics.stepping.world import World
 
+MOST_PAIRS = 100
+"""The most pairs in contact that are solved directly because sweeps did not settle them."""
+
 
 def build(level: Level, values: Values | None = None, stepping: Stepping | None = None) -> World:
     """Make the world of a level, with its default parameters and its own stepping if left out.
 
-    If the stepping only gives an accuracy, the setting is searched for, or taken from the cache.
+    If the stepping only gives an accuracy, the setting is searched for, or taken from the cache. If
+    it leaves open how contacts are solved, and sweeps of pymunk's solver do not settle what rests
+    at the start, such as a tall stack, contacts are solved directly.
     Raises `AccuracyError` if an accuracy is asked for that cannot be had, `SimulationError` if the
     world cannot even start, and `SchemeError` if the scheme is not for such a level.
     """
     values = level.defaults if values is None else values
-    return make_world(level, values, resolved(level, values, stepping or level.stepping))
+    chosen = resolved(level, values, stepping or level.stepping)
+    world = make_world(level, values, chosen)
+    if not leans(world) or not may_be_direct(level) or len(world.contacts.bodies) > MOST_PAIRS:
+        return world
+    try:
+        return make_world(level, values, chosen.model_copy(update={"solver": "direct"}))
+    except SandboxError:  # what has no forces, such as a wedge: sweeps go on
+        return world
 
 
 def simulate(

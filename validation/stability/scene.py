@@ -26,8 +26,11 @@ LAGRANGE = "9. Lagrangian mechanics: constraints and pendulums"
 
 
 def pile(size: float, *, overlaps: bool = False) -> Document:
-    """Return the effects of a pile of bodies of a size [m], which may overlap at the start."""
-    contact: Document = {"slop": SLOP * size}
+    """Return the effects of a pile of bodies of a size [m], which may overlap at the start.
+
+    Its contacts are left to sweeps, since that is hard.
+    """
+    contact: Document = {"solver": "iterative", "slop": SLOP * size}
     if overlaps:
         contact["overlaps"] = True
     return {**GRAVITY, "contact": contact, "friction": {}, "rotation": {}}

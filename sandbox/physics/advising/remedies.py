@@ -19,7 +19,7 @@ from sandbox.model.level import HIGHEST_RATE, Level, Stepping, is_direct
 from sandbox.model.message import NOTHING, Message, both, joined
 from sandbox.physics.guarding.rate_limits import needed
 from sandbox.physics.measuring.recording import count_steps
-from sandbox.physics.run import build
+from sandbox.physics.run import MOST_PAIRS, build
 from sandbox.physics.scene.stability_limits import MARGIN
 from sandbox.physics.state.errors import BreakdownError, SimulationError
 from sandbox.physics.stepping.world import World
@@ -112,10 +112,9 @@ def advise(
     end = level.duration(values) if duration is None else duration
     attempt = partial(_attempt, values=values, before=error.time, end=end)
     deadline, failed = process_time() + seconds, list[_Trial]()
-    rates = list(_finer(error, level, values, stepping))
-    others = list(_others(level, stepping))
-    for i, (description, changed, with_, rate) in enumerate((*rates, *others)):
-        left = len(rates) + len(others) - i
+    remedies = [*_finer(error, level, values, stepping), *_others(level, stepping)]
+    for i, (description, changed, with_, rate) in enumerate(remedies):
+        left = len(remedies) - i
         share = (deadline - process_time()) / left * 2  # early stops leave more time to the others
         until = min(deadline, process_time() + share)
         trial = attempt(description, changed or level, with_, rate, until=until)
@@ -159,6 +158,8 @@ def _found(failed: list[_Trial], trial: _Trial) -> Message:
 def leaning(level: Level, values: Values, stepping: Stepping) -> str:
     """Return the warning that a pile may lean because its contact forces were not settled."""
     text = "sweeps of the solver did not settle what rests at the start, so it may lean or fall"
+    if len(level.bodies) > MOST_PAIRS:
+        return text
     try:
         build(solved_directly(level), values, stepping)
     except SandboxError:

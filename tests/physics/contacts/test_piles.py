@@ -40,16 +40,46 @@ def test_a_stack_of_ten_settles_before_its_first_step(contact: Spec) -> None:
     assert drift(stack(10, contact), 20) <= 1e-9  # 1e-13
 
 
+SWEPT: Spec = {"solver": "iterative"}
+
+
+@pytest.mark.parametrize(
+    ("count", "solver"), [(10, None), (15, "direct"), (30, "direct"), (120, None)]
+)
+def test_what_sweeps_do_not_settle_is_solved_directly(count: int, solver: str | None) -> None:
+    """A stack of 120 boxes is too high for either."""
+    assert build(stack(count, {})).stepping.solver == solver
+
+
+def test_a_level_that_chooses_its_solver_keeps_it() -> None:
+    world = build(stack(15, SWEPT))
+
+    assert world.stepping.solver is None
+    assert not world.scene.direct
+
+
+@pytest.mark.parametrize("rate", [60, 240])
+def test_a_tower_of_thirty_stands(rate: float) -> None:
+    """Left to sweeps, it falls at either rate."""
+    assert drift(stack(30, {}, rate), 3) <= 1e-9  # 2e-12
+
+
+@pytest.mark.sweep
+@pytest.mark.parametrize(("rate", "lean"), [(60, 1.0), (240, 0.1)])
+def test_left_to_sweeps_it_falls(rate: float, lean: float) -> None:
+    assert drift(stack(30, SWEPT, rate), 6) > lean
+
+
 @pytest.mark.sweep
 def test_a_stack_of_fifteen_stands_for_a_minute() -> None:
     """For an hour, too, it stays within the same 6 mm."""
-    assert drift(stack(15, PILES, 240, 30), 60) < 0.01
+    assert drift(stack(15, {**PILES, **SWEPT}, 240, 30), 60) < 0.01
 
 
 @pytest.mark.sweep
 def test_without_settings_for_piles_it_is_stirred() -> None:
     """The check above can fail."""
-    assert drift(stack(15, {}, 240, 30), 60) > 0.02
+    assert drift(stack(15, SWEPT, 240, 30), 60) > 0.02
 
 
 @pytest.mark.parametrize("size", [0.1, 1.0])
