@@ -184,10 +184,10 @@ def pogo(contact: Spec, riders: int = 1) -> Level:
 
 def test_what_a_spring_presses_on_the_ground_does_not_sink_in() -> None:
     """Sweeps leave it 2 cm deep, and taking that back lifts the rider."""
-    world = build(pogo({}))
-    deepest = max(
-        world.advance() and float(world.contacts.depth.max(initial=0)) for _ in range(720)
-    )
+    world, deepest = build(pogo({})), 0.0
+    for _ in range(720):
+        world.advance()
+        deepest = max(deepest, float(world.contacts.depth.max(initial=0)))
     assert deepest <= 2e-8  # 1e-9
     closing = simulate(pogo({}), duration=3, books=True).closing
     assert closing
