@@ -16,6 +16,7 @@ from tests.physics.scenes import (
     GRAVITY,
     G,
     atwood,
+    box,
     disc,
     fixed,
     level,
@@ -214,6 +215,22 @@ def test_an_end_that_runs_into_its_peg_stops_the_run() -> None:
     assert world.snapshot.t == pytest.approx(caught.value.time - 1 / 60)
     with pytest.raises(SimulationError):  # a world that has ended stays so
         world.step()
+
+
+@pytest.mark.parametrize("rate", [60, 960])
+def test_a_string_solved_with_contacts_runs_into_its_peg(rate: int) -> None:
+    """The drift before it is divided first, which is no reason to name another cause."""
+    scene = level(
+        {"left": box((-0.5, 0), mass=1), "right": box((0.5, 0), mass=3)},
+        {**GRAVITY, "contact": {}},
+        joints={"string": pulley(["left", "right"], [(-0.5, 3), (0.5, 3)])},
+        stepping={"rate": rate},
+    )
+    world = build(scene)
+    with pytest.raises(SimulationError, match="'string' has run into a peg") as caught:
+        run(world, 2 * rate)
+
+    assert caught.value.time == pytest.approx((12 / G) ** 0.5, abs=2 / rate)
 
 
 @pytest.mark.parametrize("rate", [60, 1000])

@@ -193,10 +193,13 @@ class Direct:
         kick = self._build.look(start.velocity * self._dt)
         try:
             taken = take(kick, start, self._known)
-        except (JointFailure, NoForces):
+        except (JointFailure, NoForces) as whole:
             if not self._divides(kick):
                 raise
-            self._divide(kick, start)
+            try:
+                self._divide(kick, start)
+            except (JointFailure, NoForces) as last:  # a joint knows more in a whole step
+                raise (whole if isinstance(whole, JointFailure) else last) from None
             return
         taken = self._closed(taken, start)
         self._keep(taken, start)
