@@ -2,9 +2,12 @@
 
 import json
 import os
+import subprocess
+import sys
 from collections.abc import Callable, Generator, Iterator
 from contextlib import closing
 from itertools import groupby, islice, takewhile
+from multiprocessing import Pipe
 from pathlib import Path
 from random import Random
 from typing import Any, get_args
@@ -216,6 +219,25 @@ def test_atheris_is_told_what_comes_of_the_levels_it_makes(
 def test_atheris_that_tries_nothing_is_told(led: Callable[[int], Generator[Tried]]) -> None:
     with pytest.raises(SandboxError, match="Atheris ended before it tried a level"):
         next(led(0))
+
+
+@pytest.mark.sweep
+def test_atheris_leaves_no_file_behind_if_whoever_asked_it_is_killed(tmp_path: Path) -> None:
+    """It left its last input in the working folder, as a crash."""
+    pytest.importorskip("atheris")
+    (tmp_path / "inputs").mkdir()
+    ours, theirs = Pipe()
+    options = (str(theirs.fileno()), "1", str(tmp_path / "inputs"))
+    with subprocess.Popen(
+        [sys.executable, "-m", "validation.fuzz.explorer", *options],
+        pass_fds=[theirs.fileno()], cwd=tmp_path, env={**os.environ, "PYTHONPATH": os.getcwd()},
+        stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+    ):  # fmt: skip
+        theirs.close()
+        assert ours.poll(60)
+        ours.close()
+
+    assert [path.name for path in tmp_path.iterdir()] == ["inputs"]
 
 
 def test_what_atheris_finds_counts_if_the_level_fails_by_itself(

@@ -7,6 +7,7 @@ before it and its text, then its `Outcome`.
 """
 
 import importlib
+import os
 import sys
 from functools import partial
 from io import BytesIO
@@ -62,8 +63,9 @@ def main() -> None:
             pass
 
     limits = ["-rss_limit_mb=0", "-timeout=0", f"-max_len={LONGEST}", "-len_control=0"]
+    nowhere = f"-exact_artifact_path={os.devnull}"  # else it leaves a file where the work is
     trial.limit_memory()
-    atheris.Setup([sys.argv[0], f"-seed={seed}", *limits, folder], explore)
+    atheris.Setup([sys.argv[0], f"-seed={seed}", *limits, nowhere, folder], explore)
     atheris.Fuzz()
 
 

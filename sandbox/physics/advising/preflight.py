@@ -15,6 +15,9 @@ from sandbox.physics.state.errors import BreakdownError, JointFailure, Simulatio
 MOST_PARTS = 20_000
 """The most bodies and joints that are built to check the rate: about 2 s."""
 
+SECONDS = 0.5
+"""s of processor time for trying a rate: whoever checks a level does not wait for its run."""
+
 IN_MOTION = frozenset(
     {
         "mass", "moment", "velocity", "angular_velocity", "gravity", "friction", "static_friction",
@@ -45,7 +48,7 @@ def refusal(level: Level, *, advised: bool = False) -> SimulationError | None:
     if advised and error.rate is not None:
         from sandbox.physics.advising.remedies import tried
 
-        error = tried(error, level, values, level.stepping)
+        error = tried(error, level, values, level.stepping, seconds=SECONDS)
     return error
 
 

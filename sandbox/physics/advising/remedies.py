@@ -85,14 +85,16 @@ def tried(
     values: Values,
     stepping: Stepping,
     duration: float | None = None,
+    seconds: float = SECONDS,
 ) -> SimulationError:
     """Return the error with which a run stopped, with advice from the trials of remedies.
 
-    `duration` is the intended duration [s]; that of the level if left out.
+    `duration` is the intended duration [s], that of the level if left out; `seconds` is the
+    processor time for all trials.
     """
     if isinstance(error, BreakdownError):
         return error
-    found = advise(error, level, values, stepping, duration)
+    found = advise(error, level, values, stepping, duration, seconds)
     if not found.text:
         return error
     return error.advised(found.text, found.rate)

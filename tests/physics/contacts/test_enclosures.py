@@ -92,3 +92,23 @@ def test_a_hoop_that_falls_lands_at_its_own_time(rate: int) -> None:
 
     assert min(heights) >= 0.5 - 1e-7
     assert heights[-1] == pytest.approx(0.5, abs=1e-7)
+
+
+def test_more_pairs_than_can_be_excluded_are_refused() -> None:
+    """30 hoops with 100 discs in each took half a minute and more than half a gigabyte."""
+    inside = {f"in{i}": disc((i % 15 - 7, i // 15 - 7), radius=0.1) for i in range(225)}
+    beside = {f"out{i}": disc((i % 15 + 20, i // 15), radius=0.1) for i in range(225)}
+    ring = {"shape": {"type": "hoop", "radius": 12}, "mass": 2}
+
+    with pytest.raises(SimulationError, match="hoops separate more than 50,000 pairs") as told:
+        build(level({"ring": ring, **inside, **beside}, {"contact": {}}))
+    assert told.value.subject == "ring"
+
+
+def test_more_hollow_bodies_in_one_place_than_can_be_judged_are_refused() -> None:
+    """300 arcs within each other took 25 s to check."""
+    shapes = [{"type": "arc", "radius": 1 + i / 10, "start": 0, "end": 3} for i in range(64)]
+    arcs = {f"arc{i}": {"shape": shape, "mass": 1} for i, shape in enumerate(shapes)}
+
+    with pytest.raises(SimulationError, match="more than 2,000 pairs of bodies are close"):
+        build(level(arcs, {"contact": {}}))

@@ -5,18 +5,23 @@ each other: the ball would have friction with the floor below the hoop.
 """
 
 from collections.abc import Iterator, Mapping
-from itertools import product
+from itertools import chain, islice, product
 
 import pymunk
 
+from sandbox.model.message import Message
 from sandbox.model.shapes import Hoop
 from sandbox.physics.contacts.shapes.collision_filter import keep_apart
 from sandbox.physics.contacts.shapes.corner_feelers import Made, core_of
 from sandbox.physics.geometry.arcs import Arc
 from sandbox.physics.geometry.plane_curve import Course
+from sandbox.physics.state.errors import SimulationError
 
 NEAR = 1e-4
 """The share of a hoop's radius by which a body may cross it and still count as on one side."""
+
+MOST = 50_000
+"""The most pairs that hoops separate, with those that several do: a second to exclude."""
 
 
 class Enclosures:
@@ -37,22 +42,29 @@ class Enclosures:
         self.look()
 
     def look(self) -> None:
-        """Find the bodies inside hoops at the present positions, and exclude their contacts."""
-        self._space.remove(*self._bars)
-        self._bars = keep_apart(self._space, self._bodies, sorted(set(self._between())))
+        """Find the bodies inside hoops at the present positions, and exclude their contacts.
 
-    def _between(self) -> Iterator[tuple[str, str]]:
+        Raises `SimulationError` if they are too many.
+        """
+        found: list[tuple[str, str]] = []
+        for name, line in self._lines.items():
+            if isinstance(line, Arc) and isinstance(self._made[name].spec.shape, Hoop):
+                found += islice(self._between(name, line), MOST + 1 - len(found))
+                if len(found) > MOST:
+                    raise SimulationError(name, 0.0, _too_many())
+        self._space.remove(*self._bars)
+        self._bars = keep_apart(self._space, self._bodies, sorted(set(found)))
+
+    def _between(self, name: str, hoop: Arc) -> Iterator[tuple[str, str]]:
         """Yield the pairs of bodies with one inside a hoop and the other outside."""
-        for name, hoop in self._lines.items():
-            if not (isinstance(hoop, Arc) and isinstance(self._made[name].spec.shape, Hoop)):
-                continue
-            middle, others = _place(self._bodies[name], hoop.center), self._made.keys() - {name}
-            within = {o for o in others if self._reach(o, middle) < hoop.radius * (1 + NEAR)}
-            outside = {o for o in others if self._distance(o, middle) > hoop.radius * (1 - NEAR)}
-            # a hoop of the same size around the same point is on neither side
-            for pair in product(within - outside, outside - within):
-                if any(self._made[one].moves for one in pair):
-                    yield min(pair), max(pair)
+        middle, others = _place(self._bodies[name], hoop.center), self._made.keys() - {name}
+        within = {o for o in others if self._reach(o, middle) < hoop.radius * (1 + NEAR)}
+        outside = {o for o in others if self._distance(o, middle) > hoop.radius * (1 - NEAR)}
+        # a hoop of the same size around the same point is on neither side
+        inner, outer = within - outside, outside - within
+        moving = {o for o in others if self._made[o].moves}
+        for pair in chain(product(inner & moving, outer), product(inner - moving, outer & moving)):
+            yield min(pair), max(pair)
 
     def _reach(self, name: str, middle: complex) -> float:
         """Return the largest distance of a body from a point [m]."""
@@ -73,6 +85,14 @@ class Enclosures:
             return max(far - line.outer, line.inner - far)
         point = middle.real, middle.imag
         return min(shape.point_query(point).distance for shape in self._made[name].shapes)
+
+
+def _too_many() -> Message:
+    return Message(
+        "hoops separate more than {most:,} pairs of bodies, one inside and one outside; have fewer"
+        " bodies, or fewer hoops",
+        most=MOST,
+    )
 
 
 def _place(body: pymunk.Body, point: complex) -> complex:

@@ -47,7 +47,7 @@ def make_hollow(
     All shapes, in the level's order, are in the space already, and were made from `level` and
     `values`. `skin` is the thickness of the contact skin on flat surfaces [m]; for `drift` see
     `Hollows`. Raises `SimulationError` if a body starts in a hoop that can only be touched from
-    outside.
+    outside, or if hoops separate too many bodies.
     """
     hollow = ArcShape | Hoop | CurveShape
     if not any(isinstance(body.shape, hollow) for body in level.bodies.values()):
@@ -99,6 +99,7 @@ def _pairs(level: Level, values: Values, made: Mapping[str, Made]) -> list[tuple
     sticky = {frozenset(p.bodies) for p in effects.sticking.pairs} if effects.sticking else set()
     located = effects.contact and effects.contact.located
     moving = {name: body for name, body in made.items() if body.moves}
+    widths = {name: _width(body) for name, body in made.items()}
     for name, hollow in made.items():
         if not isinstance(hollow.spec.shape, ArcShape | Hoop | CurveShape):
             continue
@@ -107,7 +108,7 @@ def _pairs(level: Level, values: Values, made: Mapping[str, Made]) -> list[tuple
                 continue
             if isinstance(hollow.spec.shape, Hoop):
                 radius = hollow.spec.shape.radius(values)
-                if not _has_room(radius, body):
+                if widths[other] >= 2 * radius:
                     continue
                 if located or {name, other} in sticky:
                     _refuse_within(name, hollow, radius, other, body)
@@ -116,11 +117,11 @@ def _pairs(level: Level, values: Values, made: Mapping[str, Made]) -> list[tuple
     return found
 
 
-def _has_room(radius: float, body: Made) -> bool:
-    """Return whether a body fits into a hoop, by the bounding box along its own axes."""
+def _width(body: Made) -> float:
+    """Return the larger side of a body's bounding box along its own axes [m]."""
     low = np.min([_box(shape)[0] for shape in body.shapes], axis=0)
     high = np.max([_box(shape)[1] for shape in body.shapes], axis=0)
-    return bool((high - low).max() < 2 * radius)
+    return float((high - low).max())
 
 
 def _box(shape: pymunk.Shape) -> tuple[list[float], list[float]]:
