@@ -169,12 +169,14 @@ def moment(check: Check) -> str:
         case None:
             return say("the first step")
         case ApexEvent(body=body):
-            return say("the apex of {body}", body=body)
+            return say("the apex of {body}", body=name_in_words(body))
         case LandingEvent(body=body):
-            return say("the landing of {body}", body=body)
-        case ContactEvent(bodies=(a, b), nth=nth):
+            return say("the landing of {body}", body=name_in_words(body))
+        case ContactEvent(bodies=bodies, nth=nth):
+            a, b = map(name_in_words, bodies)
             return say("{a} to meet {b}", a=a, b=b) + _times(nth)
-        case SeparationEvent(bodies=(a, b), nth=nth):
+        case SeparationEvent(bodies=bodies, nth=nth):
+            a, b = map(name_in_words, bodies)
             return say("{a} to part from {b}", a=a, b=b) + _times(nth)
         case CrossingEvent(quantity=name, value=value):
             return say("{quantity} to cross {value}", quantity=name, value=value.source)
