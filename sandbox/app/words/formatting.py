@@ -85,8 +85,13 @@ def quantity(value: float, unit: str, digits: int = 5, *, all_count: bool = Fals
 def _in_unit(value: float, unit: str, write: Callable[[float], str]) -> str:
     """Format a number by a function, and append its unit; radians are shown in degrees."""
     if unit.startswith("rad"):
-        return f"{write(degrees(value))}{unit.replace('rad', '°')}"
+        return f"{write(degrees(value))}{shown_unit(unit)}"
     return f"{write(value)} {unit}".rstrip()
+
+
+def shown_unit(unit: str) -> str:
+    """Return the unit in which values of a unit are shown: degrees for radians."""
+    return unit.replace("rad", "°")
 
 
 def name_in_words(name: str) -> str:
@@ -116,7 +121,7 @@ def with_unit(text: str, unit: str) -> str:
 
 def with_unit_in_brackets(name: str, unit: str) -> str:
     """Format the heading of a column; radians are shown in degrees."""
-    return f"{name} [{unit.replace('rad', '°')}]" if unit else name
+    return f"{name} [{shown_unit(unit)}]" if unit else name
 
 
 def setting(value: float) -> str:
