@@ -319,6 +319,23 @@ def test_an_impossible_value_is_told_and_taken_back(player: Person, typed: str) 
     _note_beside(player, field.rect)
 
 
+def test_a_long_count_of_the_checks_fits_below_a_narrow_panel(person: Person) -> None:
+    """In German the last word was cut off."""
+    person.window.comfort.choose(language="de")
+    person.resize((900, 600))
+    person.window.open_level("machines/drawbridge")
+    person.press(pygame.K_SPACE, " ")
+    person.wait(1.0)
+    foot = person.side.foot
+    assert foot is not None
+    assert foot.verdicts is not None
+
+    told = foot.verdicts.text
+
+    assert told == "2 bestanden, 1 wartet, 2 nicht anwendbar"
+    assert person.window.pen.write(told, 13).width < foot.verdicts.rect.width
+
+
 def test_a_note_at_the_end_of_the_panel_is_above_its_field(player: Person) -> None:
     player.window.open_level("machines/trebuchet")
     player.resize((900, 600))

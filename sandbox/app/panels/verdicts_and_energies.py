@@ -98,8 +98,11 @@ class Foot:
         Sheet.replace(self._energy, self._drawn())
 
     def _summary(self) -> str:
-        """Return the summary of the checks, shortened to the width of the footer."""
-        return self._pen.shorten(check_summary(self._session), self._width, SIZE)
+        """Return the summary of the checks; where the footer is too narrow, without its title."""
+        told = check_summary(self._session)
+        if self._pen.write(told, SIZE).width > self._width:
+            told = told.partition(": ")[2]
+        return self._pen.shorten(told, self._width, SIZE)
 
     def _drawn(self) -> pygame.Surface:
         session, books = self._session, self._session.books
