@@ -16,6 +16,8 @@ from sandbox.app.pages.table.stopwatch import Stopwatch
 from sandbox.app.panels.layout import room
 from sandbox.app.panels.verdicts_and_energies import FIRST, NEXT
 from sandbox.app.runs.session import Session
+from sandbox.app.stage import texts
+from sandbox.app.stage.observer import CENTER
 from sandbox.app.stage.overlays.register import OVERLAYS
 from sandbox.app.widgets.file_dialog import SMALLEST
 from sandbox.app.words.language import say
@@ -68,6 +70,7 @@ class CommandActions:
         stage, panels = self._space.stage, self._space.panels
         return {
             "fit": partial(self._with_session, lambda _: stage.fit()),
+            "observe": partial(self._with_session, self._observe),
             "zoom in": lambda: stage.camera.zoom(1.25),
             "zoom out": lambda: stage.camera.zoom(0.8),
             "levels": partial(self._toggle_column, "levels"),
@@ -117,6 +120,14 @@ class CommandActions:
             act(self._space.session)
         except SandboxError as error:
             self._tell(say(error.message))
+
+    def _observe(self, session: Session) -> None:
+        """See it from the selected body, then from the centre of mass, then from the ground."""
+        stage = self._space.stage
+        places = [session.looking.body(session.level), CENTER, None]
+        seen_from = stage.seen_from
+        stage.observe(places[(places.index(seen_from) + 1) % 3 if seen_from in places else 0])
+        self._tell(texts.seen_from(stage.view.observer.place))
 
     def _press_the_stopwatch(self) -> None:
         if self._space.session is not None:

@@ -165,17 +165,19 @@ class Events:
         return change is not None
 
     def _set(self, change: Change) -> None:
-        """Change a parameter, from the start or from now on; show a message if that fails."""
+        """Change a parameter, from the start or from now on; say beside it if that fails."""
         session, side, banner = self._space.session, self._space.panels.side, self._space.banner
         assert session is not None
         assert side is not None
-        if change.value is None:
-            banner.tell(say(change.refusal))
-        elif change.value != session.chosen[change.name]:
+        refusal = change.refusal
+        if change.value is not None and change.value != session.chosen[change.name]:
             try:
                 session.change({change.name: change.value}, otherwise=change.shifted)
                 banner.tell("")
             except SandboxError as error:
-                banner.tell(say(error.message))
+                refusal = error.message
         side.parameters.show(session.chosen)
         side.parameters.revert()
+        side.parameters.accept()
+        if refusal:
+            side.parameters.refuse(change.name, say(refusal))

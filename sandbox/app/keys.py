@@ -47,6 +47,9 @@ PLAYING = (
 
 SHOWING = (
     Binding("fit", "F", "fit the view", (), "fF"),
+    Binding(
+        "observe", "4", "see it from the selected body, the centre of mass, or the ground", (), "4"
+    ),
     Binding("zoom in", "Z", "zoom in", (), "z"),
     Binding("zoom out", "Shift Z", "zoom out", (), "Z"),
     Binding("levels", "L", "show or hide the levels", (), "lL"),

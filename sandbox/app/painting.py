@@ -42,6 +42,7 @@ def paint(space: Workspace) -> None:
 def _paint_stage(space: Workspace, view: pygame.Surface, session: Session) -> None:
     """Draw the run, or a page's own picture in its place, with measurements and messages."""
     maker = space.maker
+    space.stage.camera.offset = 0.0, 0.0  # what a page draws is seen from the ground
     if maker is None or not maker.draw(view, space.stage, space.pen, session):
         _paint_run(space, view, session)
         if maker is not None:

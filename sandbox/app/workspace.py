@@ -194,7 +194,8 @@ class Workspace:
 
     def _tell_of(self, session: Session, path: Path, *, ran: bool) -> None:
         """Announce what was opened, and remember the user's own files."""
-        self.banner.tell("")
+        complaint = self.comfort.complaint()
+        self.banner.tell(complaint, lasting=bool(complaint))
         if ran:  # not a level's file, which is watched and written to
             self.path = None
             self.banner.tell(say("{file} plays again, with all of your actions", file=path.name))

@@ -160,14 +160,14 @@ def test_shift_and_the_switch_decide_where_a_change_acts_from(
     assert person.session.world.steps == 0
 
 
-def test_what_cannot_be_changed_on_the_way_is_told_in_the_window(person: Person) -> None:
+def test_what_cannot_be_changed_on_the_way_is_told_beside_its_slider(person: Person) -> None:
     person.window.open_level("kinematics/projectile")
     for _ in range(5):
         person.press(pygame.K_RIGHT)
     person.session.branches = True
     drag(person, "speed", -40)
 
-    assert "only its start or what is displayed" in person.window.banner._note
+    assert "only its start or what is displayed" in person.side.parameters.refusal
     assert person.session.world.steps == 5
     assert person.session.values["speed"] == 25
 

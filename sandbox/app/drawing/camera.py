@@ -20,17 +20,27 @@ class Camera:
     def __init__(self, size: tuple[int, int]) -> None:
         self.size = size
         """The size of the surface [px]."""
-        self.center: XY = (0.0, 0.0)
-        """The point in the middle of the surface [m]."""
+        self.offset: XY = (0.0, 0.0)
+        """How far the camera has moved with its observer [m]."""
+        self._at: XY = (0.0, 0.0)  # the middle of the surface without that [m]
         self.scale = 50.0
         """The scale [px/m]."""
         self._width = self._middle = 10.0
         self.fitted = True
         """Whether it shows the level's view, rather than one chosen by the user."""
 
+    @property
+    def center(self) -> XY:
+        """The point in the middle of the surface [m]."""
+        return self._at[0] + self.offset[0], self._at[1] + self.offset[1]
+
+    @center.setter
+    def center(self, point: XY) -> None:
+        self._at = point[0] - self.offset[0], point[1] - self.offset[1]
+
     def fit(self, view: View, values: Values) -> None:
         """Show a level's view."""
-        self.center = evaluate(view.center, values)
+        self._at = evaluate(view.center, values)
         self._width = view.width(values)
         self._middle = self._width * view.middle
         self.fitted = True

@@ -60,8 +60,11 @@ class Comfort:
     """
 
     def __init__(self, desktop: int = 0) -> None:
-        self.chosen = user_data.read(file(), _KIND, Preferences())
+        usual = Preferences()
+        self.chosen = user_data.read(file(), _KIND, usual)
         """The current settings; every change replaces the object."""
+        self.unreadable = self.chosen is usual and file().exists()
+        """Whether there are saved settings that cannot be read."""
         self._suiting = suiting(desktop)
 
     @property
@@ -78,6 +81,13 @@ class Comfort:
     def scale(self) -> float:
         """The factor by which text, and everything around it, is larger than the standard size."""
         return self.size / 100
+
+    def complaint(self) -> str:
+        """Return, once, that saved settings cannot be read; an empty string if they can."""
+        unreadable, self.unreadable = self.unreadable, False
+        if not unreadable:
+            return ""
+        return say("{file} cannot be read: the settings are those of a first start", file=file())
 
     def choose(self, **changes: object) -> str:
         """Change settings and save them; return why that fails, else an empty string."""

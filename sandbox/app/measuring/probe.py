@@ -29,7 +29,9 @@ class Found(NamedTuple):
     t: float
     place: XY
     speed: float
-    """The time, position and speed of the body [s, m, m/s]."""
+    """The time, and the position and speed of the body for the observer [s, m, m/s]."""
+    at: XY
+    """Where that is in the picture now [m]."""
     distance: float
     """The distance to the mouse [px]."""
     scales: tuple[float, float]
@@ -45,14 +47,16 @@ class Found(NamedTuple):
             formatting.number(formatting.without_rounding(value, scale), DIGITS)
             for value, scale in told
         )
-        return f"{self.body}   t = {self.t:.3f} s   ({x}, {y}) m   {speed} m/s"
+        body = formatting.name_in_words(self.body)
+        return f"{body}   t = {self.t:.3f} s   ({x}, {y}) m   {speed} m/s"
 
 
 def find(view: View, session: Session, pixel: XY) -> Found | None:
     """Return the instant of this run or an earlier one nearest to a pixel; None if none is near."""
     if not (view.few and view.shown["trail"] and alike(session.world, view.world)):
         return None
-    histories = session.history, *(run.history for run in session.earlier)
+    earlier = session.earlier if view.observer.place is None else ()
+    histories = session.history, *(run.history for run in earlier)
     near = [found for history in histories for found in _near(view, history, pixel)]
     return min(near, key=lambda found: found.distance, default=None)
 
@@ -60,17 +64,18 @@ def find(view: View, session: Session, pixel: XY) -> Found | None:
 def _near(view: View, history: History, pixel: XY) -> Iterator[Found]:
     """Yield the nearest instant of each moving body, if it is within `REACH`."""
     states, mouse, scale = history.snapshots, view.camera.to_world(pixel), view.camera.scale
+    seen, velocity = view.observer.seen(states.position), view.observer.seen(states.velocity)
+    paths = view.observer.path(states.position)
     for name, outline in view.outlines.items():
         if not outline.moves or outline.hidden:
             continue
-        places = states.position[:, outline.row]
-        distance = np.hypot(*(places - mouse).T) * scale
+        distance = np.hypot(*(paths[:, outline.row] - mouse).T) * scale
         i = int(distance.argmin())
         if distance[i] <= REACH:
-            speed = float(np.hypot(*states.velocity[i, outline.row]))
-            x, y = places[i].tolist()
+            speed = float(np.hypot(*velocity[i, outline.row]))
+            place, at = (tuple(found[i, outline.row].tolist()) for found in (seen, paths))
             scales = view.width, view.fastest
-            yield Found(name, float(states.t[i]), (x, y), speed, float(distance[i]), scales)
+            yield Found(name, float(states.t[i]), place, speed, at, float(distance[i]), scales)
 
 
 def draw(surface: pygame.Surface, view: View, session: Session, pixel: XY) -> None:
@@ -79,7 +84,7 @@ def draw(surface: pygame.Surface, view: View, session: Session, pixel: XY) -> No
     found = find(view, session, pixel) if over else None
     if found is None:
         return
-    at = view.camera.to_screen(found.place)
+    at = view.camera.to_screen(found.at)
     pygame.draw.aacircle(surface, theme.NOTICE, at, 5, 2)
     text = view.pen.write(found.text, 13)
     plate = text.get_rect(midtop=(at[0], at[1] + AWAY)).inflate(2 * PADDING, PADDING)

@@ -39,6 +39,7 @@ CAPTION = 82  # px, the height of the captions above and below the graph
 SWITCH = 22  # px, the height of the button that leads to the next view
 PADDING = 22  # px, beside its caption, left and right together
 VERDICTS = 24  # px, the height of the line that counts the checks
+SIZE = 13  # of the letters in that line
 LAST = 8  # px, the margin at the bottom
 
 
@@ -67,7 +68,7 @@ class Foot:
         if checks:
             line = pygame.Rect(rect.x + px(MARGIN - 8), self.top, self._width + px(8), px(VERDICTS))
             self.verdicts = UIButton(
-                line, check_summary(session), manager, tool_tip_text=tip("checks"),
+                line, self._summary(), manager, tool_tip_text=tip("checks"),
                 object_id=ObjectID(class_id="@section"),
             )  # fmt: skip
         caption = say(NEXT[view][1])
@@ -93,8 +94,15 @@ class Foot:
     def update(self) -> None:
         """Update the verdicts and the energies."""
         if self.verdicts is not None:
-            self.verdicts.set_text(check_summary(self._session))
+            self.verdicts.set_text(self._summary())
         Sheet.replace(self._energy, self._drawn())
+
+    def _summary(self) -> str:
+        """Return the summary of the checks; where the footer is too narrow, without its title."""
+        told = check_summary(self._session)
+        if self._pen.write(told, SIZE).width > self._width:
+            told = told.partition(": ")[2]
+        return self._pen.shorten(told, self._width, SIZE)
 
     def _drawn(self) -> pygame.Surface:
         session, books = self._session, self._session.books

@@ -27,6 +27,7 @@ from sandbox.app.stage import (
 from sandbox.app.stage.given_forces import Arrow
 from sandbox.app.stage.labels import Labels
 from sandbox.app.stage.landscape import Relief
+from sandbox.app.stage.observer import Observer
 from sandbox.app.stage.outline import Outline
 from sandbox.app.stage.overlays.overlay import Overlay
 from sandbox.app.stage.overlays.register import OVERLAYS, at_first
@@ -46,6 +47,8 @@ class Stage:
     ----------
     camera
         The part of the plane that is shown.
+    seen_from
+        The place of the observer, see `Observer`.
     shown
         Whether each overlay is drawn, by name.
     asked
@@ -61,6 +64,7 @@ class Stage:
     def __init__(self, pen: Pen, size: tuple[int, int], *, plain: bool = False) -> None:
         self.camera, self.plain = Camera(size), plain
         self.shown, self.asked = at_first(), ""
+        self.seen_from: str | None = None
         self._pen = pen
         self._base = pygame.Surface(size)
         self._canvas = pygame.Surface(size)
@@ -74,18 +78,22 @@ class Stage:
         """Show another world; a part of the plane that the user has chosen stays."""
         again = world.level is self._level and world.values == self.view.world.values
         if world.level is not self._level:
-            self._level = world.level
+            self._level, self.seen_from = world.level, None
             for overlay in OVERLAYS:
                 if overlay.on is not None:
                     self.shown[overlay.name] = overlay.on(world.level)
         kept = self.view.fastest if again and float(world.snapshot.t) else 0.0  # of the same run
-        self.view = View(world, self.camera, self._pen, self.shown)
+        self.view = View(world, self.camera, self._pen, self.shown, self.seen_from)
         self.view.keep_scale(kept)
         landscape = world.level.view.landscape
         self._relief = landscape and Relief(landscape, world)
         self._base_key = None
         if self.camera.fitted:
             self.fit()
+
+    def observe(self, place: str | None) -> None:
+        """Show the world as seen from a place, see `Observer`."""
+        self.seen_from, self.view.observer = place, Observer(self.view.world, place)
 
     def fit(self) -> None:
         """Show the part of the plane in the level's view."""
@@ -108,6 +116,7 @@ class Stage:
         Companions `beside` it are drawn over it; without any, the trails of `earlier` runs are.
         """
         view, world, outlines = self.view, self.view.world, self.view.outlines
+        self.camera.offset, grounded = view.observer.moved, view.observer.place is None
         area = surface.get_rect() if self.plain else grid.inside(self.camera, self._pen)
         area = area.inflate(-2 * self._pen.px(EDGE), 0)
         view.trail, view.labels = trail, Labels(area, view.kept)
@@ -120,7 +129,7 @@ class Stage:
         others = [(each.trail, each.variant.color) for each in beside] or [
             (trail, theme.LANES[i % len(theme.LANES)]) for i, trail in enumerate(earlier)
         ]
-        self._draw_trails(trail if traced else None, others if traced else ())
+        self._draw_trails(trail if traced else None, others if traced and grounded else ())
         surface.blit(self._canvas, (0, 0))
         if self._relief:
             self._relief.draw_point(surface, self.camera, self._pen)
@@ -131,9 +140,9 @@ class Stage:
         liquid.draw_veil(surface, self.camera, world)
         self._draw_joints(surface, in_front=True)
         self._draw_beside(surface, beside)
-        if world.level.view.labels:
-            texts.draw_texts(surface, view)
-        told = milestones if view.few else ()
+        texts.draw_observer(surface, view)
+        texts.draw_texts(surface, view)
+        told = milestones if view.few and grounded else ()
         marks.draw_milestones(surface, self.camera, told, view.labels)
         for overlay in self._overlays:
             if overlay.draw is not None:
@@ -192,6 +201,7 @@ class Stage:
         touched = self.view.world.disturbed
         wired = tuple(wires.held(self.view.world))
         key = (camera.center, camera.scale, camera.size, touched, wired, *below)
+        key = (*key, self.view.observer.place)
         if key == self._base_key:
             return
         self._base_key, self._trail_key = key, None
@@ -257,10 +267,10 @@ class Stage:
             self._trail_key, self._trail_drawn = key, [0] * len(trails)
         for trail, color, drawn in zip(trails, colors, self._trail_drawn, strict=True):
             if len(trail) > drawn:
+                paths = self.view.observer.path(trail.points[max(drawn - 1, 0) :])
                 for outline in self.view.moving:
-                    points = trail.points[max(drawn - 1, 0) :, outline.row]
                     drawn_in = marks.trail_color(color or outline.color)
-                    marks.draw_trail(self._canvas, self.camera, drawn_in, points)
+                    marks.draw_trail(self._canvas, self.camera, drawn_in, paths[:, outline.row])
         self._trail_drawn = counts
 
     def _draw_joints(self, surface: pygame.Surface, *, in_front: bool) -> None:

@@ -1,16 +1,21 @@
-"""Draws the labels of a level, at points of the plane or on bodies."""
+"""Draws the labels of a level, at points of the plane or on bodies, and who observes it."""
 
 from collections.abc import Mapping
 
 import pygame
 
 from sandbox.app.drawing import lines
+from sandbox.app.stage.observer import CENTER
 from sandbox.app.stage.view import View
 from sandbox.app.words import level_words
+from sandbox.app.words.formatting import name_in_words
+from sandbox.app.words.language import say
 from sandbox.model.expressions import Values
 from sandbox.model.joints import End, Held, body_of
 from sandbox.model.shapes import evaluate
 from sandbox.physics.state.anchor import Anchor
+
+MARGIN = 8  # px, from the corner to the name of the observer
 
 
 def draw_texts(surface: pygame.Surface, view: View) -> None:
@@ -25,6 +30,26 @@ def draw_texts(surface: pygame.Surface, view: View) -> None:
             where = text.get_rect(center=(round(pixel[0]), round(pixel[1])))
             surface.blit(text, where)
             view.labels.take(where)
+
+
+def draw_observer(surface: pygame.Surface, view: View) -> None:
+    """Write in the lower left corner from where the world is seen, unless from the ground."""
+    place = view.observer.place
+    if place is None:
+        return
+    text = view.pen.outlined(seen_from(place))
+    where = text.get_rect(bottomleft=view.labels.bounds.move(MARGIN, -MARGIN).bottomleft)
+    surface.blit(text, where)
+    view.labels.take(where)
+
+
+def seen_from(place: str | None) -> str:
+    """Describe the place of an observer."""
+    if place is None:
+        return say("seen from the ground")
+    if place == CENTER:
+        return say("seen from the centre of mass")
+    return say("seen from {body}", body=name_in_words(place))
 
 
 def _anchor(end: End, rows: Mapping[str, int], values: Values) -> Anchor:

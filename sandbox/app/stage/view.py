@@ -12,6 +12,7 @@ from sandbox.app.drawing.theme import Color
 from sandbox.app.stage import marks
 from sandbox.app.stage.given_forces import Forces
 from sandbox.app.stage.labels import Labels
+from sandbox.app.stage.observer import Observer
 from sandbox.app.stage.outline import Outline, outlines
 from sandbox.app.words.formatting import rounded_up
 from sandbox.model.shapes import XY, evaluate
@@ -34,8 +35,13 @@ LONGER = 1.1
 class View:
     """A world with its camera and its outlines."""
 
-    def __init__(self, world: World, camera: Camera, pen: Pen, shown: Mapping[str, bool]) -> None:
+    def __init__(
+        self, world: World, camera: Camera, pen: Pen, shown: Mapping[str, bool],
+        seen_from: str | None = None,
+    ) -> None:  # fmt: skip
         self.world, self.camera, self.pen = world, camera, pen
+        self.observer = Observer(world, seen_from)
+        """The observer of the picture."""
         self.shown = shown
         """Whether each overlay is drawn, by name."""
         self.outlines = outlines(world.level, world.values)
@@ -76,6 +82,11 @@ class View:
         x, y = snapshot.position[outline.row].tolist()
         return (x, y), float(snapshot.angle[outline.row])
 
+    def velocity(self, outline: Outline) -> XY:
+        """Return the velocity of a body as the observer sees it [m/s]."""
+        vx, vy = self.observer.seen(self.world.snapshot.velocity)[outline.row].tolist()
+        return vx, vy
+
     @property
     def colors(self) -> Sequence[Color]:
         """The colours of moving bodies, without repetition."""
@@ -101,7 +112,7 @@ class View:
 
     def watch(self) -> None:
         """Adapt the scale of arrows to the current speeds."""
-        velocity = self.world.snapshot.velocity
+        velocity = self.observer.seen(self.world.snapshot.velocity)
         speed = float(np.hypot(velocity[:, 0], velocity[:, 1]).max(initial=0.0))
         if speed > LONGER * self._fastest:
             self._fastest = rounded_up(speed)

@@ -24,6 +24,8 @@ FIELD = 68  # px
 UNIT = 42  # px
 LINE = 13  # px, between two lines of a label
 LONGEST = 60  # characters in a field
+ABOVE = 20  # the layer of a note, above all fields and sliders
+PADDING = 7, 5  # px, around the text of a note
 
 
 @dataclass(slots=True)
@@ -58,6 +60,10 @@ class Parameters:
     ) -> None:  # fmt: skip
         self._manager, self._words, self._values = manager, words, values
         self._rows: dict[str, Row] = {}
+        self._pen, self._container, self._width = pen, container, area.width
+        self._note: UIImage | None = None
+        self.refusal = ""
+        """The note beside a field about its refused value; empty if there is none."""
         height = pen.px(ROW)
         for i, (name, parameter) in enumerate(parameters.items()):
             row = pygame.Rect(area.x, area.y + i * height, area.width, height)
@@ -106,7 +112,9 @@ class Parameters:
                 row.slider.set_current_value(values[name])
 
     def process(self, event: pygame.event.Event) -> Change | None:
-        """Return the change that an event asks for, or None."""
+        """Return the change that an event asks for, or None; a key or click ends a refusal."""
+        if event.type in (pygame.KEYDOWN, pygame.MOUSEBUTTONDOWN):
+            self.accept()
         for name, row in self._rows.items():
             if event.type == UI_HORIZONTAL_SLIDER_MOVED and event.ui_element is row.slider:
                 return self._slid(name, row)
@@ -129,6 +137,25 @@ class Parameters:
             row.field.set_text(row.shown)
             if row.field.is_focused:
                 row.field.select_range = [0, len(row.shown)]
+
+    def refuse(self, name: str, why: str) -> None:
+        """Show beside the field of a parameter why its value was refused."""
+        self.accept()
+        self.refusal = why
+        note, field = _note(self._pen, why, self._width), self._rows[name].field
+        place = note.get_rect(topright=field.relative_rect.bottomright)
+        place.right += self._pen.px(UNIT)
+        if field.rect.bottom + place.height > self._container.rect.bottom:
+            place.bottom = field.relative_rect.top
+        self._note = UIImage(
+            place, note, self._manager, container=self._container, starting_height=ABOVE
+        )
+
+    def accept(self) -> None:
+        """Remove the note about a refused value."""
+        if self._note is not None:
+            self._note.kill()  # type: ignore[no-untyped-call]
+            self._note, self.refusal = None, ""
 
     @property
     def selected(self) -> bool:
@@ -168,6 +195,19 @@ class Parameters:
         value = base + directions[event.key] * many * step(row.parameter)
         value = float(f"{min(max(value, row.parameter.min), row.parameter.max):.9g}")
         return Change(name, value)
+
+
+def _note(pen: Pen, text: str, width: int) -> pygame.Surface:
+    """Draw a note, on as many lines as it needs."""
+    across, above = map(pen.px, PADDING)
+    lines = [pen.write(line, 13) for line in pen.wrap(text, width - 2 * across, 13)]
+    height = max(line.height for line in lines)
+    wide = max(line.width for line in lines) + 2 * across
+    note = pygame.Surface((wide, len(lines) * height + 2 * above))
+    note.fill(theme.RAISED)
+    pygame.draw.rect(note, theme.FAILED, note.get_rect(), 1)
+    note.blits([(line, (across, above + i * height)) for i, line in enumerate(lines)])
+    return note
 
 
 def _title(pen: Pen, text: str, width: int) -> pygame.Surface:

@@ -85,8 +85,13 @@ def quantity(value: float, unit: str, digits: int = 5, *, all_count: bool = Fals
 def _in_unit(value: float, unit: str, write: Callable[[float], str]) -> str:
     """Format a number by a function, and append its unit; radians are shown in degrees."""
     if unit.startswith("rad"):
-        return f"{write(degrees(value))}{unit.replace('rad', '°')}"
+        return f"{write(degrees(value))}{shown_unit(unit)}"
     return f"{write(value)} {unit}".rstrip()
+
+
+def shown_unit(unit: str) -> str:
+    """Return the unit in which values of a unit are shown: degrees for radians."""
+    return unit.replace("rad", "°")
 
 
 def name_in_words(name: str) -> str:
@@ -116,7 +121,7 @@ def with_unit(text: str, unit: str) -> str:
 
 def with_unit_in_brackets(name: str, unit: str) -> str:
     """Format the heading of a column; radians are shown in degrees."""
-    return f"{name} [{unit.replace('rad', '°')}]" if unit else name
+    return f"{name} [{shown_unit(unit)}]" if unit else name
 
 
 def setting(value: float) -> str:
@@ -169,12 +174,14 @@ def moment(check: Check) -> str:
         case None:
             return say("the first step")
         case ApexEvent(body=body):
-            return say("the apex of {body}", body=body)
+            return say("the apex of {body}", body=name_in_words(body))
         case LandingEvent(body=body):
-            return say("the landing of {body}", body=body)
-        case ContactEvent(bodies=(a, b), nth=nth):
+            return say("the landing of {body}", body=name_in_words(body))
+        case ContactEvent(bodies=bodies, nth=nth):
+            a, b = map(name_in_words, bodies)
             return say("{a} to meet {b}", a=a, b=b) + _times(nth)
-        case SeparationEvent(bodies=(a, b), nth=nth):
+        case SeparationEvent(bodies=bodies, nth=nth):
+            a, b = map(name_in_words, bodies)
             return say("{a} to part from {b}", a=a, b=b) + _times(nth)
         case CrossingEvent(quantity=name, value=value):
             return say("{quantity} to cross {value}", quantity=name, value=value.source)

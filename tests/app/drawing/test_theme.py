@@ -13,6 +13,7 @@ import pytest
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.theme import NAMES, Color, Name
 from sandbox.app.files import preferences
+from sandbox.app.window import Window
 from tests.app.person import Person
 from tests.app.scenes import falling
 
@@ -204,6 +205,21 @@ def test_settings_of_a_later_version_are_kept_as_far_as_they_are_known() -> None
     preferences.file().write_text('{"theme": "light", "wings": 2}', encoding="utf-8")
 
     assert preferences.Comfort().chosen.theme == "light"
+
+
+def test_settings_that_cannot_be_read_are_told_once() -> None:
+    assert not preferences.Comfort().complaint()  # at a first start there are none
+    preferences.file().parent.mkdir(parents=True)
+    preferences.file().write_text('{"theme": "lig', encoding="utf-8")
+    window = Window((1280, 800))
+
+    window.open_level("newton/atwood")
+    told = window.banner._note
+    window.open_level("newton/incline")
+
+    assert "settings.json cannot be read" in told
+    assert not window.banner._note
+    window.close()
 
 
 def test_settings_that_cannot_be_kept_are_told_and_act_all_the_same(person: Person) -> None:

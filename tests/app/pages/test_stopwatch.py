@@ -60,6 +60,14 @@ def test_from_the_start_to_the_apex_it_takes_v_sin_over_g() -> None:
     assert found.text == f"{V / G:.4f} s"
 
 
+def test_bodies_have_their_names_in_words() -> None:
+    session, _ = opened("machines/ragdoll")
+    labels = [each.label for each in occasions(session)]
+
+    assert "apex of left thigh" in labels
+    assert not any("_" in label for label in labels)
+
+
 def test_what_a_hand_starts_is_known_to_a_step_and_what_events_do_to_more() -> None:
     session, stopwatch = opened("kinematics/projectile")
     falls = called(session, "ball falls to y = 0 m")

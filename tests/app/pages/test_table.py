@@ -11,6 +11,7 @@ from sandbox.app.files import save_folder
 from sandbox.app.pages.table import card
 from sandbox.app.pages.table.panel import TablePage
 from sandbox.app.runs.session import Session
+from sandbox.app.words import formatting
 from sandbox.model import level_catalog
 from sandbox.model.loading import load
 from tests.app.person import Person
@@ -46,6 +47,25 @@ def test_the_instants_are_those_nearest_to_round_times(rate: float) -> None:
 
     assert np.abs(shown - 0.1 * np.arange(len(shown))).max() <= 0.5 / rate + 1e-12
     assert len(shown) in (20, 21)
+
+
+def test_angles_are_in_degrees_and_so_is_their_heading(
+    pen: Pen, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The heading was rad/s above values in degrees per second, each with its unit."""
+    session = Session(load(level_catalog.find("rotation/rolling")))
+    for _ in range(60):
+        session.step()
+    written = noted(pen, monkeypatch)
+    card.values(pen, 300, session, ["disc.angular_velocity"], {})
+
+    assert "°/s" in written
+    assert "rad/s" not in written
+    spin = session.history.snapshots.angular_velocity[-1]
+    told = formatting.quantity(
+        float(spin[list(session.world.scene.bodies).index("disc")]), "rad/s", card.DIGITS
+    )
+    assert told.removesuffix("°/s") in written
 
 
 @pytest.mark.sweep

@@ -29,7 +29,14 @@ class ForcesPage:
         tip = say("components along and across the surface that it touches, or else its path")
         self.inclined = sheet.button(along, say("Along its surface"), tip)
         self._image = sheet.image(self._drawn(), sheet.px(HEIGHT) + sheet.margin // 2)
+        whole = pygame.Rect(0, 0, sheet.width, sheet.px(HEIGHT))
+        tip = say("see it from the selected body, the centre of mass, or the ground")
+        self.observer = sheet.button(whole, say("Change the observer"), f"{tip} (4)")
         self.update()
+
+    def leads(self, button: object) -> str | None:
+        """Return the command of a button; None if it is not one of these."""
+        return "observe" if button is self.observer else None
 
     @property
     def _buttons(self) -> tuple[tuple[UIButton, bool], ...]:
@@ -51,7 +58,9 @@ class ForcesPage:
         for button, inclined in self._buttons:
             press(button, self._axes.inclined is inclined)
         self._sheet.replace(self._image, self._drawn())
-        self._sheet.end(below(self._image) + 2)
+        y = below(self._image) + 4
+        self.observer.set_relative_position((self._sheet.margin, y))
+        self._sheet.end(y + self._sheet.px(HEIGHT) + 4)
 
     def _drawn(self) -> pygame.Surface:
         return forces(self._sheet.pen, self._sheet.width, self._session, self._axes)

@@ -39,7 +39,7 @@ def values(
     card.heading(say("Values by time"))
     columns, units = measured(session.world, session.history, ["t", *shown])
     _row(card, ["t", *shown], theme.ACCENT)
-    _row(card, ["s", *(units[n] for n in shown)], theme.DIM)
+    _row(card, ["s", *(formatting.shown_unit(units[n]) for n in shown)], theme.DIM)
     for row in instants(columns["t"]):
         cells = (_cell(float(columns[n][row]), units[n], trust.get(n)) for n in shown)
         _row(card, [f"{columns['t'][row]:.4g}", *cells], theme.TEXT)
@@ -65,9 +65,10 @@ def instants(t: Array) -> Sequence[int]:
 
 def _cell(value: float, unit: str, trust: Trust | None) -> str:
     """Return the text of a value with its accurate digits, without the unit."""
+    text = formatting.quantity(value, unit, DIGITS)
     if trust is not None:
-        return formatting.certain(value, trust.off, unit).split(" ")[0]
-    return formatting.quantity(value, unit, DIGITS).split(" ")[0]
+        text = formatting.certain(value, trust.off, unit)
+    return text.removesuffix(formatting.shown_unit(unit)).rstrip()
 
 
 def _row(card: Card, cells: Sequence[str], color: theme.Color) -> None:

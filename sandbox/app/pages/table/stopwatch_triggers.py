@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 from sandbox.app.runs.live_run import LiveRun
 from sandbox.app.runs.session import Session
-from sandbox.app.words.formatting import number
+from sandbox.app.words.formatting import name_in_words, number
 from sandbox.app.words.language import say
 from sandbox.model.expressions import Expression, Values
 from sandbox.model.level import ApexEvent, ContactEvent, CrossingEvent, LandingEvent, Level
@@ -40,10 +40,12 @@ class Occasion(NamedTuple):
             case None:
                 return say("by hand (key 3)")
             case ApexEvent(body=body):
-                return say("apex of {body}", body=body)
+                return say("apex of {body}", body=name_in_words(body))
             case LandingEvent(body=body):
-                return say("{body} falls to y = {height} m", body=body, height=self.value)
-            case ContactEvent(bodies=(first, second)):
+                faller = name_in_words(body)
+                return say("{body} falls to y = {height} m", body=faller, height=self.value)
+            case ContactEvent(bodies=bodies):
+                first, second = map(name_in_words, bodies)
                 return say("{one} meets {other}", one=first, other=second)
             case CrossingEvent(quantity=quantity):
                 return say("{quantity} crosses {value}", quantity=quantity, value=self.value)

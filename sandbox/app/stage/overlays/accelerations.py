@@ -17,7 +17,7 @@ _full: WeakKeyDictionary[View, float] = WeakKeyDictionary()  # m/s², of a full-
 
 def _draw(surface: pygame.Surface, view: View) -> None:
     rows = dict(momenta.heavy(view.world))
-    every = view.world.snapshot.acceleration
+    every = view.observer.seen(view.world.snapshot.acceleration)
     sizes = np.hypot(*every[list(rows)].T) if rows and view.few else np.zeros(0)
     if not sizes.any() or not np.isfinite(sizes).all():
         return

@@ -5,7 +5,6 @@ import pygame
 from sandbox.app.stage import marks
 from sandbox.app.stage.overlays.overlay import Overlay
 from sandbox.app.stage.view import View
-from sandbox.model.shapes import XY
 
 AT_REST = 1e-6
 """The distance, as a fraction of the visible width, below which bodies count as at rest."""
@@ -22,9 +21,7 @@ def _draw(surface: pygame.Surface, view: View) -> None:
     if not view.few or not view.moving:
         return
     ahead = seconds(view)
-    moves = (
-        [] if ahead is None else [(view.state(o)[0], _velocity(view, o.row)) for o in view.moving]
-    )
+    moves = [] if ahead is None else [(view.state(o)[0], view.velocity(o)) for o in view.moving]
     for (x, y), (vx, vy) in moves:
         end = x + vx * (ahead or 0.0), y + vy * (ahead or 0.0)
         view.labels.mark(view.camera.to_screen((x, y)), view.camera.to_screen(end))
@@ -35,11 +32,6 @@ def _draw(surface: pygame.Surface, view: View) -> None:
         marks.draw_arrow(surface, view.camera, place, velocity, ahead)
     corner = view.camera.size[0] - 16.0, view.camera.size[1] - float(view.pen.px(66))
     marks.draw_arrow_key(surface, view.camera, view.pen, ahead, corner)
-
-
-def _velocity(view: View, row: int) -> XY:
-    vx, vy = view.world.snapshot.velocity[row].tolist()
-    return vx, vy
 
 
 OVERLAY = Overlay(

@@ -13,9 +13,8 @@ def _draw(surface: pygame.Surface, view: View) -> None:
     if ahead is None:
         return
     for outline in view.moving:
-        vx, vy = view.world.snapshot.velocity[outline.row].tolist()
-        position = view.state(outline)[0]
-        marks.draw_components(surface, view.camera, view.pen, position, (vx, vy), ahead)
+        position, velocity = view.state(outline)[0], view.velocity(outline)
+        marks.draw_components(surface, view.camera, view.pen, position, velocity, ahead)
 
 
 OVERLAY = Overlay(

@@ -21,7 +21,7 @@ def _draw(surface: pygame.Surface, view: View) -> None:
 
 def _draw_paths(surface: pygame.Surface, view: View) -> None:
     world = view.world
-    if world.disturbed:
+    if world.disturbed or view.observer.place is not None:  # the paths are those on the ground
         return
     for formulas in world.level.ghosts.values():
         marks.draw_ghost_path(surface, view.camera, formulas, world.values, view.duration)

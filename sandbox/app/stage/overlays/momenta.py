@@ -1,5 +1,7 @@
 """The overlay with the momenta of bodies as arrows."""
 
+from dataclasses import replace
+
 import pygame
 
 from sandbox.app.drawing import lines, theme
@@ -20,7 +22,9 @@ def _draw(surface: pygame.Surface, view: View) -> None:
     if not full:
         return
     length = LONGEST * view.camera.size[0] / full  # px for 1 kg m/s
-    every = momenta.momenta(view.world, view.world.snapshot)
+    snapshot = view.world.snapshot
+    seen = replace(snapshot, velocity=view.observer.seen(snapshot.velocity))
+    every = momenta.momenta(view.world, seen)
     for row, name in momenta.heavy(view.world):
         x, y = view.camera.to_screen(view.state(view.outlines[name])[0])
         px, py = every[row].tolist()
