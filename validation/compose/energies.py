@@ -55,9 +55,10 @@ class Energies:
             self._moment[:] = 0.0
         gravity = document["effects"].get("gravity", {}).get("acceleration", (0.0, 0.0))
         self._gravity = np.array(gravity, dtype=float)
-        spin = seen.angular_velocity**2
         squares = np.sum(seen.velocity**2, axis=-1)
-        self.kinetic: Array = (squares @ self._mass + spin @ self._moment) / 2
+        spins = seen.angular_velocity**2
+        self._each: Array = (squares * self._mass + spins * self._moment) / 2
+        self.kinetic: Array = self._each.sum(axis=1)
         self.stored: Array = self._springs(document, keeping)
         self.high: Array = -(seen.position @ self._gravity) @ self._mass
         self.total: Array = self.kinetic + self.stored + self.high
@@ -86,9 +87,20 @@ class Energies:
         return float(self._mass.sum() * np.hypot(*self._gravity))
 
     def turned(self) -> float:
-        """Return the energy that was converted, or was added by drives [J]."""
+        """Return the energy that was converted, exchanged, or was added by drives [J]."""
         swings = [float(np.ptp(e)) for e in (self.kinetic, self.stored, self.high)]
-        return max(min(max(swings), self._there()), self._course.worked)
+        return max(min(max(*swings, self._exchanged()), self._there()), self._course.worked)
+
+    def _exchanged(self) -> float:
+        """Return the most kinetic energy that a body took or gave, other than in an impact [J].
+
+        Where joints alone act, the kinetic energy of all bodies is constant, and its swing is
+        nothing but the error that it is to bound.
+        """
+        pairs = self._course.pairs
+        ends = [i for i in range(1, len(pairs)) if pairs[i] != pairs[i - 1]]
+        parts = np.split(self._each, ends)
+        return max(float(np.ptp(part, axis=0).max()) for part in parts)
 
     def _there(self) -> float:
         """Return the energy that could be converted in free fall, an independent bound [J]."""

@@ -64,17 +64,17 @@ def bin_of_discs(rate: float) -> Level:
     return level({**walls, **discs}, PILED, stepping={"rate": rate})
 
 
-def crash(rate: float) -> Level:
+def crash(rate: float, start: float = -3) -> Level:
     """A car of 900 kg on wheels of 9 kg drives into a pile of ten boxes at 5 m/s."""
     rubs: Spec = {"friction": 0.5**0.5}
     bodies = {
         "ground": fixed({"type": "box", "width": 60, "height": 1}, (0, -0.5), **rubs),
-        "car": box((-3, 0.5), size=(1.6, 0.4), mass=900, velocity=[5, 0], **rubs),
+        "car": box((start, 0.5), size=(1.6, 0.4), mass=900, velocity=[5, 0], **rubs),
     }
     joints = {}
     for name, way in (("rear", -0.55), ("front", 0.55)):
         spin = -5 / 0.22
-        wheel = disc((-3 + way, 0.22), radius=0.22, mass=9, velocity=[5, 0], **rubs)
+        wheel = disc((start + way, 0.22), radius=0.22, mass=9, velocity=[5, 0], **rubs)
         bodies[name] = {**wheel, "angular_velocity": spin}
         ends = [{"body": "car", "at": [way, -0.28]}, name]
         joints[f"{name}_axle"] = {"type": "pivot", "ends": ends}
@@ -155,10 +155,15 @@ def test_what_lands_after_the_last_located_landing_does_not_overlap(scene: Level
 
 
 @pytest.mark.sweep
-@pytest.mark.parametrize(("rate", "most"), [(60, 1e-4), (240, 3e-4)])
-def test_a_car_drives_into_a_pile(rate: float, most: float) -> None:
-    """The boxes were 5.6 and 3.5 mm deep, and a step took five times as long."""
-    deepest, books = poured(crash(rate), 1.2)
+@pytest.mark.parametrize(
+    ("rate", "start", "most"), [(60, -3, 1e-4), (60, -2.9998, 1e-6), (240, -3, 3e-4)]
+)
+def test_a_car_drives_into_a_pile(rate: float, start: float, most: float) -> None:
+    """The boxes were 5.6 and 3.5 mm deep, and a step took five times as long.
+
+    From 0.2 mm further on, 7 % of the energy was left without a cause: forces changed places.
+    """
+    deepest, books = poured(crash(rate, start), 1.2)
 
     assert deepest <= most
     assert abs(books.closing.unexplained) <= 1e-3 * books.closing.turned

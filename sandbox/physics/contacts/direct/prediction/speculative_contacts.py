@@ -22,7 +22,6 @@ from sandbox.physics.contacts.detection.time_of_impact import Hit, Path
 from sandbox.physics.contacts.direct.prediction.approaching_pairs import ApproachingPairs
 from sandbox.physics.contacts.direct.prediction.convex_parts import Pair, Placed, Shapes
 from sandbox.physics.contacts.direct.prediction.corner_contacts import (
-    ALIKE,
     LEAST,
     Spot,
     on_side,
@@ -36,6 +35,7 @@ from sandbox.physics.contacts.direct.prediction.hollow_pairs import (
 from sandbox.physics.contacts.direct.prediction.support_ends import SupportEnds
 from sandbox.physics.contacts.direct.rows.kick_system import Kick
 from sandbox.physics.contacts.direct.rows.row_layout import Surfaces
+from sandbox.physics.contacts.direct.rows.surfaces import SLOP
 from sandbox.physics.engine.batch import NO_CONTACTS, Booleans, Contacts
 from sandbox.physics.joints.exact.constraints import Coordinates, angles, order, planes
 
@@ -45,6 +45,10 @@ box."""
 
 LITTLE = 0.1
 """The share of its energy that a rebound keeps at most if it may be left out."""
+
+
+_BOTH = np.array([[0], [1]])
+"""The two points of contacts."""
 
 
 class Corner(NamedTuple):
@@ -122,14 +126,16 @@ class SpeculativeContacts:
     def _down(self, pair: Pair, here: Placed, there: Placed) -> Iterator[AnyCorner]:
         """Yield the corners of two bodies that come down between two placements.
 
-        A side that has landed flat touches with one corner only. The other one is then as deep.
+        A side that has landed flat touches with one corner only. The other one is then as deep, up
+        to the overlap that is left alone.
         """
         if self._hollows.pairs[pair]:
             yield from self._hollows.corners(pair, here.place, there.place)
             return
         for parts in self._shapes.close(pair, there):
             for down in within(there.both(pair, parts)):
-                if on_side(here.both(pair, parts), *down).gap > -LEAST:
+                gap, end = (on_side(at.both(pair, parts), *down).gap for at in (here, there))
+                if gap > -SLOP and gap > end + LEAST:
                     yield Corner(pair, parts, *down)
 
     def ahead(self, kick: Kick, motion: Array, some: Booleans) -> Contacts:
@@ -211,7 +217,8 @@ def _new(found: Contacts, kick: Kick) -> Booleans:
 
     A rounded corner that rotates ends a little deeper than its row allowed, and is not new.
     """
-    known = kick.contacts.after(len(kick.contacts.bodies) - kick.closes)
-    far = np.abs(found.points[:, None, 0] - known.points[:, 0]).max(axis=2)
-    same = (found.bodies[:, None] == known.bodies).all(axis=2) & (far < ALIKE)
+    known, (spots, pairs) = kick.contacts, np.nonzero(kick.contacts.touches > _BOTH)
+    far = np.abs(found.points[:, None, 0] - known.points[pairs, spots]).max(axis=2)
+    bodies = np.sort(known.bodies[pairs], axis=1)
+    same = (np.sort(found.bodies, axis=1)[:, None] == bodies).all(axis=2) & (far < SLOP)
     return np.asarray(~same.any(axis=1))

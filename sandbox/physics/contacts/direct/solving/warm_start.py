@@ -4,6 +4,7 @@ While the same rows are active and their forces change smoothly, the next forces
 a parabola through the last three. Newton's method then converges in its first iteration.
 """
 
+from collections import Counter
 from typing import NamedTuple
 
 import numpy as np
@@ -23,6 +24,10 @@ Forces that jump to and fro would be extrapolated further off, and may lead to a
 
 AT_REST = 1e-9
 """m/s, the largest slip velocity at which friction of a new contact sticks."""
+
+
+Key = tuple[int, int, int, int]
+"""The two bodies, the lower index first, which of their contacts it is, and which of its points."""
 
 
 class Known(NamedTuple):
@@ -127,21 +132,17 @@ class WarmStart:
         if known:
             old_force, old_on = known.force, known.active.on[known.layout.gaps]
             old_along = known.forces[known.layout.slips]
-            rubs = {int(gap): place for place, gap in enumerate(touching.rubs)}
-            before = {int(gap): place for place, gap in enumerate(known.layout.touching.rubs)}
             for gap, old in self._same(kick):
                 force[gap], on[gap] = old_force[old], old_on[old]
-                if gap in rubs and old in before:
-                    along[rubs[gap]] = old_along[before[old]]
-                    slip[rubs[gap]] = known.active.slip[before[old]]
+            for place, old in _same(_rubbing(touching), _rubbing(known.layout.touching)):
+                along[place], slip[place] = old_along[old], known.active.slip[old]
         return force, along, on, slip
 
     def _same(self, kick: Kick) -> list[tuple[int, int]]:
         """Return the gaps that existed in the last kick, with their indices then."""
         if self._known is None:
             return []
-        old = {key: gap for gap, key in enumerate(_keys(self._known.layout.touching))}
-        return [(g, old[key]) for g, key in enumerate(_keys(kick.layout.touching)) if key in old]
+        return _same(_keys(kick.layout.touching), _keys(self._known.layout.touching))
 
 
 def recalled(old: Kick, forces: Array, active: Active, new: Kick) -> tuple[Array, Active]:
@@ -154,13 +155,32 @@ def recalled(old: Kick, forces: Array, active: Active, new: Kick) -> tuple[Array
     return known.guess(new, np.zeros(new.response.shape[1]), 1.0)
 
 
-def _keys(touching: Touching) -> list[tuple[int, int, int]]:
-    """Return the keys by which gaps are recognised in the next step."""
-    seen: dict[tuple[int, int], int] = {}
+def _same(new: list[Key], old: list[Key]) -> list[tuple[int, int]]:
+    """Return the indices of keys that there are in both lists, in each of them."""
+    places = {key: place for place, key in enumerate(old)}
+    return [(place, places[key]) for place, key in enumerate(new) if key in places]
+
+
+def _rubbing(touching: Touching) -> list[Key]:
+    """Return the keys by which friction is recognised in the next step, at either point."""
+    keys = _keys(touching)
+    return [(*keys[gap][:3], 0) for gap in touching.rubs.tolist()]
+
+
+def _keys(touching: Touching) -> list[Key]:
+    """Return the keys by which gaps are recognised in the next step.
+
+    pymunk may exchange the two bodies of a contact from one step to the next. Its two points then
+    change places, too.
+    """
+    seen: Counter[tuple[int, int]] = Counter()
+    numbers: list[int] = []  # of the contacts between the same two bodies
     keys = []
-    for a, b in touching.bodies.T.tolist():
-        both = (a, b) if a < b else (b, a)
-        number = seen.get(both, 0)
-        seen[both] = number + 1
-        keys.append((*both, number))
+    points = (*touching.bodies, touching.pair, touching.point, touching.partner >= 0)
+    for a, b, pair, point, two in np.stack(points, axis=1).tolist():
+        both = (min(a, b), max(a, b))
+        if not point:
+            numbers.append(seen[both])
+            seen[both] += 1
+        keys.append((*both, numbers[pair], 1 - point if two and b < a else point))
     return keys
