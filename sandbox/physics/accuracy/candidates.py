@@ -8,7 +8,7 @@ from typing import NamedTuple
 from sandbox.model.level import HIGHEST_RATE, Stepping
 from sandbox.model.message import Message
 from sandbox.physics.accuracy.compared_runs import Watched
-from sandbox.physics.accuracy.event_errors import lateness
+from sandbox.physics.accuracy.event_errors import hidden
 from sandbox.physics.accuracy.refinement import PARTS, SLOWEST, Refinement, furthest, in_step
 from sandbox.physics.measuring.recording import Trace
 
@@ -112,9 +112,9 @@ class Offers:
         """Return the quantity with the largest error in a setting's run, or in the nearest run."""
         *_, before, best = self.refinements[0].traces
         trace = found.trace or self._nearest(found.stepping)
-        late = lateness(best, wanted)
+        unseen = hidden(best, wanted)
         for run in (trace, before):  # the finest does not differ from itself
-            worst = max(furthest(run, best, wanted), late, key=lambda off: off[0])
+            worst = max(furthest(run, best, wanted), unseen, key=lambda off: off[0])
             if worst[1] is not None:
                 return worst[1].quantity
         return ""

@@ -257,9 +257,14 @@ def _jumping(one: tuple[Array, Array], other: tuple[Array, Array], at: Array) ->
     found = np.concatenate([_jumps(*run) for run in (one, other)])
     if not len(found):
         return np.empty(0, dtype=np.intp)
-    wide = float(max(np.diff(run[0]).max(initial=0.0) for run in (one, other)))
+    wide = max(_usual_interval(t) for t, _ in (one, other))
     near = np.abs(at[:, None] - found).min(axis=1)
     return np.flatnonzero(near <= wide * (1 + SAME))
+
+
+def _usual_interval(t: Array) -> float:
+    """Return the time between two observations, whatever lies between parts of a run; 0 if one."""
+    return float(np.median(np.diff(t))) if len(t) > 1 else 0.0
 
 
 def _jumps(t: Array, values: Array) -> Array:

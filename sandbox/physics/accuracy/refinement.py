@@ -8,7 +8,7 @@ from math import ceil, floor, inf, log2
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level, Stepping
 from sandbox.physics.accuracy.compared_runs import Watched, apart, scale, size
-from sandbox.physics.accuracy.event_errors import lateness
+from sandbox.physics.accuracy.event_errors import hidden
 from sandbox.physics.accuracy.richardson import ORDERS, extrapolated
 from sandbox.physics.measuring.recording import Trace
 from sandbox.physics.measuring.step_timing import brief_costs
@@ -131,12 +131,12 @@ def step_durations(level: Level, values: Values, *steppings: Stepping) -> tuple[
 def judged(traces: Sequence[Trace], wanted: Sequence[Watched]) -> Refinement:
     """Return runs with their errors, estimated from the runs themselves."""
     parts = [errors for item in wanted if (errors := extrapolated(traces, item))]
-    late = lateness(traces[-1], wanted).error
+    unseen = hidden(traces[-1], wanted).error
     worst = tuple(
-        max(late, *column) for column in zip(*(part.relative for part in parts), strict=True)
+        max(unseen, *column) for column in zip(*(part.relative for part in parts), strict=True)
     )
     growth = tuple((part.relative[-1], part.order or -part.rise) for part in parts)
-    growth += ((late, 1.0),) if late else ()
+    growth += ((unseen, 1.0),) if unseen else ()
     seen = max(len(traces) - WITNESSES, 0)
     refinement = Refinement(tuple(traces), worst or (inf,) * len(traces), growth, seen)
     shown = len(traces) >= RUNS and refinement.believable(COUNTS * refinement.errors[-1])

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from math import ceil, floor, isfinite, log10
 
 from sandbox.physics.accuracy.compared_runs import LITTLE, Watched, departure, size
-from sandbox.physics.accuracy.event_errors import lateness
+from sandbox.physics.accuracy.event_errors import hidden
 from sandbox.physics.accuracy.richardson import extrapolated
 from sandbox.physics.measuring.recording import Trace
 
@@ -62,9 +62,9 @@ def trusts(traces: Sequence[Trace], items: Iterable[Watched]) -> Iterator[Trust]
     for item in items:
         if found := extrapolated(traces, item):
             largest, unit = size(finer, item), found.unit
-            late = lateness(finer, [item]).error * unit
+            unseen = hidden(finer, [item]).error * unit
             until = departure(run, finer, item, SEEN)
-            yield Trust(item.quantity, largest, max(found.of[-2], late), until)
+            yield Trust(item.quantity, largest, max(found.of[-2], unseen), until)
 
 
 def least_known(found: Iterable[Trust]) -> Trust | None:

@@ -22,7 +22,7 @@ from sandbox.model.quantities import QuantityError
 from sandbox.physics.accuracy import calibration, candidates, cheapest_setting, refinement_search
 from sandbox.physics.accuracy.calibration import calibrate
 from sandbox.physics.accuracy.chaos import chaotic
-from sandbox.physics.accuracy.compared_runs import never
+from sandbox.physics.accuracy.compared_runs import Watched, apart, never, record_around
 from sandbox.physics.accuracy.exceptions import AccuracyError, Cancelled
 from sandbox.physics.accuracy.refinement import Refinement
 from sandbox.physics.measuring import step_timing
@@ -291,6 +291,27 @@ def test_an_accuracy_that_does_not_hold_where_a_force_sets_in_is_refused(values:
     """The error there was not counted, and was up to 100 times as large as the estimate."""
     with pytest.raises(AccuracyError, match=r"of which block\.velocity\.x decided"):
         calibrate(catalog_level("newton/breaking-loose"), values, 1e-6)
+
+
+def test_a_velocity_is_compared_around_the_time_where_a_force_ends() -> None:
+    """It is 0 at the start and 41 m/s at the next observation, which is no jump nearby."""
+    scene = catalog_level("newton/rocket")
+    values = {"u": 24.79, "share": 0.8127, "burn": 1.2773, "mass": 849.0}
+    item = Watched("rocket.velocity.x", motion=True)
+    run, finer = (
+        record_around(scene, values, Stepping(rate=parts * 480), [item], [1.2773], parts=parts)
+        for parts in (1, 4)
+    )
+
+    assert (apart(run, finer, item) or 0) > 1e-3
+
+
+@pytest.mark.sweep
+def test_a_velocity_that_is_off_where_a_rocket_burns_out_is_told() -> None:
+    """1.9e-4 at that step, where 1.4e-7 was told."""
+    values = {"u": 24.792675, "share": 0.81269, "burn": 5.27728272, "mass": 849.02}
+    with pytest.raises(AccuracyError, match=r"of which rocket\.velocity\.x decided"):
+        calibrate(catalog_level("newton/rocket"), values, 1e-6)
 
 
 @pytest.mark.sweep

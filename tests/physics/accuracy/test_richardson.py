@@ -7,11 +7,11 @@ import pytest
 from sandbox.model.expressions import Array
 from sandbox.model.level import Level, Stepping
 from sandbox.physics.accuracy.compared_runs import Watched, record, scaled, watched
-from sandbox.physics.accuracy.event_errors import lateness
+from sandbox.physics.accuracy.event_errors import hidden
 from sandbox.physics.accuracy.refinement import furthest, judged
 from sandbox.physics.accuracy.richardson import extrapolated
 from sandbox.physics.measuring.recording import Trace
-from tests.physics.scenes import GRAVITY, disc, level, orbit
+from tests.physics.scenes import GRAVITY, G, disc, level, orbit
 
 PLACE = Watched("planet.position.x")
 
@@ -66,5 +66,21 @@ def test_a_rope_that_goes_taut_is_told_as_it_is(x: float) -> None:
 
     told = judged(traces, wanted).errors[-1]
 
-    assert lateness(traces[-1], wanted).item is None
+    assert hidden(traces[-1], wanted).item is None
     assert 0.5 * told < furthest(traces[-1], best, wanted)[0] < 2 * told
+
+
+def test_a_peak_between_two_steps_is_told() -> None:
+    """A ball that is highest half-way between two steps: its height is g h²/8 above theirs."""
+    step = 1 / 30
+    top = 4.5 * step
+    item = Watched("ball.position.y.max")
+    scene = level({"ball": disc((0, 0), velocity=[0, G * top])}, GRAVITY, duration=0.5)
+    run = record(scene, {}, Stepping(rate=30), [item])
+    missed = G * top**2 / 2 - run.columns[item.quantity].max()
+
+    off = hidden(run, [item])
+
+    assert missed == pytest.approx(G * step**2 / 8, rel=1e-6)
+    assert off.error * (G * top**2 / 2 - missed) == pytest.approx(missed, rel=1e-6)
+    assert off.item == item
