@@ -199,8 +199,10 @@ def with_scales(
 ) -> Sequence[Watched]:
     """Return the watched quantities with scales from a run at the level's own rate.
 
-    Raises `Cancelled` if `stop` returned true.
+    Only motion is scaled: without any, nothing is run. Raises `Cancelled` if `stop` returned true.
     """
+    if not any(item.motion for item in wanted):
+        return wanted
     solver: Literal["direct"] | None = "direct" if _may_pile(level) else level.stepping.solver
     said = level.stepping
     own = Stepping(rate=said.rate, iterations=said.iterations, solver=solver)

@@ -451,6 +451,14 @@ def test_a_chaotic_motion_is_judged_by_its_energy() -> None:
     assert off.max() <= 1e-2 * np.abs(energy.columns["system.energy"]).max()
 
 
+def test_what_has_no_scale_is_not_run_for_one(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A chaotic scene that is judged by its energy spends a run less."""
+    monkeypatch.setattr(cheapest_setting, "record", lambda *_: pytest.fail("a run for nothing"))
+    energy = (Watched("system.energy"),)
+
+    assert cheapest_setting.with_scales(orbit(), {}, energy) == energy
+
+
 def test_nothing_that_moves_has_no_accuracy() -> None:
     scene = level({"floor": floor()}, {})
 
