@@ -13,8 +13,8 @@ from sandbox.app.keys import AT_HOME
 from sandbox.app.pages.page import Desk, PageCommand
 from sandbox.app.pages.register import PAGES
 from sandbox.app.pages.table.stopwatch import Stopwatch
-from sandbox.app.panels.layout import room
 from sandbox.app.panels.verdicts_and_energies import FIRST, NEXT
+from sandbox.app.panels.window_layout import room
 from sandbox.app.runs.session import Session
 from sandbox.app.stage import texts
 from sandbox.app.stage.observer import CENTER

@@ -17,7 +17,7 @@ from sandbox.model.loading import choose
 from sandbox.model.quantities import quantities, quantity
 from sandbox.physics import run as runs
 from sandbox.physics.accuracy.compared_runs import lasting
-from sandbox.physics.advising.remedies import leaning, tried
+from sandbox.physics.advising.remedy_trials import leaning, tried
 from sandbox.physics.measuring.comparison import Difference, differences
 from sandbox.physics.measuring.csv_export import write_csv
 from sandbox.physics.measuring.grading import grade

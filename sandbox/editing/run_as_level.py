@@ -17,7 +17,7 @@ from sandbox.model import writing
 from sandbox.model.body import Body
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Expression, Values
-from sandbox.model.joint_ends import span
+from sandbox.model.joint_ends_at_start import span
 from sandbox.model.joints import Pulley, Rod, Rope, Spring, Weld, Winding
 from sandbox.model.level import Level
 from sandbox.model.level_parts import expressions, names_in

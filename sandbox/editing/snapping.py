@@ -11,7 +11,7 @@ from math import floor, log10
 from typing import Literal, NamedTuple
 
 from sandbox.editing.placement import Core, Placed, placed, xy
-from sandbox.model.joint_ends import place
+from sandbox.model.joint_ends_at_start import place
 from sandbox.model.joints import body_of, ends_of
 from sandbox.model.level import Level
 from sandbox.model.shapes import XY, Arc, Box, Curve, Polygon, Polyline, Segment

@@ -17,9 +17,9 @@ from sandbox.model.arithmetic import MAX_LENGTH
 from sandbox.model.base import Model
 from sandbox.model.bounds import Finite
 from sandbox.model.did_you_mean import suggestion
-from sandbox.model.document import Document, refuse
 from sandbox.model.errors import brief
 from sandbox.model.files import read_ordinary
+from sandbox.model.json_document import Document, refuse
 from sandbox.model.level_parts import Fault
 from sandbox.model.message import Message
 from sandbox.model.naming import Name

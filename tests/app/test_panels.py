@@ -11,7 +11,7 @@ from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.observing.energy_books import Energies
 from sandbox.app.panels import controls
-from sandbox.app.panels.layout import divide
+from sandbox.app.panels.window_layout import divide
 from sandbox.app.runs.session import Session
 from sandbox.app.widgets.parameters import Parameters
 from sandbox.app.widgets.sheet import BAR, MARGIN

@@ -14,8 +14,8 @@ from sandbox.app.drawing.text import Pen
 from sandbox.app.pages.level.panel import LevelPage
 from sandbox.app.panels import messages
 from sandbox.app.panels.controls import Controls
-from sandbox.app.panels.layout import divide
 from sandbox.app.panels.verdicts_and_energies import counted
+from sandbox.app.panels.window_layout import divide
 from sandbox.app.runs import runfile
 from sandbox.app.runs.session import Session
 from sandbox.app.words.language import Name

@@ -44,15 +44,15 @@ def main() -> None:
     line = Connection(int(pipe))
     atheris = importlib.import_module("atheris")
     with atheris.instrument_imports(include=["sandbox"]):
-        from validation.fuzz import trial
+        from validation.fuzz import isolated_trial
         from validation.fuzz.repair import answered
         from validation.fuzz.shorthand import drawn_level
-    trial.load_libraries()
+    isolated_trial.load_libraries()
     numbers = count()
 
-    def attempt(number: int, text: str) -> trial.Outcome:
+    def attempt(number: int, text: str) -> isolated_trial.Outcome:
         line.send((number, text))
-        outcome = trial.attempt_within(SLOWER * trial.SECONDS, text)
+        outcome = isolated_trial.attempt_within(SLOWER * isolated_trial.SECONDS, text)
         line.send(outcome)
         return outcome
 

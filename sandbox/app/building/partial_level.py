@@ -26,7 +26,7 @@ from sandbox.model.body import Body
 from sandbox.model.constants import let_use
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Expression, Values
-from sandbox.model.joint_ends import place
+from sandbox.model.joint_ends_at_start import place
 from sandbox.model.joints import Joint, Rail, Wire, points
 from sandbox.model.level import Level
 from sandbox.model.shapes import XY, evaluate

@@ -21,10 +21,10 @@ from sandbox.app.panels import messages
 from sandbox.app.panels.controls import Controls
 from sandbox.app.panels.focus import Focus
 from sandbox.app.panels.home_bar import HomeBar
-from sandbox.app.panels.layout import Layout, divide
 from sandbox.app.panels.levels import LevelList
 from sandbox.app.panels.refusal import Refusal
 from sandbox.app.panels.side_panel import SidePanel
+from sandbox.app.panels.window_layout import Layout, divide
 from sandbox.app.runs.session import Session
 from sandbox.app.widgets.file_dialog import OpenDialog
 from sandbox.app.widgets.manager import Manager

@@ -9,8 +9,8 @@ from typing import Annotated, Any, Literal
 from pydantic import Field, ValidationError
 from pydantic_core import ErrorDetails
 
-from sandbox.app.runs.actions import Action
 from sandbox.app.runs.session import Session
+from sandbox.app.runs.user_interventions import Action
 from sandbox.model import parse_messages
 from sandbox.model.base import Model
 from sandbox.model.errors import SandboxError

@@ -12,7 +12,7 @@ from sandbox.editing.json_layout import plain
 from sandbox.editing.suggested_checks.scene import TOUCHING, Scene, Suggestion, check, rate_of, said
 from sandbox.model.expressions import Expression
 from sandbox.model.formulas import Formula
-from sandbox.model.joint_ends import place
+from sandbox.model.joint_ends_at_start import place
 from sandbox.model.joints import End, Spring, body_of
 from sandbox.physics.geometry.distance import dot
 

@@ -15,8 +15,8 @@ from sandbox.app.building.fields import Row
 from sandbox.app.pages.build import sections
 from sandbox.app.pages.build.column import GAP, HEIGHT, Column
 from sandbox.app.pages.build.inspector import Inspector, Line
-from sandbox.app.pages.build.palette import Palette
 from sandbox.app.pages.build.sections import Block
+from sandbox.app.pages.build.toolbar import Palette
 from sandbox.app.pages.page import Desk
 from sandbox.app.widgets.sheet import Sheet
 from sandbox.app.widgets.widget_helpers import press, scroll

@@ -6,10 +6,10 @@ from typing import NamedTuple
 from sandbox.app.building import fields, inspection
 from sandbox.app.building.arranging import arrangements
 from sandbox.app.building.button_action import Act
+from sandbox.app.building.context_actions import part_actions
 from sandbox.app.building.editor import Editor
 from sandbox.app.building.effect_costs import said
 from sandbox.app.building.level_actions import stated
-from sandbox.app.building.part_actions import part_actions
 from sandbox.app.building.recovery_choices import offers
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.theme import Color

@@ -10,7 +10,7 @@ from sandbox.model.arithmetic import ExpressionError
 from sandbox.model.bounds import Extent
 from sandbox.model.errors import brief
 from sandbox.model.expressions import Values
-from sandbox.model.joint_ends import place, span
+from sandbox.model.joint_ends_at_start import place, span
 from sandbox.model.joints import (
     AngleStop,
     Gear,

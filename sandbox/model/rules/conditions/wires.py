@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from sandbox.model.bounds import Coordinate
 from sandbox.model.expressions import Array, Values
-from sandbox.model.joint_ends import place
+from sandbox.model.joint_ends_at_start import place
 from sandbox.model.joints import Wire, bodies_of
 from sandbox.model.level import Level
 from sandbox.model.level_parts import names_in

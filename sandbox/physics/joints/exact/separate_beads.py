@@ -8,7 +8,7 @@ where d is the signed distance from the wire.
 """
 
 from sandbox.physics.engine.batch import Batch
-from sandbox.physics.joints.exact.constraints import GROWS, MAX_ITERATIONS, QUADRATIC
+from sandbox.physics.joints.exact.constraint_interface import GROWS, MAX_ITERATIONS, QUADRATIC
 from sandbox.physics.joints.exact.wire import WireEquation
 
 

@@ -11,7 +11,7 @@ import numpy as np
 from sandbox.model.message import Message
 from sandbox.model.wires import Points
 from sandbox.physics.geometry.quintics import Quintics
-from sandbox.physics.joints.exact.constraints import Coordinates, Share
+from sandbox.physics.joints.exact.constraint_interface import Coordinates, Share
 from sandbox.physics.state.anchor import Anchor
 from sandbox.physics.state.errors import JointFailure
 

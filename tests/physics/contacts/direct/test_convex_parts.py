@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from sandbox.physics.contacts.direct.prediction.convex_parts import PLACES, Part, Shapes
-from sandbox.physics.joints.exact.constraints import Coordinates
+from sandbox.physics.joints.exact.constraint_interface import Coordinates
 from sandbox.physics.run import build
 from tests.physics.scenes import box, disc, level
 

@@ -16,7 +16,7 @@ from sandbox.physics.contacts.direct.rows.kick_system import Kick
 from sandbox.physics.contacts.direct.solving.constraint_impulses import Held, hold
 from sandbox.physics.energy.ledger import Ledger
 from sandbox.physics.engine.batch import Contacts
-from sandbox.physics.guarding.energy_drift import Gains
+from sandbox.physics.guarding.energy_gain import Gains
 from sandbox.physics.measuring.impacts import impacts
 from sandbox.physics.measuring.recording import Recorder
 from sandbox.physics.run import build

@@ -12,7 +12,7 @@ from sandbox import make
 from sandbox.model.expressions import Array
 from sandbox.model.level import Level
 from sandbox.model.level_catalog import find
-from sandbox.physics.contacts.direct.prediction.passing_contacts import Passing
+from sandbox.physics.contacts.direct.prediction.side_end_crossings import Passing
 from sandbox.physics.contacts.direct.prediction.support_ends import SupportEnds
 from sandbox.physics.contacts.direct.rows.kick_system import Kick
 from sandbox.physics.run import build

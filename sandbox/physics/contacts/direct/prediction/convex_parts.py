@@ -13,7 +13,7 @@ import pymunk
 
 from sandbox.model.expressions import Array
 from sandbox.physics.geometry import distance
-from sandbox.physics.joints.exact.constraints import Coordinates
+from sandbox.physics.joints.exact.constraint_interface import Coordinates
 
 if TYPE_CHECKING:
     from sandbox.physics.engine.batch import Booleans

@@ -23,7 +23,7 @@ from sandbox.physics.geometry.curves import verdict
 from sandbox.physics.geometry.distance import FEELER, Outline, dot, outline_of
 from sandbox.physics.geometry.roots import root
 from sandbox.physics.geometry.traces import Spot, Trace, trace, trace_convex
-from sandbox.physics.joints.exact.constraints import Coordinates
+from sandbox.physics.joints.exact.constraint_interface import Coordinates
 from sandbox.physics.state.anchor import Plane
 
 if TYPE_CHECKING:

@@ -8,7 +8,7 @@ from sandbox.model.errors import SandboxError
 from sandbox.model.live_parameters import obstacle
 from sandbox.model.loading import load
 from sandbox.physics.run import build
-from sandbox.physics.stepping.branching import branch
+from sandbox.physics.stepping.run_continuation import branch
 from sandbox.physics.stepping.world import World
 
 SAME = [

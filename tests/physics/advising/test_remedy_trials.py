@@ -9,7 +9,7 @@ import pytest
 
 from sandbox.model.level import Level
 from sandbox.physics.advising.preflight import refusal
-from sandbox.physics.advising.remedies import advise, findings, leaning, tried
+from sandbox.physics.advising.remedy_trials import advise, findings, leaning, tried
 from sandbox.physics.run import simulate
 from sandbox.physics.state.errors import SimulationError
 from tests.physics.scenes import GRAVITY, box, disc, fixed, floor, level, orbit

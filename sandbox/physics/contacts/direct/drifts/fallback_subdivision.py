@@ -18,7 +18,7 @@ from sandbox.physics.contacts.direct.kicks.kick_parts import Stage, Taken
 from sandbox.physics.contacts.direct.rows.kick_system import Kick
 from sandbox.physics.contacts.direct.solving.constraint_impulses import hold
 from sandbox.physics.engine.batch import Booleans, Integers
-from sandbox.physics.joints.exact.constraints import Coordinates
+from sandbox.physics.joints.exact.constraint_interface import Coordinates
 from sandbox.physics.state.errors import JointFailure, NoForces
 
 PARTS = (2, 4, 8, 16, 32)

@@ -1,6 +1,7 @@
 """Updates the translation catalogues with the texts of the code and the levels.
 
-Run it as `python -m sandbox.cli.texts`. It needs Babel, which the extra `test` installs.
+Run it as `python -m sandbox.cli.update_translations`. It needs Babel, which the extra `test`
+installs.
 """
 
 import builtins

@@ -8,7 +8,7 @@ import pytest
 
 from sandbox.app.drawing import theme
 from sandbox.app.level_picture import render
-from sandbox.app.pages.race import race
+from sandbox.app.pages.race import scheme_comparison
 from sandbox.app.pages.race.panel import RacePage
 from sandbox.app.runs.session import Session
 from sandbox.model.level import Stepping
@@ -24,7 +24,7 @@ DRAG = {"gravity": {"acceleration": [0, "-g"]}, "drag": {"linear": 0.1}}
 
 def test_each_scheme_runs_in_its_own_world_to_the_last_bit() -> None:
     session = Session(scenes.level(effects=DRAG))
-    race.toggle(session)
+    scheme_comparison.toggle(session)
 
     play(session)
 
@@ -38,11 +38,11 @@ def test_each_scheme_runs_in_its_own_world_to_the_last_bit() -> None:
 
 def test_every_lane_tells_its_error_and_its_clock() -> None:
     session = Session(scenes.level())
-    race.toggle(session)
+    scheme_comparison.toggle(session)
 
     play(session)
     ours, naive = (
-        next(lane for lane in race.lanes(session) if lane.scheme == scheme)
+        next(lane for lane in scheme_comparison.lanes(session) if lane.scheme == scheme)
         for scheme in ("leapfrog", "symplectic-euler")
     )
 
@@ -50,18 +50,18 @@ def test_every_lane_tells_its_error_and_its_clock() -> None:
     assert naive.error is not None
     assert ours.error < 1e-12
     assert naive.error > 1e-3
-    assert all(lane.cost and lane.cost > 0 for lane in race.lanes(session))
+    assert all(lane.cost and lane.cost > 0 for lane in scheme_comparison.lanes(session))
 
 
 def test_schemes_are_judged_past_an_event_of_which_they_record_no_place() -> None:
     """The needle's axle is at rest: its checks use only its angle, not its place."""
     session = Session(load(find("lagrange/leapfrog-pendulum")))
-    race.toggle(session)
+    scheme_comparison.toggle(session)
     session.playing = True
 
     session.update(1.0, budget=60)  # a quarter of its period is 0.51 s
 
-    lanes = race.lanes(session)
+    lanes = scheme_comparison.lanes(session)
     assert len(lanes) == 4
     assert all(lane.error is not None for lane in lanes)
     assert len(session.milestones()) == 1
@@ -72,8 +72,8 @@ def test_a_scheme_that_would_be_the_same_is_left_out() -> None:
     raced = []
     for level in (without, with_law):
         session = Session(level)
-        race.toggle(session)
-        raced.append({lane.scheme for lane in race.lanes(session)})
+        scheme_comparison.toggle(session)
+        raced.append({lane.scheme for lane in scheme_comparison.lanes(session)})
 
     assert "explicit-euler" not in raced[0]
     assert {"symplectic-euler", "explicit-euler"} <= raced[1]
@@ -81,17 +81,17 @@ def test_a_scheme_that_would_be_the_same_is_left_out() -> None:
 
 def test_at_most_four_race() -> None:
     session = Session(load(find("energy/kepler-ellipse")))
-    race.toggle(session)
+    scheme_comparison.toggle(session)
 
-    assert 3 <= len(race.lanes(session)) <= race.MOST
+    assert 3 <= len(scheme_comparison.lanes(session)) <= scheme_comparison.MOST
 
 
 def test_the_race_ends_as_it_began() -> None:
     session = Session(scenes.level())
-    race.toggle(session)
+    scheme_comparison.toggle(session)
     session.step()
 
-    race.toggle(session)
+    scheme_comparison.toggle(session)
 
     assert session.companions == ()
     assert session.level == session.original
@@ -109,7 +109,7 @@ def test_the_race_is_started_by_its_button_and_seen(person: Person, tmp_path: Pa
 
     stage = person.window.panels.layout.stage
     pixels = pygame.surfarray.array3d(person.window.surface.subsurface(stage))
-    assert race.racing(person.session)
+    assert scheme_comparison.racing(person.session)
     assert page.button.text == "End the race"
     assert (pixels == theme.LANES[0]).all(axis=2).sum() > 20
 
@@ -120,7 +120,7 @@ def test_the_window_opens_with_the_race_under_way(person: Person, tmp_path: Path
     person.window.do("race")
     person.wait()
 
-    assert race.racing(person.session)
+    assert scheme_comparison.racing(person.session)
 
 
 @pytest.mark.sweep

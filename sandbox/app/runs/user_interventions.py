@@ -11,7 +11,7 @@ from sandbox.model.errors import SandboxError, brief
 from sandbox.model.loading import choose, parse
 from sandbox.model.message import Message
 from sandbox.model.rules.conditions.numbers import MAX_STEPS
-from sandbox.physics.stepping.branching import alter, branch
+from sandbox.physics.stepping.run_continuation import alter, branch
 from sandbox.physics.stepping.world import World
 
 Finite = Annotated[float, Field(allow_inf_nan=False)]

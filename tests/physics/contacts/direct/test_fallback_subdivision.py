@@ -8,7 +8,7 @@ import pytest
 from sandbox.model.expressions import Array
 from sandbox.model.level import Level
 from sandbox.physics.contacts.direct import solver
-from sandbox.physics.contacts.direct.drifts import drift_subdivision
+from sandbox.physics.contacts.direct.drifts import fallback_subdivision
 from sandbox.physics.contacts.direct.kicks.kick_parts import Taken
 from sandbox.physics.contacts.direct.kicks.kick_with_impacts import Beginning, take
 from sandbox.physics.contacts.direct.rows.kick_system import Kick
@@ -61,7 +61,7 @@ def test_a_wheel_whips_light_planks_straight_and_rolls_on(monkeypatch: pytest.Mo
         assert world.scene.joints.parting()[1] < 1e-9
     assert divided
 
-    monkeypatch.setattr(drift_subdivision, "PARTS", (1,))
+    monkeypatch.setattr(fallback_subdivision, "PARTS", (1,))
     with pytest.raises(SimulationError, match=r"no forces were found|nothing keeps"):
         build(scene).advance(240)
 

@@ -15,7 +15,7 @@ import numpy as np
 from sandbox.physics.contacts.direct.rows.kick_system import Kick
 from sandbox.physics.contacts.direct.rows.outlines import PARALLEL
 from sandbox.physics.engine.batch import Contacts
-from sandbox.physics.joints.exact.constraints import Coordinates
+from sandbox.physics.joints.exact.constraint_interface import Coordinates
 
 REACH = 1e-7
 """m, by which corners may slip along each other and keep their normal: some of their roundings."""

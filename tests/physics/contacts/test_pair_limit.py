@@ -6,7 +6,7 @@ import numpy as np
 import pymunk
 import pytest
 
-from sandbox.physics.contacts.detection.pair_count import (
+from sandbox.physics.contacts.detection.pair_limit import (
     MOST_DIRECT,
     MOST_PAIRS,
     most_pairs,

@@ -12,7 +12,7 @@ from sandbox.model.errors import LevelError
 from sandbox.model.level import Level
 from sandbox.physics.energy.ledger import Ledger
 from sandbox.physics.run import build
-from sandbox.physics.stepping.branching import branch
+from sandbox.physics.stepping.run_continuation import branch
 from sandbox.physics.stepping.world import World
 from tests.physics.scenes import GRAVITY, G, box, disc, floor, level
 
