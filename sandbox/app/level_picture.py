@@ -24,7 +24,7 @@ from sandbox.app.words import formatting, level_words
 from sandbox.app.words.language import say
 from sandbox.model.effect_variants import Variation
 from sandbox.model.expressions import Values
-from sandbox.model.files import write_atomically
+from sandbox.model.file_writing import write_atomically
 from sandbox.model.level import Level
 
 SIZE = (1280, 720)  # px

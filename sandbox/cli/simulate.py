@@ -11,7 +11,7 @@ from sandbox.cli import argument_parsing, check_verdicts, effect_options
 from sandbox.cli.accuracy_option import Choice, asking, settled
 from sandbox.cli.effect_options import Varied, vary
 from sandbox.model.expressions import Values
-from sandbox.model.files import check_writable
+from sandbox.model.file_writing import check_writable
 from sandbox.model.level import Level, Stepping
 from sandbox.model.loading import choose
 from sandbox.model.quantities import quantities, quantity

@@ -15,7 +15,7 @@ from sandbox.editing.json_spans import Span, Spans
 from sandbox.model.errors import SandboxError
 from sandbox.model.json_document import Document
 from sandbox.model.json_positions import Path
-from sandbox.model.writing import NAMED, ORDER, WIDTH
+from sandbox.model.level_writing import NAMED, ORDER, WIDTH
 
 Changes = dict[Path, Json]
 """New values, by their paths in a text."""

@@ -8,8 +8,8 @@ import numpy as np
 
 from sandbox.experiments import saved_results
 from sandbox.experiments.plan import Plan
+from sandbox.experiments.results_table import error
 from sandbox.experiments.saved_results import Results
-from sandbox.experiments.table import error
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Array
 

@@ -9,10 +9,10 @@ from typing import NamedTuple
 from sandbox.experiments import analysis, figures, saved_results
 from sandbox.experiments.plan import Plan
 from sandbox.experiments.random_points import Method
+from sandbox.experiments.results_table import axis_unit, closed_form, error
 from sandbox.experiments.storage import DESCRIPTION, RESULTS, description
-from sandbox.experiments.table import axis_unit, closed_form, error
 from sandbox.model.errors import SandboxError
-from sandbox.model.files import write_atomically
+from sandbox.model.file_writing import write_atomically
 from sandbox.reporting.pages import environment
 from sandbox.reporting.svg import inline
 

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from sandbox.experiments.table import FAILURE, NUMBER
+from sandbox.experiments.results_table import FAILURE, NUMBER
 from sandbox.model.expressions import Array
 
 MOST = 250_000

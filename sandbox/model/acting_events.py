@@ -10,10 +10,10 @@ from typing import Annotated, Literal, NamedTuple
 from pydantic import Discriminator, Tag
 
 from sandbox.model.base import Model
-from sandbox.model.bounds import Load
 from sandbox.model.expressions import Expression, Fraction, Values
 from sandbox.model.joints import AngleStop, Joint, Stop
 from sandbox.model.measuring_instants import ApexEvent, CrossingEvent, LandingEvent, kind_of
+from sandbox.model.number_bounds import Load
 from sandbox.model.reference_fields import BodyNames, ForceNames, JointNames
 
 Direction = Literal["up", "down", "either", "beyond"]

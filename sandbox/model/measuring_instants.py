@@ -6,8 +6,8 @@ from typing import Annotated, Literal
 from pydantic import BeforeValidator, Discriminator, Field, Tag
 
 from sandbox.model.base import Model
-from sandbox.model.bounds import Coordinate
 from sandbox.model.expressions import Expression
+from sandbox.model.number_bounds import Coordinate
 from sandbox.model.reference_fields import BodyName, Couple, QuantityName
 
 MOST_MEETINGS = 100

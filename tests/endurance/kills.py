@@ -34,10 +34,10 @@ from sandbox.cli import experiment, format, generate, migrate, new, render, simu
 from sandbox.experiments import batch_scheduling, storage  # noqa: F401 (as above)
 from sandbox.model import level_catalog
 from sandbox.model.errors import SandboxError
-from sandbox.model.files import write_atomically
+from sandbox.model.file_writing import write_atomically
 from sandbox.model.loading import load
 from sandbox.model.message import Message
-from sandbox.physics.accuracy.cache import calibrated
+from sandbox.physics.accuracy.calibration_cache import calibrated
 from tests.elsewhere import move_home
 from validation import cases, cli
 from validation.report import command, measurements  # noqa: F401 (as above)

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from sandbox.model.arithmetic import FUNCTIONS, ExpressionError
-from sandbox.model.bounds import EnergyInField
 from sandbox.model.expressions import Array
+from sandbox.model.number_bounds import EnergyInField
 from sandbox.model.symbolic_derivatives import RULES
 
 PLACES = np.random.default_rng(1).uniform(0.3, 0.9, (2, 20))

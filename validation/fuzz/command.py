@@ -14,7 +14,7 @@ from typing import Any
 
 import typer
 
-from sandbox.model.files import check_writable, folder_of_files, write_atomically
+from sandbox.model.file_writing import check_writable, folder_of_files, write_atomically
 from validation import output
 from validation.environment import environment
 from validation.fuzz.guided import available, guided

@@ -9,7 +9,7 @@ import typer
 from rich.console import Console
 
 from sandbox.model.errors import MisuseError, SandboxError
-from sandbox.model.files import check_writable, folder_of_files, write_atomically
+from sandbox.model.file_writing import check_writable, folder_of_files, write_atomically
 from sandbox.model.message import Message
 from sandbox.reporting import plots
 from validation.output import save

@@ -11,7 +11,7 @@ from pydantic import TypeAdapter, ValidationError
 
 from sandbox.model import level_catalog
 from sandbox.model.errors import SandboxError
-from sandbox.model.files import read_ordinary, without_links
+from sandbox.model.file_writing import read_ordinary, without_links
 from validation import suite
 from validation.case import Case, Outcome
 from validation.case_tables import read

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import typer
 
-from sandbox.model.files import check_writable
+from sandbox.model.file_writing import check_writable
 from sandbox.processes import spread
 from validation import output
 from validation.environment import environment

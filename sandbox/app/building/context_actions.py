@@ -4,9 +4,9 @@ from collections.abc import Callable, Iterator
 from functools import partial
 
 from sandbox.app.building.button_action import Act
+from sandbox.app.building.editable_fields import Entry
 from sandbox.app.building.edited_level import Work
-from sandbox.app.building.fields import Entry
-from sandbox.app.building.inspection import parametrise
+from sandbox.app.building.inspected_fields import parametrise
 from sandbox.app.words.language import later, say
 from sandbox.editing.edits import events
 from sandbox.editing.edits.checks import flight, set_ghost

@@ -21,7 +21,7 @@ from sandbox.app.drawing import lines, shading
 from sandbox.app.drawing.camera import Camera
 from sandbox.app.drawing.text import Pen
 from sandbox.app.stage import bodies, grid, joints, surfaces
-from sandbox.app.stage.outline import Outline, outlined
+from sandbox.app.stage.body_outlines import Outline, outlined
 from sandbox.model.body import Body
 from sandbox.model.constants import let_use
 from sandbox.model.errors import SandboxError

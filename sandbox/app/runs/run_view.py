@@ -8,7 +8,7 @@ from sandbox.app.observing.state_history import History
 from sandbox.app.observing.thinned_series import Trail
 from sandbox.app.runs.companions import Companion
 from sandbox.app.runs.live_run import LiveRun
-from sandbox.app.runs.pace import Pace
+from sandbox.app.runs.play_speed import Pace
 from sandbox.app.runs.step_clock import Clock
 from sandbox.app.runs.user_interventions import Action
 from sandbox.model.errors import SandboxError

@@ -18,14 +18,15 @@ from sandbox.app.stage import (
     grid,
     joint_paths,
     joints,
+    level_labels,
     liquid,
-    marks,
+    motion_marks,
     surfaces,
-    texts,
     wires,
 )
+from sandbox.app.stage.body_outlines import Outline
 from sandbox.app.stage.given_forces import Arrow
-from sandbox.app.stage.labels import Labels
+from sandbox.app.stage.label_placement import Labels
 from sandbox.app.stage.landscape import Relief
 from sandbox.app.stage.observer import Observer
 from sandbox.app.stage.outline import Outline
@@ -154,9 +155,9 @@ class Stage:
         """Write the measured values, after the arrows, which cannot move out of the way."""
         view, words = self.view, level_words.of(self.view.world.level)
         placed = [(each, *view.state(each)) for each in view.moving]
-        avoid = marks.boxes(self.camera, placed)
-        marks.mark_large(self.camera, placed, view.labels)
-        marks.write_milestones(
+        avoid = motion_marks.boxes(self.camera, placed)
+        motion_marks.mark_large(self.camera, placed, view.labels)
+        motion_marks.write_milestones(
             surface, self.camera, self._pen, milestones, words, view.labels, avoid
         )
 
@@ -172,7 +173,7 @@ class Stage:
             for outline in self.view.moving:
                 x, y = snapshot.position[outline.row].tolist()
                 angle = float(snapshot.angle[outline.row])
-                marks.draw_ghost(surface, self.camera, outline, (x, y), angle, lane)
+                motion_marks.draw_ghost(surface, self.camera, outline, (x, y), angle, lane)
 
     def body_at(self, pixel: XY, margin: float = 6.0) -> str | None:
         """Return the dynamic body at a pixel, within a margin [px], or None."""

@@ -14,7 +14,7 @@ from sandbox.model.expressions import Expression
 from sandbox.model.formulas import Formula
 from sandbox.model.joint_ends_at_start import place
 from sandbox.model.joints import End, Spring, body_of
-from sandbox.physics.geometry.distance import dot
+from sandbox.physics.geometry.outline_distance import dot
 
 NEAR = 1e-4
 """The tolerance of the check at the rate below: leapfrog is of second order."""

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 from sandbox.model.expressions import Values
 from sandbox.model.level import Instant, Level, Stepping
-from sandbox.physics.accuracy.cache import resolved
+from sandbox.physics.accuracy.calibration_cache import resolved
 from sandbox.physics.accuracy.compared_runs import Stop, Watched, checked, motion, never, record
 from sandbox.physics.accuracy.richardson import extrapolated
 from sandbox.physics.measuring.recording import Trace

@@ -10,7 +10,7 @@ import numpy as np
 import pymunk
 
 from sandbox.model.errors import brief
-from sandbox.model.files import write_atomically
+from sandbox.model.file_writing import write_atomically
 from sandbox.model.level import Level
 from sandbox.model.loading import digest
 from sandbox.model.quantities import headed

@@ -14,7 +14,7 @@ from sandbox.app.pages.forces import card, force_diagrams
 from sandbox.app.pages.forces.axes import Axes, components
 from sandbox.app.pages.forces.panel import ForcesPage
 from sandbox.app.runs.session import Session
-from sandbox.app.stage.labels import Labels
+from sandbox.app.stage.label_placement import Labels
 from sandbox.app.stage.overlays import accelerations, center, forces
 from sandbox.physics.measuring.free_body import FRICTION, NORMAL, Acting, FreeBody
 from tests.app import scenes

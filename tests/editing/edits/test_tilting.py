@@ -20,7 +20,7 @@ from sandbox.model.errors import SandboxError
 from sandbox.model.joint_ends_at_start import place
 from sandbox.model.joints import points
 from sandbox.model.loading import parse
-from sandbox.physics.geometry.distance import gap
+from sandbox.physics.geometry.outline_distance import gap
 from sandbox.physics.measuring.grading import grade
 from sandbox.physics.run import build, simulate
 from tests.editing.suggested_checks.set_ups import incline

@@ -9,7 +9,7 @@ from sandbox.app.drawing import lines, theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
 from sandbox.app.observing import forces_on_selection
-from sandbox.app.stage.labels import Labels
+from sandbox.app.stage.label_placement import Labels
 from sandbox.app.words.language import say
 from sandbox.model.shapes import XY
 from sandbox.physics.measuring.free_body import Acting, FreeBody

@@ -12,9 +12,9 @@ from sandbox.app.files import save_folder
 from sandbox.app.runs import runfile
 from sandbox.app.runs.session import Session
 from sandbox.model.errors import SandboxError
-from sandbox.model.files import make_folder, write_atomically
+from sandbox.model.file_writing import make_folder, write_atomically
+from sandbox.model.level_writing import text
 from sandbox.model.quantities import TIME
-from sandbox.model.writing import text
 from sandbox.physics.measuring.csv_export import write_csv
 from sandbox.physics.measuring.recording import Trace
 from sandbox.physics.quantities.meter import Meter

@@ -2,7 +2,7 @@
 
 import pygame
 
-from sandbox.app.stage import marks
+from sandbox.app.stage import motion_marks
 from sandbox.app.stage.overlays import arrows
 from sandbox.app.stage.overlays.overlay import Overlay
 from sandbox.app.stage.view import View

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from sandbox.physics.contacts.detection.time_of_impact import Path, meet
 from sandbox.physics.contacts.direct.prediction.convex_parts import Shapes
 from sandbox.physics.contacts.direct.prediction.separation import Separation
-from sandbox.physics.geometry.distance import Outline, gap, outlines
+from sandbox.physics.geometry.outline_distance import Outline, gap, outlines
 from sandbox.physics.run import build
 from sandbox.physics.stepping.world import World
 from tests.physics.scenes import box, disc, level

@@ -13,7 +13,7 @@ from sandbox.physics.contacts.direct.prediction.side_tables import NEAR, Sides
 from sandbox.physics.contacts.direct.rows.kick_system import Kick
 from sandbox.physics.engine.batch import Booleans, Integers
 from sandbox.physics.geometry.arcs import Piece
-from sandbox.physics.geometry.distance import dot
+from sandbox.physics.geometry.outline_distance import dot
 from sandbox.physics.joints.exact.constraint_interface import Coordinates
 from sandbox.physics.state.anchor import Plane
 

@@ -25,7 +25,7 @@ from sandbox.physics.contacts.direct.rows.outlines import SHARP
 from sandbox.physics.contacts.direct.rows.row_layout import Surfaces
 from sandbox.physics.contacts.shapes.hollow_contacts import Hollows
 from sandbox.physics.engine.batch import Booleans, Contacts
-from sandbox.physics.geometry.distance import dot
+from sandbox.physics.geometry.outline_distance import dot
 from sandbox.physics.joints.exact.constraint_interface import Coordinates, angles, planes
 from sandbox.physics.state.anchor import Plane
 

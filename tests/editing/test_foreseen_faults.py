@@ -9,9 +9,9 @@ import pytest
 from sandbox.editing.draft import Draft
 from sandbox.editing.edits import bodies, transforms
 from sandbox.editing.edits.edit_result import Made
-from sandbox.editing.edits.handles import drag_handle
 from sandbox.editing.edits.joints import Pick, add_joint
-from sandbox.editing.foreseen import MOST, Foreseen, Foresight, Proposed
+from sandbox.editing.edits.resizing import drag_handle
+from sandbox.editing.foreseen_faults import MOST, Foreseen, Foresight, Proposed
 from sandbox.editing.text_patches import Changes, put, put_all
 from sandbox.editing.written_out import plain
 from sandbox.model import level_catalog

@@ -10,9 +10,9 @@ import pytest
 
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level, Stepping
-from sandbox.physics.accuracy import cache
-from sandbox.physics.accuracy.cache import calibrated
+from sandbox.physics.accuracy import calibration_cache
 from sandbox.physics.accuracy.calibration import Setting, calibrate
+from sandbox.physics.accuracy.calibration_cache import calibrated
 from sandbox.physics.accuracy.exceptions import Cancelled
 from sandbox.physics.run import build, simulate
 from tests.physics.accuracy.test_calibration import delivered, oscillator
@@ -29,14 +29,14 @@ def counted(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> list[float]:
         calls.append(target)
         return real(scene, values, target, **rest)
 
-    monkeypatch.setattr(cache, "calibrate", counting)
-    monkeypatch.setattr(cache, "folder", lambda: tmp_path / "cache" / "accuracy")
-    monkeypatch.setattr(cache, "_unkept", {})
+    monkeypatch.setattr(calibration_cache, "calibrate", counting)
+    monkeypatch.setattr(calibration_cache, "folder", lambda: tmp_path / "cache" / "accuracy")
+    monkeypatch.setattr(calibration_cache, "_unkept", {})
     return calls
 
 
 def kept() -> list[Path]:
-    return sorted(cache.folder().glob("*.json"))
+    return sorted(calibration_cache.folder().glob("*.json"))
 
 
 def test_a_setting_is_found_out_once(counted: list[float]) -> None:
@@ -54,7 +54,7 @@ def test_another_level_or_target_or_code_is_another_setting(
     calibrated(oscillator(), target=1e-3)
     calibrated(oscillator(k=11), target=1e-3)
     calibrated(oscillator(), target=2e-3)
-    monkeypatch.setattr(cache, "_code", lambda: "other")
+    monkeypatch.setattr(calibration_cache, "_code", lambda: "other")
     calibrated(oscillator(), target=1e-3)
 
     assert len(counted) == len(kept()) == 4
@@ -130,7 +130,7 @@ def test_a_setting_is_not_written_into_a_folder_that_is_a_link(
 ) -> None:
     (tmp_path / "elsewhere").mkdir()
     (tmp_path / "cache").mkdir()
-    cache.folder().symlink_to(tmp_path / "elsewhere")
+    calibration_cache.folder().symlink_to(tmp_path / "elsewhere")
     told: list[str] = []
 
     calibrated(oscillator(), target=1e-3, tell=told.append)
@@ -170,7 +170,7 @@ def test_a_full_disk_costs_only_the_memory(monkeypatch: pytest.MonkeyPatch) -> N
     def full(*_: object, **__: object) -> None:
         raise OSError(28, os.strerror(28))
 
-    monkeypatch.setattr(cache, "write_atomically", full)
+    monkeypatch.setattr(calibration_cache, "write_atomically", full)
     told: list[str] = []
 
     assert calibrated(oscillator(), target=1e-3, tell=told.append).chosen.error <= 1e-3

@@ -9,8 +9,8 @@ from sandbox.app.drawing.text import Pen
 from sandbox.app.runs.session import Session
 from sandbox.app.stage import given_forces
 from sandbox.app.stage.given_forces import Forces, Written
-from sandbox.app.stage.labels import Labels
-from sandbox.app.stage.marks import boxes
+from sandbox.app.stage.label_placement import Labels
+from sandbox.app.stage.motion_marks import boxes
 from sandbox.app.stage.overlays import forces
 from sandbox.app.stage.stage import Stage
 from sandbox.model import level_catalog

@@ -13,7 +13,7 @@ import pytest
 from sandbox.experiments.batch_scheduling import conduct
 from sandbox.experiments.executors import Cores, Here
 from sandbox.experiments.plan import Plan
-from sandbox.experiments.running import Task, pack, run
+from sandbox.experiments.row_runs import Task, pack, run
 from sandbox.experiments.storage import PARTS, RESULTS, Store
 from sandbox.model.errors import SandboxError
 from sandbox.model.message import Message

@@ -6,8 +6,8 @@ from typing import NamedTuple
 from sandbox.app.runs.companions import Companion, Variant
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level, Stepping
-from sandbox.physics.accuracy.cache import calibrated, recalled
 from sandbox.physics.accuracy.calibration import Setting
+from sandbox.physics.accuracy.calibration_cache import calibrated, recalled
 from sandbox.physics.run import build
 from sandbox.physics.state.errors import SimulationError
 from sandbox.physics.stepping.world import World

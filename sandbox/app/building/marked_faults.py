@@ -10,7 +10,7 @@ from sandbox.app.building.partial_level import parts_of
 from sandbox.app.building.tools.tool import Tool
 from sandbox.app.drawing.text import Pen
 from sandbox.app.words.language import say
-from sandbox.editing.foreseen import Foreseen, Foresight
+from sandbox.editing.foreseen_faults import Foreseen, Foresight
 from sandbox.model.errors import SandboxError
 
 PATIENCE = 3

@@ -8,7 +8,7 @@ from sandbox.app.measuring import probe
 from sandbox.app.observing.earlier_runs import alike
 from sandbox.app.pages.register import page, runs_beside
 from sandbox.app.pages.table.stopwatch import Stopwatch
-from sandbox.app.panels import messages
+from sandbox.app.panels import stage_messages
 from sandbox.app.runs.session import Session
 from sandbox.app.workspace import Workspace
 
@@ -35,8 +35,8 @@ def paint(space: Workspace) -> None:
         surface.fill(theme.EDGE, (x, 0, 1, layout.stage.height))
     if space.help:
         rows = page(space.panels.page).keys if space.maker is not None else ()
-        told = rows or messages.everywhere()
-        space.sheets = messages.draw_help(surface, space.pen, layout.stage, told, space.help)
+        told = rows or stage_messages.everywhere()
+        space.sheets = stage_messages.draw_help(surface, space.pen, layout.stage, told, space.help)
 
 
 def _paint_stage(space: Workspace, view: pygame.Surface, session: Session) -> None:

@@ -12,8 +12,8 @@ from hypothesis import strategies as st
 
 from sandbox.model import level_catalog, templates
 from sandbox.model.crowd_levels import crowd
+from sandbox.model.level_writing import WIDTH, formatted, text, with_schema
 from sandbox.model.loading import parse
-from sandbox.model.writing import WIDTH, formatted, text, with_schema
 
 LEVELS = sorted(level_catalog.root().glob("*/*.json"))
 OURS = [*LEVELS, *map(templates.path, templates.names())]

@@ -5,11 +5,11 @@ from dataclasses import replace
 from functools import partial
 from typing import Any
 
-from sandbox.app.building import fields
+from sandbox.app.building import editable_fields
 from sandbox.app.building.button_action import Act
+from sandbox.app.building.editable_fields import Entry, Row
 from sandbox.app.building.edited_level import Work
 from sandbox.app.building.effect_examples import example
-from sandbox.app.building.fields import Entry, Row
 from sandbox.app.words.language import later, plural, say
 from sandbox.editing import suggested_checks
 from sandbox.editing.cleanup import accepted
@@ -58,11 +58,11 @@ def rows(work: Work) -> Sequence[Row]:
     """Return the rows for the selection; for several bodies, those of fields they can share."""
     match work.selected:
         case () if not work.fixed:
-            return fields.rows(Level, work.document, ())
+            return editable_fields.rows(Level, work.document, ())
         case ((family, name),):
             said = work.document[family][name]
-            model = Body if family == "bodies" else fields.model_of(Joint, said)
-            found = fields.rows(model, said, (family, name)) if model else ()
+            model = Body if family == "bodies" else editable_fields.model_of(Joint, said)
+            found = editable_fields.rows(model, said, (family, name)) if model else ()
             called = Entry((family, name), say("name"), say(NAMED), "", "text", name, required=True)
             return [(called,), *(row for row in found if _field(row) not in work.fixed)]
     several = len(work.chosen) == len(work.selected) > 1
@@ -72,8 +72,12 @@ def rows(work: Work) -> Sequence[Row]:
 def _alike(work: Work) -> Iterator[Row]:
     """Yield the rows for fields that bodies can share; where they differ, a field is empty."""
     first, *others = (work.document["bodies"][name] for name in work.chosen)
-    for row in fields.rows(Body, first, ("bodies", work.chosen[0])):
-        if isinstance(row, fields.Section) or len(row) > 1 or (key := _field(row)) not in ALIKE:
+    for row in editable_fields.rows(Body, first, ("bodies", work.chosen[0])):
+        if (
+            isinstance(row, editable_fields.Section)
+            or len(row) > 1
+            or (key := _field(row)) not in ALIKE
+        ):
             continue
         if all(other.get(key) == first.get(key) for other in others):
             yield row
@@ -90,7 +94,7 @@ def _places(work: Work, path: Path) -> list[Path]:
 
 def _field(row: Row) -> str | int:
     """Return the field of a body or a joint that a row sets."""
-    return (row.path if isinstance(row, fields.Section) else row[0].path)[2]
+    return (row.path if isinstance(row, editable_fields.Section) else row[0].path)[2]
 
 
 def assign(work: Work, row: Sequence[Entry], entry: Entry, typed: str) -> str:

@@ -5,7 +5,7 @@ from pathlib import Path
 import pygame
 import pytest
 
-from sandbox.app.runs import limits
+from sandbox.app.runs import run_limits
 from sandbox.app.runs.session import Session
 from sandbox.app.window import Window
 from sandbox.app.workspace import MANY
@@ -19,7 +19,7 @@ FRAME = 1 / 60  # s
 @pytest.fixture
 def slow(monkeypatch: pytest.MonkeyPatch) -> None:
     """Let every step take too long."""
-    monkeypatch.setattr(limits, "SLOW", 0.0)
+    monkeypatch.setattr(run_limits, "SLOW", 0.0)
 
 
 def played(*, patient: bool = False) -> Session:

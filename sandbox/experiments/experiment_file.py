@@ -15,14 +15,14 @@ from sandbox.experiments.random_points import Method
 from sandbox.model import parse_messages
 from sandbox.model.arithmetic import MAX_LENGTH
 from sandbox.model.base import Model
-from sandbox.model.bounds import Finite
 from sandbox.model.did_you_mean import suggestion
 from sandbox.model.errors import brief
-from sandbox.model.files import read_ordinary
+from sandbox.model.file_writing import read_ordinary
 from sandbox.model.json_document import Document, refuse
 from sandbox.model.level_parts import Fault
 from sandbox.model.message import Message
 from sandbox.model.naming import Name
+from sandbox.model.number_bounds import Finite
 
 MAX_BYTES = 1_000_000
 """The largest file that is read [bytes]."""

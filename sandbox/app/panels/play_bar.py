@@ -7,7 +7,7 @@ from pygame_gui import UIManager
 
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
-from sandbox.app.panels.bar import GAP, MARGIN, Bar
+from sandbox.app.panels.button_bar import GAP, MARGIN, Bar
 from sandbox.app.runs.session import Session
 from sandbox.app.stage.overlays.register import OVERLAYS
 from sandbox.app.widgets.widget_helpers import press

@@ -11,7 +11,7 @@ import numpy as np
 
 from sandbox.experiments.observables import Observable, holds_at
 from sandbox.experiments.plan import Plan, Row
-from sandbox.experiments.table import Cell, columns
+from sandbox.experiments.results_table import Cell, columns
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level, Stepping

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
-from sandbox.physics.geometry.distance import Outline, gap, outlines
+from sandbox.physics.geometry.outline_distance import Outline, gap, outlines
 
 SQUARE = (-1 - 1j, 1 - 1j, 1 + 1j, -1 + 1j)
 

@@ -12,8 +12,8 @@ from sandbox.app.drawing.camera import Camera
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
 from sandbox.app.observing.milestones import Milestone
-from sandbox.app.stage.labels import Labels
-from sandbox.app.stage.outline import Outline
+from sandbox.app.stage.body_outlines import Outline
+from sandbox.app.stage.label_placement import Labels
 from sandbox.app.words.formatting import name_in_words, nice, number
 from sandbox.app.words.level_words import Say
 from sandbox.model.arithmetic import ExpressionError

@@ -7,7 +7,7 @@ import pytest
 
 from sandbox.model.errors import LevelError
 from sandbox.model.loading import parse
-from sandbox.model.other_words import _WORDS
+from sandbox.model.synonyms import _WORDS
 
 
 def told(*path: str, value: object) -> str:

@@ -5,26 +5,32 @@ from typing import Any
 
 import pytest
 
-from sandbox.model import bounds
+from sandbox.model import number_bounds
 from sandbox.model.arithmetic import ExpressionError
 from sandbox.model.expressions import Expression
 from sandbox.model.schema import schema
 from tests.model.levels import Data, bare, hanging, mistakes, said, setting
 
-HOME = bounds.__name__
+HOME = number_bounds.__name__
 KINDS = [
     kind
-    for kind in vars(bounds).values()
+    for kind in vars(number_bounds).values()
     if isinstance(kind, type) and issubclass(kind, Expression) and kind.__module__ == HOME
 ]
 
 
 def test_of_the_largest_numbers_the_largest_product_is_still_a_number() -> None:
     """A mass, four lengths and the square of a spin: nothing multiplies more of them at once."""
-    assert bounds.Mass.most * bounds.Coordinate.most**4 < 1e100
-    assert bounds.Mass.most * bounds.Speed.most**2 * bounds.Coordinate.most**2 < 1e100
+    assert number_bounds.Mass.most * number_bounds.Coordinate.most**4 < 1e100
     assert (
-        bounds.Strength.most * bounds.Mass.most * bounds.Coordinate.most**bounds.Power.most < 1e250
+        number_bounds.Mass.most * number_bounds.Speed.most**2 * number_bounds.Coordinate.most**2
+        < 1e100
+    )
+    assert (
+        number_bounds.Strength.most
+        * number_bounds.Mass.most
+        * number_bounds.Coordinate.most**number_bounds.Power.most
+        < 1e250
     )
 
 

@@ -6,11 +6,11 @@ import pytest
 from sandbox.model.level import Level, Stepping
 from sandbox.model.level_catalog import find
 from sandbox.model.loading import load, parse
-from sandbox.physics.accuracy import study
+from sandbox.physics.accuracy import accuracy_study
+from sandbox.physics.accuracy.accuracy_study import Failed, Finding, Here, Point, Progress, Split
 from sandbox.physics.accuracy.calibration import Setting
 from sandbox.physics.accuracy.compared_runs import motion, record, scaled
 from sandbox.physics.accuracy.refinement import furthest
-from sandbox.physics.accuracy.study import Failed, Finding, Here, Point, Progress, Split
 from sandbox.physics.accuracy.trusted_digits import Trust
 from sandbox.physics.measuring.grading import grade
 from sandbox.physics.run import simulate
@@ -34,7 +34,7 @@ def ellipse() -> Level:
 @pytest.fixture(scope="module")
 def of_the_ellipse(ellipse: Level) -> list[Finding]:
     """The results for an ellipse, which take two seconds."""
-    return list(study.split(ellipse, ellipse.defaults))
+    return list(accuracy_study.split(ellipse, ellipse.defaults))
 
 
 @pytest.mark.sweep
@@ -63,7 +63,7 @@ def test_it_is_told_until_when_a_motion_is_foretold() -> None:
     level = load(find("lagrange/double-pendulum"))
     slow = level.model_copy(update={"stepping": Stepping(rate=30)})
 
-    found = trust(list(study.split(slow, slow.defaults)))
+    found = trust(list(accuracy_study.split(slow, slow.defaults)))
     place = found["lower.position.x"]
 
     assert place.until is not None
@@ -80,7 +80,7 @@ def test_the_error_of_a_run_is_that_of_its_motion_too() -> None:
     run = record(level, level.defaults, level.stepping, list(motion(level)))
     true, _ = furthest(run, fine, scaled(list(motion(level)), fine))
 
-    found = list(study.split(level, level.defaults))
+    found = list(accuracy_study.split(level, level.defaults))
 
     assert max(split.numerical for split in splits(found).values()) < 1e-9
     (here,) = (each for each in found if isinstance(each, Here))
@@ -90,7 +90,7 @@ def test_the_error_of_a_run_is_that_of_its_motion_too() -> None:
 def test_an_exact_run_owes_nothing_to_its_step() -> None:
     level = scenes.level()
 
-    found = list(study.split(level, level.defaults))
+    found = list(accuracy_study.split(level, level.defaults))
 
     assert len(splits(found)) == 2
     assert all(split.numerical < 1e-13 for split in splits(found).values())
@@ -117,7 +117,7 @@ def test_the_error_of_a_step_is_told_as_numerical(
 def test_an_approximation_is_told_as_the_models() -> None:
     level = small_swings()
 
-    split = splits(list(study.split(level, level.defaults)))[0]
+    split = splits(list(accuracy_study.split(level, level.defaults)))[0]
 
     assert split.model is not None
     assert split.model > 5 * split.numerical
@@ -134,7 +134,7 @@ def test_a_formula_out_of_its_range_has_no_error() -> None:
         ]
     )  # fmt: skip
 
-    split = splits(list(study.split(level, level.defaults)))[0]
+    split = splits(list(accuracy_study.split(level, level.defaults)))[0]
 
     assert split.total is split.model is split.remaining is None
     assert split.numerical < 1e-13
@@ -143,10 +143,10 @@ def test_a_formula_out_of_its_range_has_no_error() -> None:
 def test_a_study_tells_points_of_every_scheme_and_the_finer_cost_more(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    monkeypatch.setattr(study, "REFINING", 0.1)
+    monkeypatch.setattr(accuracy_study, "REFINING", 0.1)
     level = scenes.level(effects={"gravity": {"acceleration": [0, "-g"]}, "drag": {"linear": 0.1}})
 
-    found = list(study.study(level, level.defaults))
+    found = list(accuracy_study.study(level, level.defaults))
 
     points = [each for each in found if isinstance(each, Point) and not isinstance(each, Here)]
     assert {point.scheme for point in points} == {"leapfrog", "symplectic-euler", "explicit-euler"}
@@ -164,7 +164,9 @@ def test_a_study_tells_points_of_every_scheme_and_the_finer_cost_more(
 def test_a_setting_is_looked_for() -> None:
     level = load(find("energy/circular-orbit"))
 
-    (setting,) = (s for s in study.seek(level, level.defaults, 1e-4, 0.4) if isinstance(s, Setting))
+    (setting,) = (
+        s for s in accuracy_study.seek(level, level.defaults, 1e-4, 0.4) if isinstance(s, Setting)
+    )
 
     assert setting.chosen.error <= 1e-4
 
@@ -172,7 +174,7 @@ def test_a_setting_is_looked_for() -> None:
 def test_why_there_is_nothing_to_find_is_told() -> None:
     level = parse(scenes.runaway())
 
-    found = list(study.split(level, level.defaults))
+    found = list(accuracy_study.split(level, level.defaults))
 
     assert isinstance(found[-1], Failed)
     assert "string" in found[-1].reason

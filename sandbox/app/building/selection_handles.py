@@ -16,7 +16,7 @@ SIZE = 4  # px, half the side of a handle
 REACH = 8.0  # px, the distance within which it can be grabbed
 STALK = 30.0  # px, the length of the stalk of the rotation handle
 TURN = -1
-"""The index of the rotation handle; the others are as in `sandbox.editing.edits.handles`."""
+"""The index of the rotation handle; the others are as in `sandbox.editing.edits.resizing`."""
 
 _SIDES = ((-1, -1), (0, -1), (1, -1), (1, 0), (1, 1), (0, 1), (-1, 1), (-1, 0))
 """The positions of a box's handles, in halves of its sides."""
