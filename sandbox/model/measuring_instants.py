@@ -77,6 +77,21 @@ class LandingEvent(Model):
     """m, the height"""
 
 
+Passage = CrossingEvent | ApexEvent | LandingEvent
+"""An event at which a quantity crosses a value."""
+
+
+def crossed(at: Passage) -> tuple[str, Expression, Literal["up", "down", "either"]]:
+    """Return the quantity that crosses a value at an event, the value, and the direction."""
+    match at:
+        case ApexEvent():
+            return f"{at.body}.velocity.y", Expression(0), "down"
+        case LandingEvent():
+            return f"{at.body}.position.y", at.height, "down"
+        case CrossingEvent():
+            return at.quantity, at.value, at.direction
+
+
 def kind_of(at: object) -> str | None:
     """Return the kind of an instant; None if it is unclear."""
     if isinstance(at, Mapping):
