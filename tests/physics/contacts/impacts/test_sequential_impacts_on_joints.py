@@ -12,7 +12,7 @@ from sandbox.model.loading import load
 from sandbox.physics.contacts.impacts.simultaneous_impacts import Pile
 from sandbox.physics.engine.batch import Integers
 from sandbox.physics.run import build
-from tests.physics.contacts.test_sequential_impacts import SEQUENCE, kinetic
+from tests.physics.contacts.impacts.test_sequential_impacts import SEQUENCE, kinetic
 from tests.physics.scenes import GRAVITY, G, Spec, box, disc, fixed, floor, level, run, worst
 
 
