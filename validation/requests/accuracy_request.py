@@ -17,7 +17,7 @@ from sandbox.physics.accuracy.calibration import Setting, calibrate
 from sandbox.physics.accuracy.compared_runs import Watched, record, scaled, watched
 from sandbox.physics.accuracy.exceptions import AccuracyError
 from sandbox.physics.accuracy.refinement import furthest
-from sandbox.physics.accuracy.step_cost import step_work
+from sandbox.physics.accuracy.step_cost import counted_cost
 from sandbox.physics.measuring.recording import Trace
 from sandbox.physics.scene.schemes import usable
 from sandbox.physics.state.errors import SimulationError
@@ -141,7 +141,7 @@ def _finer(level: Level, values: Values, chosen: Stepping) -> Stepping | None:
 
 def _work(level: Level, values: Values, stepping: Stepping) -> float:
     """Return the counted work of a run [s]."""
-    return step_work(level, values, stepping) * stepping.rate * level.duration(values)
+    return counted_cost(level, values, stepping) * stepping.rate * level.duration(values)
 
 
 def _cheaper(

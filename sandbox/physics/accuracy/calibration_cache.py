@@ -25,7 +25,6 @@ from sandbox.model.level import Level, Stepping
 from sandbox.model.loading import digest
 from sandbox.physics.accuracy.calibration import Setting, calibrate
 from sandbox.physics.accuracy.compared_runs import Stop, never
-from sandbox.physics.accuracy.refinement_search import Progress
 from sandbox.physics.scene.schemes import require
 from sandbox.physics.state.errors import SchemeError
 
@@ -44,7 +43,6 @@ def calibrated(
     level: Level,
     values: Values | None = None,
     target: float = 1e-6,
-    progress: Progress | None = None,
     stop: Stop = never,
     tell: Callable[[str], None] | None = None,
     also: Sequence[str] = (),
@@ -57,7 +55,7 @@ def calibrated(
     values = level.defaults if values is None else values
     if found := recalled(level, values, target, also):
         return found
-    setting = calibrate(level, values, target, progress=progress, stop=stop, also=also)
+    setting = calibrate(level, values, target, stop=stop, also=also)
     keep(level, values, setting, tell, also)
     return setting
 
