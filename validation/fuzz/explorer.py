@@ -64,7 +64,7 @@ def main() -> None:
 
     limits = ["-rss_limit_mb=0", "-timeout=0", f"-max_len={LONGEST}", "-len_control=0"]
     nowhere = f"-exact_artifact_path={os.devnull}"  # else it leaves a file where the work is
-    trial.limit_memory()
+    isolated_trial.limit_memory()
     atheris.Setup([sys.argv[0], f"-seed={seed}", *limits, nowhere, folder], explore)
     atheris.Fuzz()
 

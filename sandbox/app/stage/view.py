@@ -12,9 +12,8 @@ from sandbox.app.drawing.theme import Color
 from sandbox.app.stage import motion_marks
 from sandbox.app.stage.body_outlines import Outline, outlines
 from sandbox.app.stage.given_forces import Forces
-from sandbox.app.stage.labels import Labels
+from sandbox.app.stage.label_placement import Labels
 from sandbox.app.stage.observer import Observer
-from sandbox.app.stage.outline import Outline, outlines
 from sandbox.app.words.formatting import rounded_up
 from sandbox.model.shapes import XY, evaluate
 from sandbox.physics.measuring.recording import count_steps

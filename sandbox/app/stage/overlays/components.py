@@ -14,7 +14,7 @@ def _draw(surface: pygame.Surface, view: View) -> None:
         return
     for outline in view.moving:
         position, velocity = view.state(outline)[0], view.velocity(outline)
-        marks.draw_components(surface, view.camera, view.pen, position, velocity, ahead)
+        motion_marks.draw_components(surface, view.camera, view.pen, position, velocity, ahead)
 
 
 OVERLAY = Overlay(
