@@ -103,7 +103,7 @@ pictures: $(FOR_TEST) ## draw the pictures of the README anew, from the window a
 	$(HEADLESS) $(PY) docs/pictures.py
 
 texts: $(FOR_TEST) ## bring the catalogues of the window's languages up to date with what the code says
-	$(HEADLESS) $(PY) -m sandbox.cli.texts
+	$(HEADLESS) $(PY) -m sandbox.cli.update_translations
 
 site: $(FOR_SITE) ## the documents and a gallery of all levels as a site: out/site/index.html
 	$(HEADLESS) $(PY) -m mkdocs build --strict

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from sandbox.model import level_catalog
-from sandbox.model.document import refuse
+from sandbox.model.json_document import refuse
 from sandbox.model.level import Level, Stepping
 from sandbox.model.loading import choose, parse
 from sandbox.model.loading import load as load_file

@@ -8,7 +8,7 @@ from math import inf
 import pytest
 from hypothesis import settings
 
-from sandbox.model import bounds
+from sandbox.model import number_bounds
 from sandbox.model.expressions import Expression
 
 # A slow machine is no counterexample. What is checked is the same every time: a change that fails
@@ -31,7 +31,7 @@ def hangups() -> Iterator[None]:
 @pytest.fixture
 def boundless(monkeypatch: pytest.MonkeyPatch) -> None:
     """Allow levels any number: the code behind the bounds must work without them, too."""
-    for kind in vars(bounds).values():
+    for kind in vars(number_bounds).values():
         if isinstance(kind, type) and issubclass(kind, Expression):
             monkeypatch.setattr(kind, "most", inf)
             monkeypatch.setattr(kind, "least", 0.0)

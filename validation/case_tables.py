@@ -111,7 +111,7 @@ def read(phenomenon: str) -> tuple[Case, ...]:
 @cache
 def _names(phenomenon: str) -> Mapping[str, object]:
     """Return the names for the formulas of a phenomenon, including its own module."""
-    name = f"validation.cases.{phenomenon}"
+    name = f"validation.cases.functions.{phenomenon}"
     return {**NAMES, "own": import_module(name)} if find_spec(name) else NAMES
 
 

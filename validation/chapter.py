@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from sandbox.model import level_catalog
-from sandbox.model.files import write_atomically
+from sandbox.model.file_writing import write_atomically
 from sandbox.model.generated_files import generate
 from sandbox.model.loading import load
 

@@ -12,7 +12,7 @@ from rich.console import Console
 from rich.progress import track
 from rich.table import Table
 
-from sandbox.model.files import write_atomically
+from sandbox.model.file_writing import write_atomically
 
 WIDE = 160
 """The width of a line without a terminal [characters]: enough for whole names."""

@@ -8,7 +8,7 @@ from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
 from sandbox.app.pages.effects import whatif
-from sandbox.app.panels import messages
+from sandbox.app.panels import stage_messages
 from sandbox.app.runs.session import Session
 from sandbox.app.words import formatting, language
 from sandbox.app.words.language import later, say
@@ -42,7 +42,7 @@ class Banner:
     ) -> int:
         """Draw the note at the top of an area, if there is one; return its lower edge [px]."""
         text, color = self._told(session)
-        return messages.draw_banner(surface, pen, area, text, color) if text else 0
+        return stage_messages.draw_banner(surface, pen, area, text, color) if text else 0
 
     def _told(self, session: Session | None) -> tuple[str, Color]:
         noted = (self._note if self._left > 0 else ""), theme.NOTICE

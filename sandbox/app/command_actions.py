@@ -13,10 +13,10 @@ from sandbox.app.keys import AT_HOME
 from sandbox.app.pages.page import Desk, PageCommand
 from sandbox.app.pages.register import PAGES
 from sandbox.app.pages.table.stopwatch import Stopwatch
-from sandbox.app.panels.layout import room
 from sandbox.app.panels.verdicts_and_energies import FIRST, NEXT
+from sandbox.app.panels.window_layout import room
 from sandbox.app.runs.session import Session
-from sandbox.app.stage import texts
+from sandbox.app.stage import level_labels
 from sandbox.app.stage.observer import CENTER
 from sandbox.app.stage.overlays.register import OVERLAYS
 from sandbox.app.widgets.file_dialog import SMALLEST
@@ -127,7 +127,7 @@ class CommandActions:
         places = [session.looking.body(session.level), CENTER, None]
         seen_from = stage.seen_from
         stage.observe(places[(places.index(seen_from) + 1) % 3 if seen_from in places else 0])
-        self._tell(texts.seen_from(stage.view.observer.place))
+        self._tell(level_labels.seen_from(stage.view.observer.place))
 
     def _press_the_stopwatch(self) -> None:
         if self._space.session is not None:

@@ -9,12 +9,12 @@ from sandbox.app.keymap import command
 from sandbox.app.keys import WHILE_TYPING
 from sandbox.app.pages.build import PAGE as BUILD_PAGE
 from sandbox.app.runs.session import Session
-from sandbox.app.widgets.parameters import Change
+from sandbox.app.widgets.parameter_sliders import Change
 from sandbox.app.words.language import say
 from sandbox.app.workspace import Workspace
 from sandbox.editing.recovery import Recoverable
 from sandbox.model.errors import SandboxError
-from sandbox.model.files import without_links
+from sandbox.model.file_writing import without_links
 
 _MOUSE = (pygame.MOUSEBUTTONDOWN, pygame.MOUSEBUTTONUP, pygame.MOUSEMOTION)
 

@@ -4,7 +4,7 @@ from pathlib import Path
 
 from sandbox.app.files.level_entries import entry
 from sandbox.app.files.recent import Recent
-from sandbox.app.panels import levels
+from sandbox.app.panels import level_list
 
 
 class LevelFiles:
@@ -14,7 +14,7 @@ class LevelFiles:
         self.recent = Recent()
         """The files that were opened recently."""
         opened = (entry(path, "opened") for path in self.recent.paths)
-        self.entries = [*opened, *levels.entries()]
+        self.entries = [*opened, *level_list.entries()]
         """The entries of the list, in its order."""
 
     def say_anew(self) -> None:

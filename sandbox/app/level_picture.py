@@ -15,7 +15,7 @@ from sandbox.app.drawing.text import Pen
 from sandbox.app.observing import energy_graph
 from sandbox.app.pages.effects import whatif
 from sandbox.app.pages.level.card import clock, header, settings
-from sandbox.app.pages.race import race
+from sandbox.app.pages.race import scheme_comparison
 from sandbox.app.pages.register import runs_beside
 from sandbox.app.runs.companions import Changes
 from sandbox.app.runs.session import Session
@@ -24,7 +24,7 @@ from sandbox.app.words import formatting, level_words
 from sandbox.app.words.language import say
 from sandbox.model.effect_variants import Variation
 from sandbox.model.expressions import Values
-from sandbox.model.files import write_atomically
+from sandbox.model.file_writing import write_atomically
 from sandbox.model.level import Level
 
 SIZE = (1280, 720)  # px
@@ -98,7 +98,7 @@ def _session(level: Level, values: Values, beside: Beside | None, racing: bool) 
     if beside:
         whatif.play_over(session, beside.level, level, Changes(effects=beside.variations))
     if racing:
-        race.toggle(session)
+        scheme_comparison.toggle(session)
     return session
 
 

@@ -13,7 +13,7 @@ from time import perf_counter
 import pygame
 
 from sandbox.app.drawing import theme
-from sandbox.app.panels import messages
+from sandbox.app.panels import stage_messages
 from sandbox.app.words.language import say
 from sandbox.app.workspace import Workspace
 from sandbox.model.errors import SandboxError
@@ -87,5 +87,5 @@ class HoldUp:
         surface.blit(self._behind, (0, 0))
         area = self._space.panels.layout.stage.clip(surface.get_rect())
         middle = pygame.Rect(area.x, area.centery, area.width, 0)
-        messages.draw_banner(surface, self._space.pen, middle, text, theme.NOTICE)
+        stage_messages.draw_banner(surface, self._space.pen, middle, text, theme.NOTICE)
         pygame.display.flip()

@@ -9,7 +9,7 @@ from collections.abc import Iterable, Iterator
 from typing import Any, get_args
 
 from sandbox.app import keymap, keys
-from sandbox.app.building import fields
+from sandbox.app.building import editable_fields
 from sandbox.app.building.tools.joining import kinds
 from sandbox.app.building.tools.register import TOOLS
 from sandbox.app.drawing import theme
@@ -22,7 +22,7 @@ from sandbox.model.base import Model
 from sandbox.model.effects import EFFECTS
 from sandbox.model.joints import KINDS
 from sandbox.model.level import Level
-from sandbox.physics.accuracy.study import Stage
+from sandbox.physics.accuracy.accuracy_study import Stage
 from sandbox.physics.measuring.free_body import FRICTION, HAND, IMPACT, NORMAL
 from sandbox.physics.measuring.goals import Standing
 
@@ -87,16 +87,16 @@ def _of_the_physics() -> Iterator[str]:
 def _of_the_format() -> Iterator[str]:
     """Yield the fields of a level, their descriptions, and their options."""
     for model in _models(Level, set()):
-        yield fields.first_of(model)
+        yield editable_fields.first_of(model)
         for name, field in model.model_fields.items():
-            yield fields.label_of(field.alias or name)
-            yield fields.help_of(model, name)
-            yield from fields.choices_of(field.annotation)
+            yield editable_fields.label_of(field.alias or name)
+            yield editable_fields.help_of(model, name)
+            yield from editable_fields.choices_of(field.annotation)
 
 
 def _models(kind: Any, known: set[type[Model]]) -> Iterator[type[Model]]:  # noqa: ANN401
     """Yield the models that a type consists of, except known ones."""
-    kind = fields.bare(kind)
+    kind = editable_fields.bare(kind)
     parts: Iterable[Any] = get_args(kind)
     if isinstance(kind, type) and issubclass(kind, Model):
         if kind in known:

@@ -9,10 +9,10 @@ import pygame
 from sandbox.app.command_actions import CommandActions
 from sandbox.app.events import Events
 from sandbox.app.files.open_level_watch import FileWatch
+from sandbox.app.frame_painting import paint
 from sandbox.app.frame_time import Allowance
 from sandbox.app.long_frames import HoldUp
 from sandbox.app.malloc_tuning import give_back_gaps
-from sandbox.app.painting import paint
 from sandbox.app.runs.session import Session
 from sandbox.app.sounds import Sounds
 from sandbox.app.workspace import SIZE, Workspace

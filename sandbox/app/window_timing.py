@@ -9,8 +9,8 @@ import numpy as np
 import pygame
 
 from sandbox.app.main import FIRST
-from sandbox.app.runs.beginning import begin
 from sandbox.app.runs.live_run import LiveRun
+from sandbox.app.runs.run_start import begin
 from sandbox.app.runs.session import Session
 from sandbox.app.startup_timing import first_picture
 from sandbox.app.window import RATE, Window

@@ -16,7 +16,7 @@ from sandbox.app.measuring.stage_mouse import Hand
 from sandbox.app.pages.page import OnStage
 from sandbox.app.pages.register import PAGES, opening
 from sandbox.app.pages.workers import Workers
-from sandbox.app.panels import messages
+from sandbox.app.panels import stage_messages
 from sandbox.app.panels.panels import Panels
 from sandbox.app.runs import runfile
 from sandbox.app.runs.remedy_search import Advising
@@ -27,7 +27,7 @@ from sandbox.app.words import language, level_words
 from sandbox.app.words.language import later, say
 from sandbox.model import level_catalog
 from sandbox.model.errors import SandboxError
-from sandbox.model.files import without_links
+from sandbox.model.file_writing import without_links
 from sandbox.model.level import Level, Stepping
 from sandbox.model.loading import choose, load
 from sandbox.physics.measuring.recording import leans
@@ -208,7 +208,7 @@ class Workspace:
     def _say_first(self, text: str) -> None:
         """Show a message at once, before a computation that delays the next frame."""
         area = self.panels.layout.stage
-        messages.draw_banner(self.surface, self.pen, area, text, theme.NOTICE)
+        stage_messages.draw_banner(self.surface, self.pen, area, text, theme.NOTICE)
         pygame.display.flip()
 
     def reload(self, rate: float | None = None) -> None:

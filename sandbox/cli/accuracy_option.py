@@ -70,7 +70,7 @@ def find_out(level: Level, values: Values, also: Sequence[str] = ()) -> Stepping
         return level.stepping
     from rich.console import Console  # rarely needed
 
-    from sandbox.physics.accuracy.cache import calibrated
+    from sandbox.physics.accuracy.calibration_cache import calibrated
 
     with Console(stderr=True).status("Finding the cheapest setting ..."):
         setting = calibrated(

@@ -16,7 +16,7 @@ from sandbox.cli import argument_parsing
 from sandbox.cli.accuracy_option import Choice, settled
 from sandbox.cli.argument_parsing import UsageError
 from sandbox.model.errors import MisuseError, SandboxError, brief
-from sandbox.model.files import folder_of_files
+from sandbox.model.file_writing import folder_of_files
 from sandbox.model.level_parts import Fault
 from sandbox.model.loading import choose
 from sandbox.model.message import Message
@@ -46,7 +46,7 @@ def experiment(asked: Asked, output: Path, jobs: int | None, address: str | None
     if jobs is not None and address is not None:
         raise UsageError("--jobs and --cluster: the cluster's workers say how many there are")
     if address is None and (jobs or os.cpu_count() or 1) > 1:
-        processes.prepare("sandbox.experiments.running")
+        processes.prepare("sandbox.experiments.row_runs")
     with needed_for("an experiment", "experiment"):
         from sandbox.experiments import report
         from sandbox.experiments.storage import Store
@@ -122,7 +122,7 @@ def fit(asked: Asked, names: Sequence[str], data: Path | None, output: Path) -> 
 
 def _plan(asked: Asked) -> "Plan":
     from sandbox.experiments import catalog
-    from sandbox.experiments.document import made
+    from sandbox.experiments.experiment_file import made
     from sandbox.experiments.planning import make
 
     if not (asked.vary or asked.measure):

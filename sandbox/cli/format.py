@@ -7,9 +7,9 @@ import typer
 from sandbox.cli.argument_parsing import levels
 from sandbox.model import level_catalog
 from sandbox.model.errors import SandboxError
-from sandbox.model.files import write_atomically
+from sandbox.model.file_writing import write_atomically
+from sandbox.model.level_writing import formatted
 from sandbox.model.loading import parse, read
-from sandbox.model.writing import formatted
 
 
 def format_levels(arguments: Sequence[str], *, write: bool) -> int:

@@ -5,9 +5,9 @@ from pathlib import Path
 import typer
 
 from sandbox.model.crowd_levels import crowd
-from sandbox.model.files import check_writable, write_atomically
+from sandbox.model.file_writing import check_writable, write_atomically
+from sandbox.model.level_writing import text
 from sandbox.model.loading import parse
-from sandbox.model.writing import text
 
 
 def generate(kind: str, bodies: int, output: Path) -> None:

@@ -6,8 +6,8 @@ import typer
 
 from sandbox.cli.argument_parsing import levels
 from sandbox.model import level_catalog
-from sandbox.model.document import Document, refuse
 from sandbox.model.errors import SandboxError
+from sandbox.model.json_document import Document, refuse
 from sandbox.model.level_parts import Fault
 from sandbox.model.loading import read
 from sandbox.model.message import Message

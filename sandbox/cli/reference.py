@@ -15,7 +15,7 @@ import typer
 from sandbox.cli.commands import app
 from sandbox.model import joints, level_catalog, quantities
 from sandbox.model.effects import EFFECTS
-from sandbox.model.files import write_atomically
+from sandbox.model.file_writing import write_atomically
 from sandbox.model.generated_files import generate
 from sandbox.model.loading import parse
 from sandbox.model.schema import schema

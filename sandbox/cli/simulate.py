@@ -11,15 +11,15 @@ from sandbox.cli import argument_parsing, check_verdicts, effect_options
 from sandbox.cli.accuracy_option import Choice, asking, settled
 from sandbox.cli.effect_options import Varied, vary
 from sandbox.model.expressions import Values
-from sandbox.model.files import check_writable
+from sandbox.model.file_writing import check_writable, write_atomically
 from sandbox.model.level import Level, Stepping
 from sandbox.model.loading import choose
 from sandbox.model.quantities import quantities, quantity
 from sandbox.physics import run as runs
 from sandbox.physics.accuracy.compared_runs import lasting
-from sandbox.physics.advising.remedies import leaning, tried
+from sandbox.physics.advising.remedy_trials import leaning, tried
 from sandbox.physics.measuring.comparison import Difference, differences
-from sandbox.physics.measuring.csv_export import write_csv
+from sandbox.physics.measuring.csv_export import to_csv
 from sandbox.physics.measuring.grading import grade
 from sandbox.physics.measuring.recording import Trace, needed
 from sandbox.physics.run import costs
@@ -60,12 +60,12 @@ def simulate(
             changed = _run(varied.level, values, duration, recorded, stepping)
             cost = costs((level, varied.level), values, stepping)
     if varied:
-        write_csv(output, changed, source, names, change=varied.change)
+        write_atomically(output, to_csv(changed, source, names, change=varied.change))
         _say(output, f"{source} {varied.change.description}", changed, names)
         _compare(varied, differences(trace, changed), cost[1] - cost[0])
         _close(changed)
         return 0
-    write_csv(output, trace, source, names)
+    write_atomically(output, to_csv(trace, source, names))
     _say(output, source, trace, names)
     status = report(trace)
     _close(trace)

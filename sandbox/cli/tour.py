@@ -15,7 +15,7 @@ from sandbox.cli.render import go_headless
 from sandbox.cli.tour_visit import Visit
 from sandbox.model import level_catalog
 from sandbox.model.errors import SandboxError
-from sandbox.model.files import folder_of_files, write_atomically
+from sandbox.model.file_writing import folder_of_files, write_atomically
 
 _STYLE = """
 body { font: 16px/1.45 system-ui, sans-serif; max-width: 60rem; margin: 2rem auto; padding: 0 1rem;

@@ -10,7 +10,7 @@ from sandbox.model import level_catalog
 from sandbox.model.errors import SandboxError
 from sandbox.model.level import Level
 from sandbox.model.loading import load
-from sandbox.physics.advising.remedies import tried
+from sandbox.physics.advising.remedy_trials import tried
 from sandbox.physics.energy.book_closure import Closing
 from sandbox.physics.measuring.grading import Result, grade
 from sandbox.physics.measuring.recording import Trace

@@ -8,7 +8,7 @@ from sandbox.editing.placement import Placed, placed, xy
 from sandbox.editing.text_patches import Changes, put_all
 from sandbox.model.comments import read_level
 from sandbox.model.expressions import Expression
-from sandbox.model.joint_ends import place
+from sandbox.model.joint_ends_at_start import place
 from sandbox.model.joints import End, Held, Motor, Pivot, Rail, Rod, bodies_of, body_of, ends_of
 from sandbox.model.json_positions import Path
 from sandbox.model.level import Level

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from sandbox.model import templates
 from sandbox.model.errors import LevelError, Mistake, SandboxError
-from sandbox.model.files import write_atomically
+from sandbox.model.file_writing import write_atomically
 from sandbox.model.level import Level
 from sandbox.model.loading import content, decoded, parse, read
 

@@ -27,7 +27,7 @@ from sandbox.model.shapes import (
 )
 from sandbox.physics.engine.bodies import local_points
 from sandbox.physics.geometry.convex_decomposition import convex_parts, twice_area
-from sandbox.physics.geometry.distance import gap
+from sandbox.physics.geometry.outline_distance import gap
 
 Core = tuple[complex, ...]
 """A point, a line or a convex polygon, counter-clockwise [m]."""

@@ -17,7 +17,13 @@ from pydantic import BaseModel, Field, ValidationError
 
 from sandbox.editing.draft import Draft
 from sandbox.model.errors import SandboxError
-from sandbox.model.files import data_folder, lives, make_folder, read_ordinary, write_atomically
+from sandbox.model.file_writing import (
+    data_folder,
+    lives,
+    make_folder,
+    read_ordinary,
+    write_atomically,
+)
 from sandbox.model.message import NOTHING, Message
 
 LARGEST = 20_000_000

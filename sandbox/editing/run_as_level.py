@@ -13,11 +13,11 @@ from sandbox.editing.cleanup import without_meaning
 from sandbox.editing.formulas import renamed
 from sandbox.editing.json_layout import plain as rounded
 from sandbox.editing.written_out import plain
-from sandbox.model import writing
+from sandbox.model import level_writing
 from sandbox.model.body import Body
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Expression, Values
-from sandbox.model.joint_ends import span
+from sandbox.model.joint_ends_at_start import span
 from sandbox.model.joints import Pulley, Rod, Rope, Spring, Weld, Winding
 from sandbox.model.level import Level
 from sandbox.model.level_parts import expressions, names_in
@@ -59,7 +59,7 @@ def as_it_stands(world: World, *, anew: bool) -> str:
     if not anew:  # not read by people, so it needs no layout
         return _without_unused(json.dumps(data, ensure_ascii=False), level)
     _begin_later(data, level, world)
-    return _without_unused(writing.text(data), level)
+    return _without_unused(level_writing.text(data), level)
 
 
 def _fix(data: Data, level: Level, values: Values, *, keep: bool) -> None:

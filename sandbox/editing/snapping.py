@@ -11,11 +11,11 @@ from math import floor, log10
 from typing import Literal, NamedTuple
 
 from sandbox.editing.placement import Core, Placed, placed, xy
-from sandbox.model.joint_ends import place
+from sandbox.model.joint_ends_at_start import place
 from sandbox.model.joints import body_of, ends_of
 from sandbox.model.level import Level
 from sandbox.model.shapes import XY, Arc, Box, Curve, Polygon, Polyline, Segment
-from sandbox.physics.geometry.distance import Gap, gap
+from sandbox.physics.geometry.outline_distance import Gap, gap
 
 FINEST = 8
 """The least distance between grid lines [px]."""

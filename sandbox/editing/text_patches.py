@@ -12,10 +12,10 @@ from itertools import takewhile
 
 from sandbox.editing.json_layout import INDENT, Json, laid_out, line
 from sandbox.editing.json_spans import Span, Spans
-from sandbox.model.document import Document
 from sandbox.model.errors import SandboxError
+from sandbox.model.json_document import Document
 from sandbox.model.json_positions import Path
-from sandbox.model.writing import NAMED, ORDER, WIDTH
+from sandbox.model.level_writing import NAMED, ORDER, WIDTH
 
 Changes = dict[Path, Json]
 """New values, by their paths in a text."""

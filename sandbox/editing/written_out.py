@@ -2,7 +2,7 @@
 
 import json
 
-from sandbox.model import writing
+from sandbox.model import level_writing
 from sandbox.model.shorthand.expansion import write_out
 
 
@@ -16,4 +16,4 @@ def plain(text: str) -> str:
         made = write_out(typed, text)
     except (ValueError, RecursionError):
         return text
-    return text if made.data is typed or made.faults else writing.text(made.data)
+    return text if made.data is typed or made.faults else level_writing.text(made.data)

@@ -6,10 +6,10 @@ from pathlib import Path
 
 import numpy as np
 
-from sandbox.experiments import results
+from sandbox.experiments import saved_results
 from sandbox.experiments.plan import Plan
-from sandbox.experiments.results import Results
-from sandbox.experiments.table import error
+from sandbox.experiments.results_table import error
+from sandbox.experiments.saved_results import Results
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Array
 
@@ -85,10 +85,10 @@ def sensitivities(plan: Plan, path: Path) -> list[Sensitivity]:
     """
     names = tuple(plan.drawn)
     texts = [measure.text for measure in plan.measures]
-    found = results.read(path, texts)
+    found = saved_results.read(path, texts)
     if found.runs != len(found.numbers):
         raise SandboxError(
-            "Sobol indices are computed from at most {most:,} runs", most=results.MOST
+            "Sobol indices are computed from at most {most:,} runs", most=saved_results.MOST
         )
     return [sensitivity(text, found.number(text), names) for text in texts]
 

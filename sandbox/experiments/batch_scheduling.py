@@ -5,7 +5,7 @@ from time import perf_counter
 
 from sandbox.experiments.executors import Executor
 from sandbox.experiments.plan import Plan
-from sandbox.experiments.running import Done, Task, pack, run, together
+from sandbox.experiments.row_runs import Done, Task, pack, run, together
 from sandbox.experiments.storage import Store
 
 FIRST = 8

@@ -12,8 +12,8 @@ from sandbox.experiments.analysis import Sensitivity
 from sandbox.experiments.axes import Grid, Listed, Uniform
 from sandbox.experiments.measures import Measure
 from sandbox.experiments.plan import Plan
-from sandbox.experiments.results import Results
-from sandbox.experiments.table import axis_unit, closed_form
+from sandbox.experiments.results_table import axis_unit, closed_form
+from sandbox.experiments.saved_results import Results
 from sandbox.model.expressions import Array
 from sandbox.model.quantities import headed
 from sandbox.reporting.plots import COLOURS, FRAME, MARKERS, legend_below, style

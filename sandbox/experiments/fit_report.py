@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 
 from sandbox.experiments.fitting import Fit, Fitted
 from sandbox.experiments.measured_data import Data
-from sandbox.model.files import write_atomically
+from sandbox.model.file_writing import write_atomically
 from sandbox.model.level import Level
 from sandbox.model.quantities import headed, quantity
 from sandbox.reporting.pages import environment

@@ -10,7 +10,7 @@ import numpy as np
 
 from sandbox.model.errors import SandboxError, brief
 from sandbox.model.expressions import Array
-from sandbox.model.files import read_ordinary
+from sandbox.model.file_writing import read_ordinary
 from sandbox.model.level import Level
 from sandbox.model.quantities import QuantityError, quantity
 

@@ -10,7 +10,7 @@ import numpy as np
 
 from sandbox.experiments import axes, measures
 from sandbox.experiments.axes import Axis, Drawn, Grid, Listed
-from sandbox.experiments.document import Experiment
+from sandbox.experiments.experiment_file import Experiment
 from sandbox.experiments.measures import Measure
 from sandbox.experiments.observables import Observable
 from sandbox.experiments.random_points import points

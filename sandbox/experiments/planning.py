@@ -7,7 +7,7 @@ from pydantic import ValidationError
 
 from sandbox.experiments import measures
 from sandbox.experiments.axes import Axis, AxisError, Listed
-from sandbox.experiments.document import Experiment
+from sandbox.experiments.experiment_file import Experiment
 from sandbox.experiments.measures import MeasureError
 from sandbox.experiments.plan import NAMED, Plan, axis_of
 from sandbox.experiments.random_points import MOST_IN_A_HYPERCUBE

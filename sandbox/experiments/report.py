@@ -6,13 +6,13 @@ from math import isfinite
 from pathlib import Path
 from typing import NamedTuple
 
-from sandbox.experiments import analysis, figures, results
+from sandbox.experiments import analysis, figures, saved_results
 from sandbox.experiments.plan import Plan
 from sandbox.experiments.random_points import Method
+from sandbox.experiments.results_table import axis_unit, closed_form, error
 from sandbox.experiments.storage import DESCRIPTION, RESULTS, description
-from sandbox.experiments.table import axis_unit, closed_form, error
 from sandbox.model.errors import SandboxError
-from sandbox.model.files import write_atomically
+from sandbox.model.file_writing import write_atomically
 from sandbox.reporting.pages import environment
 from sandbox.reporting.svg import inline
 
@@ -43,7 +43,7 @@ def write(plan: Plan, path: Path, folder: Path) -> Page:
     forms = [
         name(m.text) for m in plan.measures if m.of and m.check for name in (closed_form, error)
     ]
-    found = results.read(path, [*plan.axes, *(m.text for m in plan.measures), *forms])
+    found = saved_results.read(path, [*plan.axes, *(m.text for m in plan.measures), *forms])
     summaries = analysis.summaries(plan, found)
     sensitivities, remarks = _sensitivities(plan, path)
     drawn = [*figures.pictures(plan, found), *map(figures.shares, sensitivities)]

@@ -5,10 +5,10 @@ import sys
 from pathlib import Path
 
 from sandbox.experiments import catalog
-from sandbox.experiments.document import Experiment
+from sandbox.experiments.experiment_file import Experiment
 from sandbox.model import schema as levels
 from sandbox.model.errors import SandboxError
-from sandbox.model.files import write_atomically
+from sandbox.model.file_writing import write_atomically
 from sandbox.model.level_catalog import sources
 
 

@@ -15,9 +15,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from sandbox.experiments.plan import Plan
-from sandbox.experiments.table import Cell, schema
+from sandbox.experiments.results_table import Cell, schema
 from sandbox.model.errors import SandboxError, brief
-from sandbox.model.files import (
+from sandbox.model.file_writing import (
     folder_of_files,
     make_folder,
     read_ordinary,

@@ -10,10 +10,16 @@ from typing import Annotated, Literal, NamedTuple
 from pydantic import Discriminator, Tag
 
 from sandbox.model.base import Model
-from sandbox.model.bounds import Load
 from sandbox.model.expressions import Expression, Fraction, Values
 from sandbox.model.joints import AngleStop, Joint, Stop
-from sandbox.model.measuring_instants import ApexEvent, CrossingEvent, LandingEvent, kind_of
+from sandbox.model.measuring_instants import (
+    ApexEvent,
+    CrossingEvent,
+    LandingEvent,
+    crossed,
+    kind_of,
+)
+from sandbox.model.number_bounds import Load
 from sandbox.model.reference_fields import BodyNames, ForceNames, JointNames
 
 Direction = Literal["up", "down", "either", "beyond"]
@@ -108,14 +114,10 @@ def breakable(joints: Mapping[str, Joint]) -> Iterator[tuple[str, Load]]:
 
 def _crossing(at: Trigger, values: Values) -> Crossing:
     """Return the crossing that triggers an event; a time is a crossing of `t`."""
-    match at:
-        case ApexEvent(body=body):
-            return Crossing(f"{body}.velocity.y", 0.0, "down")
-        case LandingEvent(body=body, height=height):
-            return Crossing(f"{body}.position.y", height(values), "down")
-        case CrossingEvent(quantity=quantity, value=value, direction=direction):
-            return Crossing(quantity, value(values), direction)
-    return Crossing("t", at(values), "up")
+    if isinstance(at, Expression):
+        return Crossing("t", at(values), "up")
+    quantity, value, direction = crossed(at)
+    return Crossing(quantity, value(values), direction)
 
 
 def cut(events: Mapping[str, Event], joints: Mapping[str, Joint]) -> frozenset[str]:

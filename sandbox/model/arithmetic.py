@@ -15,10 +15,10 @@ from typing import Any
 
 import numpy as np
 
-from sandbox.model.derivatives import derivative
 from sandbox.model.did_you_mean import suggestion
 from sandbox.model.errors import SandboxError, brief
 from sandbox.model.message import NOTHING, Message
+from sandbox.model.symbolic_derivatives import derivative
 
 MAX_LENGTH = 500  # characters
 

@@ -6,7 +6,9 @@ from typing import Annotated, Literal
 from pydantic import Field
 
 from sandbox.model.base import Model
-from sandbox.model.bounds import (
+from sandbox.model.expressions import Fraction
+from sandbox.model.naming import Name
+from sandbox.model.number_bounds import (
     Angle,
     AngleOverTime,
     Coefficient,
@@ -17,8 +19,6 @@ from sandbox.model.bounds import (
     Speed,
     Spin,
 )
-from sandbox.model.expressions import Fraction
-from sandbox.model.naming import Name
 from sandbox.model.shapes import Point, Shape, Velocity
 
 MAX_BODIES = 20_000

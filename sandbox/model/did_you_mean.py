@@ -4,7 +4,7 @@ from collections.abc import Iterable
 from difflib import get_close_matches
 
 from sandbox.model.message import NOTHING, Message
-from sandbox.model.other_words import called
+from sandbox.model.synonyms import called
 
 LONGEST = 100  # characters; nothing longer resembles a name
 

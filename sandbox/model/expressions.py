@@ -37,7 +37,7 @@ class Expression:
     least: ClassVar[float] = 0.0
     most: ClassVar[float] = 1e100
     """The least and the largest absolute value: within these bounds, and the tighter ones of
-    `sandbox.model.bounds`, the results of a run stay within the range of a float."""
+    `sandbox.model.number_bounds`, the results of a run stay within the range of a float."""
     unit: ClassVar[str] = ""
     """The SI unit of the value."""
     variables: ClassVar[tuple[str, ...]] = ()

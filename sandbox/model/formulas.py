@@ -5,8 +5,8 @@ from collections.abc import Mapping
 import numpy as np
 
 from sandbox.model.arithmetic import differentiated
-from sandbox.model.derivatives import is_smooth
 from sandbox.model.expressions import Array, Expression, Values
+from sandbox.model.symbolic_derivatives import is_smooth
 
 
 class Function(Expression):

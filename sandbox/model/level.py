@@ -22,7 +22,6 @@ from pydantic_core import PydanticCustomError
 from sandbox.model.acting_events import MOST_EVENTS, Event, bouncing, breakable, cut, tied
 from sandbox.model.base import Model
 from sandbox.model.body import MAX_BODIES, Body
-from sandbox.model.bounds import Duration, Finite
 from sandbox.model.challenge import Challenge
 from sandbox.model.constants import define
 from sandbox.model.effects import Effects
@@ -38,6 +37,7 @@ from sandbox.model.measuring_instants import LandingEvent as LandingEvent
 from sandbox.model.measuring_instants import SeparationEvent as SeparationEvent
 from sandbox.model.message import Message
 from sandbox.model.naming import Name
+from sandbox.model.number_bounds import Duration, Finite
 from sandbox.model.origin import Origin
 from sandbox.model.prose_fields import Prose
 from sandbox.model.reference_fields import Mention, QuantityName

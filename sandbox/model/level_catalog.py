@@ -4,8 +4,8 @@ import os
 from pathlib import Path
 
 from sandbox.model.did_you_mean import meant, suggestion
-from sandbox.model.document import refuse
 from sandbox.model.errors import MisuseError, brief
+from sandbox.model.json_document import refuse
 from sandbox.model.message import Message
 
 CHAPTERS = (

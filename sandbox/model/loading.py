@@ -20,9 +20,9 @@ from sandbox.model import parse_messages
 from sandbox.model.arithmetic import MAX_LENGTH
 from sandbox.model.comments import without_comments
 from sandbox.model.did_you_mean import meant
-from sandbox.model.document import Document, refuse
 from sandbox.model.errors import MAX_MISTAKES, LevelError, Mistake, ValueRangeError, brief
 from sandbox.model.expressions import Values
+from sandbox.model.json_document import Document, refuse
 from sandbox.model.json_positions import Path as Place
 from sandbox.model.json_positions import position
 from sandbox.model.level import Level, Parameter

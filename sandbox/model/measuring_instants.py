@@ -6,8 +6,8 @@ from typing import Annotated, Literal
 from pydantic import BeforeValidator, Discriminator, Field, Tag
 
 from sandbox.model.base import Model
-from sandbox.model.bounds import Coordinate
 from sandbox.model.expressions import Expression
+from sandbox.model.number_bounds import Coordinate
 from sandbox.model.reference_fields import BodyName, Couple, QuantityName
 
 MOST_MEETINGS = 100
@@ -75,6 +75,21 @@ class LandingEvent(Model):
     """the body that rises or falls"""
     height: Coordinate = Coordinate(0)
     """m, the height"""
+
+
+Passage = CrossingEvent | ApexEvent | LandingEvent
+"""An event at which a quantity crosses a value."""
+
+
+def crossed(at: Passage) -> tuple[str, Expression, Literal["up", "down", "either"]]:
+    """Return the quantity that crosses a value at an event, the value, and the direction."""
+    match at:
+        case ApexEvent():
+            return f"{at.body}.velocity.y", Expression(0), "down"
+        case LandingEvent():
+            return f"{at.body}.position.y", at.height, "down"
+        case CrossingEvent():
+            return at.quantity, at.value, at.direction
 
 
 def kind_of(at: object) -> str | None:

@@ -14,9 +14,9 @@ from pydantic import Field
 
 from sandbox.model import formulas
 from sandbox.model.base import Model
-from sandbox.model.bounds import Acceleration, Coordinate, Extent, Speed, Width
 from sandbox.model.expressions import Array, Expression, Values
 from sandbox.model.message import Message
+from sandbox.model.number_bounds import Acceleration, Coordinate, Extent, Speed, Width
 
 Point = tuple[Coordinate, Coordinate]
 """Two coordinates: [x, y] in m."""

@@ -6,9 +6,9 @@ from pydantic import Field
 
 from sandbox.model.base import Model
 from sandbox.model.body import MAX_BODIES
-from sandbox.model.bounds import Coordinate, Extent
 from sandbox.model.joints import End
 from sandbox.model.landscape import Landscape
+from sandbox.model.number_bounds import Coordinate, Extent
 from sandbox.model.prose_fields import Prose
 from sandbox.model.reference_fields import BodyNames
 from sandbox.model.shapes import Point

@@ -18,7 +18,7 @@ from sandbox.app.drawing.text import Pen
 from sandbox.app.files import preferences, progress, recent
 from sandbox.app.files.level_entries import Entry
 from sandbox.app.home import picture_cache
-from sandbox.app.panels import levels
+from sandbox.app.panels import level_list
 from sandbox.app.window import Window
 from sandbox.app.words import language
 from sandbox.editing import recovery
@@ -73,7 +73,7 @@ def few() -> int:
 
 @cache
 def _first(count: int) -> tuple[Entry, ...]:
-    return tuple(levels.entries()[:count])
+    return tuple(level_list.entries()[:count])
 
 
 @pytest.fixture
@@ -83,7 +83,7 @@ def person(
     """A person in front of a window in which nothing is open yet."""
     if not request.node.get_closest_marker("all_levels"):
         listed = _first(few)
-        monkeypatch.setattr(levels, "entries", lambda: list(listed))
+        monkeypatch.setattr(level_list, "entries", lambda: list(listed))
     window = Window((1280, 800))
     pygame.event.get()  # `clear` would never let go of the widgets that events are about
     yield Person(window)

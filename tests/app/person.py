@@ -7,7 +7,7 @@ from typing import TypeVar
 
 import pygame
 
-from sandbox.app.panels.levels import LevelList
+from sandbox.app.panels.level_list import LevelList
 from sandbox.app.panels.side_panel import SidePanel
 from sandbox.app.runs.session import Session
 from sandbox.app.window import Window

@@ -19,7 +19,7 @@ from babel.messages.pofile import read_po
 
 from sandbox.app import translatable_texts
 from sandbox.app.words import language
-from sandbox.cli import texts
+from sandbox.cli import update_translations
 from sandbox.model import ledger_accounts, level_catalog
 from sandbox.model.loading import load
 
@@ -33,12 +33,12 @@ EACH = pytest.mark.parametrize(
 @cache
 def template(domain: language.Domain) -> Catalog:
     """Return the English messages of all catalogues of a domain."""
-    return texts.SAID[domain]()
+    return update_translations.SAID[domain]()
 
 
 def of(domain: language.Domain, name: str) -> Catalog:
     """Return the catalogue of a language, as people edit it."""
-    with (level_catalog.sources() / texts.path_of(domain, name)).open("rb") as file:
+    with (level_catalog.sources() / update_translations.path_of(domain, name)).open("rb") as file:
         return read_po(file, locale=name)
 
 
@@ -65,7 +65,7 @@ def test_no_error_is_made_of_a_text_that_is_put_together() -> None:
         "ruff"
     ]
     known = lint["lint"]["flake8-gettext"]["function-names"]
-    for path in texts.said_in(level_catalog.sources() / "sandbox"):
+    for path in update_translations.said_in(level_catalog.sources() / "sandbox"):
         for node in ast.walk(ast.parse(path.read_text("utf-8"))):
             if isinstance(node, ast.ClassDef) and "SandboxError" in map(ast.unparse, node.bases):
                 own = any(
@@ -167,7 +167,7 @@ def test_what_the_window_reads_is_what_people_edit(
 def test_a_language_that_is_new_begins_with_all_messages_and_no_translation(
     tmp_path: Path,
 ) -> None:
-    new = texts.merged(tmp_path / "fr.po", "fr", template("window"))
+    new = update_translations.merged(tmp_path / "fr.po", "fr", template("window"))
 
     assert {message.id for message in new} == {message.id for message in template("window")}
     assert not any(any(forms(message.string)) for message in messages(new))

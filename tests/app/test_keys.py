@@ -8,7 +8,7 @@ import pytest
 
 from sandbox.app.keymap import BINDINGS, command, tip
 from sandbox.app.pages.register import PAGES
-from sandbox.app.panels.controls import LEFT, WAYS
+from sandbox.app.panels.play_bar import LEFT, WAYS
 from tests.app.person import Person
 
 

@@ -14,7 +14,7 @@ from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
 from sandbox.app.runs.session import Session
 from sandbox.app.stage import bodies, joints, strings, surfaces
-from sandbox.app.stage.outline import outlines
+from sandbox.app.stage.body_outlines import outlines
 from sandbox.app.stage.stage import Stage
 from sandbox.model.joints import AngleStop, Stop
 from sandbox.model.shapes import XY

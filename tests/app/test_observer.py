@@ -6,8 +6,8 @@ import pytest
 
 from sandbox.app.measuring import probe
 from sandbox.app.pages.forces.panel import ForcesPage
+from sandbox.app.stage.level_labels import seen_from
 from sandbox.app.stage.observer import CENTER, Observer
-from sandbox.app.stage.texts import seen_from
 from sandbox.model import level_catalog
 from sandbox.model.loading import load
 from sandbox.physics.run import build

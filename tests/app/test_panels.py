@@ -10,10 +10,10 @@ from sandbox.app.cards.energy import energy, total
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.observing.energy_books import Energies
-from sandbox.app.panels import controls
-from sandbox.app.panels.layout import divide
+from sandbox.app.panels import play_bar
+from sandbox.app.panels.window_layout import divide
 from sandbox.app.runs.session import Session
-from sandbox.app.widgets.parameters import Parameters
+from sandbox.app.widgets.parameter_sliders import Parameters
 from sandbox.app.widgets.sheet import BAR, MARGIN
 from sandbox.model import level_catalog
 from sandbox.model.loading import load
@@ -62,7 +62,7 @@ def test_a_speed_that_is_as_good_as_reached_is_not_told() -> None:
 
     def noted(simulated: float) -> str:
         session.pace.note(1.0, simulated, dropped=1)
-        return next(controls.notes(session))[0]
+        return next(play_bar.notes(session))[0]
 
     assert noted(0.97) == "of 100.00 s"
     assert noted(0.5).startswith("running at 0.5×, not 1×")

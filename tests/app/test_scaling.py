@@ -12,7 +12,7 @@ from sandbox.app.drawing.theme import Color
 from sandbox.app.files import preferences
 from sandbox.app.files.preferences import SIZES
 from sandbox.app.pages.register import PAGES
-from sandbox.app.panels.layout import divide
+from sandbox.app.panels.window_layout import divide
 from sandbox.app.words.language import NAMES, Name
 from tests.app.person import Person
 from tests.app.scenes import falling

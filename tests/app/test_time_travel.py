@@ -8,7 +8,7 @@ import pytest
 from sandbox.app.drawing import theme
 from sandbox.app.observing.impacts import Blow
 from sandbox.app.pages.graph.chosen_quantities import Choice
-from sandbox.app.panels.controls import Controls, notes
+from sandbox.app.panels.play_bar import Controls, notes
 from sandbox.app.runs import playback
 from sandbox.app.runs.session import Session
 from sandbox.editing.run_as_level import as_it_stands

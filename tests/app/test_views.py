@@ -3,7 +3,7 @@
 import pytest
 
 from sandbox.app.drawing.camera import Camera
-from sandbox.app.stage.outline import outlines
+from sandbox.app.stage.body_outlines import outlines
 from sandbox.model import level_catalog
 from sandbox.model.loading import load
 from sandbox.physics.run import build

@@ -12,10 +12,10 @@ import pytest
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.pages.level.panel import LevelPage
-from sandbox.app.panels import messages
-from sandbox.app.panels.controls import Controls
-from sandbox.app.panels.layout import divide
+from sandbox.app.panels import stage_messages
+from sandbox.app.panels.play_bar import Controls
 from sandbox.app.panels.verdicts_and_energies import counted
+from sandbox.app.panels.window_layout import divide
 from sandbox.app.runs import runfile
 from sandbox.app.runs.session import Session
 from sandbox.app.words.language import Name
@@ -597,8 +597,8 @@ def test_a_list_for_which_there_is_no_room_is_there_when_there_is(
 def test_the_help_stands_whole_in_a_window_of_any_size(pen: Pen, size: tuple[int, int]) -> None:
     surface = pygame.Surface(size)
 
-    messages.draw_help(
-        surface, pen, divide(size, levels=True, side=True).stage, messages.everywhere()
+    stage_messages.draw_help(
+        surface, pen, divide(size, levels=True, side=True).stage, stage_messages.everywhere()
     )
 
     drawn = np.argwhere(pygame.surfarray.array3d(surface).any(axis=2))
@@ -615,13 +615,13 @@ def test_in_a_small_window_with_large_text_the_help_stands_on_sheets_that_can_be
     player.window.comfort.choose(size=150)
     player.wait()
     shown: list[str] = []
-    table = messages._table
+    table = stage_messages._table
 
     def noted(pen: Pen, rows: Sequence[tuple[str, str]], *rest: int) -> pygame.Surface:
         shown.extend(text for _, text in rows)
         return table(pen, rows, *rest)
 
-    monkeypatch.setattr(messages, "_table", noted)
+    monkeypatch.setattr(stage_messages, "_table", noted)
     sheets = 0
     player.press(pygame.K_h, "h")
     while player.window.help:
@@ -630,7 +630,7 @@ def test_in_a_small_window_with_large_text_the_help_stands_on_sheets_that_can_be
         player.press(pygame.K_h, "h")
 
     assert sheets == player.window.sheets > 1
-    assert {text for _, text in messages.everywhere()} <= set(shown)
+    assert {text for _, text in stage_messages.everywhere()} <= set(shown)
     player.press(pygame.K_F1)
     player.press(pygame.K_ESCAPE)
     assert not player.window.help
@@ -733,7 +733,7 @@ def test_the_window_does_not_stand_still_while_a_run_looks_for_its_setting(
     saved = runfile.run_of(Session(level)).model_copy(update={"level": stated})
     path = tmp_path / f"mine{runfile.SUFFIX}"
     runfile.save(saved, path)
-    monkeypatch.setattr("sandbox.app.runs.beginning.calibrated", lambda *_: pytest.fail("waits"))
+    monkeypatch.setattr("sandbox.app.runs.run_start.calibrated", lambda *_: pytest.fail("waits"))
 
     pygame.event.post(pygame.Event(pygame.DROPFILE, file=str(path)))
     person.wait()

@@ -4,7 +4,7 @@ import pygame
 import pytest
 
 from sandbox.app.drawing.text import Pen
-from sandbox.app.stage.labels import Labels
+from sandbox.app.stage.label_placement import Labels
 from sandbox.model.shapes import XY
 
 

@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from sandbox.app import main as window
-from sandbox.physics.accuracy import cache as memory
+from sandbox.physics.accuracy import calibration_cache as memory
 from tests.cli.helpers import Run, Write
 
 ASKING = {"stepping": {"accuracy": 1e-6}}

@@ -5,8 +5,8 @@ import json
 import pytest
 
 from sandbox.model import level_catalog
+from sandbox.model.level_writing import text
 from sandbox.model.loading import load
-from sandbox.model.writing import text
 from tests.cli.helpers import Run, Write, fall
 
 
@@ -70,7 +70,7 @@ def test_a_level_that_cannot_be_written_is_told(
 ) -> None:
     path = write()
     before = path.read_bytes()
-    monkeypatch.setattr("sandbox.model.files.os.access", lambda *_: False)
+    monkeypatch.setattr("sandbox.model.file_writing.os.access", lambda *_: False)
 
     outcome = run("format", path)
 

@@ -8,7 +8,7 @@ from sandbox.model import level_catalog
 from sandbox.model.errors import SandboxError
 from sandbox.model.loading import load, parse
 from sandbox.physics.run import build
-from sandbox.physics.stepping.branching import alter, branch
+from sandbox.physics.stepping.run_continuation import alter, branch
 from sandbox.physics.stepping.world import World
 
 STEPS = 12

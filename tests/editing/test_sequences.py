@@ -15,9 +15,9 @@ from sandbox.editing.edits import (
     copying,
     effects,
     fields,
-    handles,
     joints,
     mirroring,
+    resizing,
     rope_wrapping,
     round_shape_kinds,
     swinging,
@@ -117,9 +117,9 @@ def aligned(text: str, hand: Hand) -> str:
 
 def resized(text: str, hand: Hand) -> str:
     name = hand.body()
-    if handles.handles(hand.level, name) and hand.number() > 0:
-        return handles.drag_handle(text, hand.level, name, 0, hand.point())
-    return handles.scale(text, hand.level, name, hand.number())
+    if resizing.handles(hand.level, name) and hand.number() > 0:
+        return resizing.drag_handle(text, hand.level, name, 0, hand.point())
+    return resizing.scale(text, hand.level, name, hand.number())
 
 
 def mirrored(text: str, hand: Hand) -> str:

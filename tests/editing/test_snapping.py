@@ -13,7 +13,7 @@ from sandbox.editing.edits.transforms import move, turn
 from sandbox.editing.placement import placed
 from sandbox.editing.snapping import flat_turn, grid_step, snap_body, snap_point
 from sandbox.model.loading import parse
-from sandbox.physics.geometry.distance import gap
+from sandbox.physics.geometry.outline_distance import gap
 from sandbox.physics.run import build
 
 EMPTY = Draft.empty().text

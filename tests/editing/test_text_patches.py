@@ -13,8 +13,8 @@ from sandbox.editing.text_patches import PatchError, put, put_all, remove, type_
 from sandbox.model import level_catalog, templates
 from sandbox.model.errors import LevelError
 from sandbox.model.json_positions import TOKEN
+from sandbox.model.level_writing import formatted
 from sandbox.model.loading import read
-from sandbox.model.writing import formatted
 from tests.sample import sampled
 
 OURS = [*sorted(level_catalog.root().glob("*/*.json")), *map(templates.path, templates.names())]

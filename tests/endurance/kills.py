@@ -34,13 +34,13 @@ from sandbox.cli import experiment, format, generate, migrate, new, render, simu
 from sandbox.experiments import batch_scheduling, storage  # noqa: F401 (as above)
 from sandbox.model import level_catalog
 from sandbox.model.errors import SandboxError
-from sandbox.model.files import write_atomically
+from sandbox.model.file_writing import write_atomically
 from sandbox.model.loading import load
 from sandbox.model.message import Message
-from sandbox.physics.accuracy.cache import calibrated
+from sandbox.physics.accuracy.calibration_cache import calibrated
 from tests.elsewhere import move_home
 from validation import cases, cli
-from validation.report import command, parts  # noqa: F401 (as above)
+from validation.report import command, measurements  # noqa: F401 (as above)
 
 LEVEL = "newton/atwood"
 FEW = (LEVEL, "newton/incline", "kinematics/free-fall")
@@ -114,18 +114,18 @@ def _run(_turn: int) -> None:
 
 
 def _report(_turn: int) -> None:
-    with patch.object(parts, "collect", _read_only):
+    with patch.object(measurements, "collect", _read_only):
         _validation("report", "--from", "made", "--figures", "--output", "report")
 
 
-def _read_only(part: parts.Part, source: Path, *, quick: bool) -> parts.Content:
+def _read_only(part: measurements.Part, source: Path, *, quick: bool) -> measurements.Content:
     """Return the existing parts of the report: measuring the others takes long."""
     if (source / f"{part.command}.json").exists():
         return COLLECT(part, source, quick=quick)
     raise SandboxError(Message("not measured"))
 
 
-COLLECT = parts.collect
+COLLECT = measurements.collect
 
 DEEDS: Mapping[Callable[[int], None], float] = {
     _write: 20, _simulate: 15, _render: 10, _tour: 5, _generate: 10, _new: 5, _format: 10,

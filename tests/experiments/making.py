@@ -8,8 +8,8 @@ import pyarrow as pa
 import pyarrow.parquet as pq
 
 from sandbox.experiments.batch_scheduling import conduct
-from sandbox.experiments.document import made
 from sandbox.experiments.executors import Executor, Here
+from sandbox.experiments.experiment_file import made
 from sandbox.experiments.plan import Plan
 from sandbox.experiments.planning import make
 from sandbox.experiments.storage import Store

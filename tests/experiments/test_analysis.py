@@ -5,7 +5,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from sandbox.experiments import analysis, report, results
+from sandbox.experiments import analysis, report, saved_results
 from sandbox.experiments.random_points import points
 from sandbox.experiments.storage import RESULTS
 from tests.experiments.making import plan, table
@@ -50,7 +50,7 @@ def test_the_distribution_of_an_outcome_is_that_of_what_is_drawn(tmp_path: Path)
     found = plan("kinematics/projectile", {"speed": "20±0.1"}, "ball.position.x@1", draws=200,
                  method="sobol", set={"angle": 60})  # fmt: skip
     table(found, tmp_path)
-    [summary] = analysis.summaries(found, results.read(
+    [summary] = analysis.summaries(found, saved_results.read(
         tmp_path / RESULTS, ["ball.position.x@1", "ball.position.x@1 error"]
     ))  # fmt: skip
     assert summary.mean == pytest.approx(10, abs=0.01)

@@ -5,7 +5,7 @@ from collections.abc import Callable
 import pytest
 
 from sandbox.experiments.batch_scheduling import LAST, LONGEST, Pace
-from sandbox.experiments.running import Done
+from sandbox.experiments.row_runs import Done
 from tests.experiments.making import RANGE, plan
 
 Cost = Callable[[int], float]

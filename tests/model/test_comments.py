@@ -7,15 +7,15 @@ import pytest
 from sandbox.editing.draft import Draft
 from sandbox.editing.edits.bodies import take_out
 from sandbox.editing.edits.copying import duplicate
-from sandbox.editing.edits.handles import drag_handle
 from sandbox.editing.edits.joints import Pick, add_joint
+from sandbox.editing.edits.resizing import drag_handle
 from sandbox.editing.edits.transforms import move
 from sandbox.editing.renaming import rename
 from sandbox.model import level_catalog
 from sandbox.model.errors import LevelError
 from sandbox.model.level import Level
+from sandbox.model.level_writing import formatted
 from sandbox.model.loading import parse
-from sandbox.model.writing import formatted
 
 COMMENTED = """{
   "// about": "two bodies on a rod",

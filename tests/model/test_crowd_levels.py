@@ -6,8 +6,8 @@ import pytest
 
 from sandbox.model.body import MAX_BODIES
 from sandbox.model.crowd_levels import CROWDS, CrowdError, crowd
+from sandbox.model.level_writing import text
 from sandbox.model.loading import MAX_BYTES, parse
-from sandbox.model.writing import text
 from sandbox.physics.measuring.grading import grade
 from sandbox.physics.run import simulate
 

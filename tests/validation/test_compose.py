@@ -12,11 +12,11 @@ from hypothesis import strategies as st
 
 from sandbox.model.expressions import Array
 from sandbox.physics.run import build
-from validation.compose import invariants
+from validation.compose import property_checks
 from validation.compose.families import FAMILIES
-from validation.compose.invariants import MARGIN, Case, Judge, Judgement, judge
 from validation.compose.joint_constraints import Keeping, Places
 from validation.compose.outcome import judge_scene, judged
+from validation.compose.property_checks import MARGIN, Case, Judge, Judgement, judge
 from validation.compose.recorded_run import Course, Refused, led, run, start
 from validation.compose.scene_builder import Draft
 from validation.compose.scenes import Scene, scene, seeds
@@ -247,22 +247,22 @@ def pushed(found: Course) -> Course:
 
 
 DOCTORED: dict[str, tuple[Judge, str, Callable[[Course], Course]]] = {
-    "runs": (invariants.runs, "wedged", short),
-    "statics": (invariants.statics, "wedged", pulling),
-    "drift": (invariants.statics, "wedged", lambda c: shifted(c, "box", (2e-5, 0))),
-    "energy": (invariants.energy, "four_bar", faster),
-    "books": (invariants.energy, "four_bar", unbooked),
-    "momentum": (invariants.momentum, "four_bar", pushed),
-    "joints": (invariants.joints, "four_bar", lambda c: shifted(c, "a", (2e-9, 0))),
-    "overlap": (invariants.overlap, "wedged", lambda c: sinking(c, "box")),
-    "mirror": (invariants.symmetry, "four_bar", lambda c: shifted(c, "a", (2e-9, 0))),
-    "rotation": (invariants.symmetry, "four_bar", lambda c: shifted(c, "a", (2e-9, 0))),
+    "runs": (property_checks.runs, "wedged", short),
+    "statics": (property_checks.statics, "wedged", pulling),
+    "drift": (property_checks.statics, "wedged", lambda c: shifted(c, "box", (2e-5, 0))),
+    "energy": (property_checks.energy, "four_bar", faster),
+    "books": (property_checks.energy, "four_bar", unbooked),
+    "momentum": (property_checks.momentum, "four_bar", pushed),
+    "joints": (property_checks.joints, "four_bar", lambda c: shifted(c, "a", (2e-9, 0))),
+    "overlap": (property_checks.overlap, "wedged", lambda c: sinking(c, "box")),
+    "mirror": (property_checks.symmetry, "four_bar", lambda c: shifted(c, "a", (2e-9, 0))),
+    "rotation": (property_checks.symmetry, "four_bar", lambda c: shifted(c, "a", (2e-9, 0))),
 }
 
 
 def test_every_judge_has_a_run_that_it_fails() -> None:
-    assert {judge for judge, _, _ in DOCTORED.values()} == set(invariants.JUDGES) - {
-        invariants.order
+    assert {judge for judge, _, _ in DOCTORED.values()} == set(property_checks.JUDGES) - {
+        property_checks.order
     }
 
 
@@ -282,8 +282,8 @@ def test_stock_pymunk_is_of_first_order() -> None:
     level = make(document)
     naive = run(replace(found, document=document), level, build(level), 0.2)
 
-    assert named(judge(course("four_bar"), [invariants.order]), "order").figure > 1.9
-    order = named(judge(naive, [invariants.order]), "order")
+    assert named(judge(course("four_bar"), [property_checks.order]), "order").figure > 1.9
+    order = named(judge(naive, [property_checks.order]), "order")
     assert order.figure < 1.3
     assert not order.passed
 
@@ -365,7 +365,7 @@ def test_an_overlap_may_last_as_long_as_pymunk_takes_where_it_is_left_to_it(
     position[touches.argmax() :, row, 1] = 1.2 - 2e-3 * left**after
     doctored = replace(seen, seen=replace(seen.seen, position=position))
 
-    assert named(judge(doctored, [invariants.overlap]), "overlap").passed is passed
+    assert named(judge(doctored, [property_checks.overlap]), "overlap").passed is passed
 
 
 @pytest.mark.sweep
@@ -376,12 +376,14 @@ def test_an_overlap_of_an_impact_found_late_is_let_pass_and_no_other() -> None:
     level = make(document)
     found = Scene(0, "beam", document)
     seen = run(found, level, build(level), 0.6)
-    fell = named(judge(seen, [invariants.overlap]), "overlap")
+    fell = named(judge(seen, [property_checks.overlap]), "overlap")
     last = seen.steps - int(0.1 * seen.rate)
 
     assert max(-couple.separation.min() for couple in Case(seen).couples) > 1e-4
     assert fell.passed
-    assert not named(judge(sinking(seen, "load", last), [invariants.overlap]), "overlap").passed
+    assert not named(
+        judge(sinking(seen, "load", last), [property_checks.overlap]), "overlap"
+    ).passed
 
 
 def test_a_second_corner_that_comes_down_is_an_impact_of_its_own_and_a_deeper_first_is_none() -> (

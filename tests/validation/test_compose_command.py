@@ -13,8 +13,8 @@ from tests.validation.test_compose import FIELDS, course, of
 from validation import cli
 from validation.compose import outcome
 from validation.compose.command import complaints
-from validation.compose.invariants import Case, Judgement
 from validation.compose.outcome import Outcome, judged
+from validation.compose.property_checks import Case, Judgement
 from validation.compose.scenes import scene, seeds
 
 

@@ -23,15 +23,12 @@ from sandbox.model.shorthand.repeating import REPEAT
 from tests.elsewhere import python
 from tests.model.levels import bare, hanging
 from validation.cli import app
-from validation.fuzz import command, trial
+from validation.fuzz import command, isolated_trial
 from validation.fuzz.command import Findings, made
 from validation.fuzz.explorer import Choices
 from validation.fuzz.grammar import Grammar
 from validation.fuzz.guided import guided
-from validation.fuzz.mutation import places
-from validation.fuzz.repair import mended
-from validation.fuzz.shrinking import shrunk
-from validation.fuzz.trial import (
+from validation.fuzz.isolated_trial import (
     ENDED,
     NO_ANSWER,
     REFUSED,
@@ -44,6 +41,9 @@ from validation.fuzz.trial import (
     Tried,
     attempt,
 )
+from validation.fuzz.mutation import places
+from validation.fuzz.repair import mended
+from validation.fuzz.shrinking import shrunk
 
 JOINTS = [kind.model_fields["type"].annotation for kind in get_args(get_args(Joint)[0])]
 
@@ -106,7 +106,7 @@ def test_what_is_raised_but_by_us_is_no_answer(monkeypatch: pytest.MonkeyPatch, 
     def fail(*_: object, **__: object) -> None:
         raise ZeroDivisionError("complex division by zero")
 
-    monkeypatch.setattr(trial, name, fail)
+    monkeypatch.setattr(isolated_trial, name, fail)
 
     outcome = attempt(json.dumps(bare()))
 
@@ -131,11 +131,11 @@ def test_the_time_to_import_libraries_is_not_part_of_an_answer() -> None:
     code = (
         "import sys\n"
         "from sandbox.model import catalog\n"
-        "from validation.fuzz import trial\n"
-        "trial.load_libraries()\n"
+        "from validation.fuzz import isolated_trial\n"
+        "isolated_trial.load_libraries()\n"
         "before = set(sys.modules)\n"
-        "trial.attempt(catalog.find('machines/trebuchet').read_text())\n"
-        "trial.attempt(catalog.find('momentum/cradle').read_text())\n"
+        "isolated_trial.attempt(catalog.find('machines/trebuchet').read_text())\n"
+        "isolated_trial.attempt(catalog.find('momentum/cradle').read_text())\n"
         "print(*(set(sys.modules) - before))"
     )
 

@@ -9,8 +9,8 @@ from typer.testing import CliRunner
 from validation import cli
 from validation.pace import measuring
 from validation.pace.measuring import Pace
+from validation.requests.accuracy_request import Trial, trial
 from validation.requests.command import complaints, summary
-from validation.requests.trial import Trial, trial
 
 
 def test_the_json_has_the_fields_that_scripts_rely_on(tmp_path: Path) -> None:

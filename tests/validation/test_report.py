@@ -14,12 +14,12 @@ import pytest
 from typer.testing import CliRunner, Result
 
 import validation.output
-from sandbox.model import files
+from sandbox.model import file_writing
 from sandbox.model.errors import SandboxError
 from tests.elsewhere import python
 from validation.cli import app
 from validation.effects import costs, growth
-from validation.report import command, parts
+from validation.report import command, measurements
 
 pytestmark = pytest.mark.sweep  # the page takes half a minute to be made
 
@@ -64,9 +64,9 @@ class Page(HTMLParser):
 def _small() -> Iterator[None]:
     """Two cases, two levels, a hard case and a frontier, two numbers of bodies."""
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(parts, "PHENOMENA", ("atwood", "circular_motion"))
-        patch.setattr(parts, "SAMPLE", LEVELS)
-        patch.setattr(parts, "HARD", HARD)
+        patch.setattr(measurements, "PHENOMENA", ("atwood", "circular_motion"))
+        patch.setattr(measurements, "SAMPLE", LEVELS)
+        patch.setattr(measurements, "HARD", HARD)
         patch.setattr(costs, "QUICK", (1, 100, 200))
         patch.setattr(growth, "QUICK", {"gas": (2, 9), "pile": (2, 9)})
         yield
@@ -166,17 +166,21 @@ def test_the_figures_are_kept_beside_the_page(folder: Path) -> None:
 
     assert "cost-newton-atwood.png" in figures
     assert "effects.svg" in figures
-    for part in parts.PARTS:
+    for part in measurements.PARTS:
         assert json.loads((folder / f"{part.command}.json").read_text(encoding="utf-8"))
 
 
 def test_a_report_is_drawn_anew_from_its_own_figures(
     folder: Path, text: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def measure(_: bool) -> parts.Content:
+    def measure(_: bool) -> measurements.Content:
         pytest.fail("measured again")
 
-    monkeypatch.setattr(parts, "PARTS", [parts.Part(p.command, measure) for p in parts.PARTS])
+    monkeypatch.setattr(
+        measurements,
+        "PARTS",
+        [measurements.Part(p.command, measure) for p in measurements.PARTS],
+    )
     done = write("--quick", "--from", folder, "--output", tmp_path)
 
     assert done.exit_code == 0
@@ -198,7 +202,7 @@ def test_what_was_measured_is_kept_if_the_disk_gets_full(
         begun.append(path.name)
         if full_from in begun and path.parent == output:
             raise SandboxError("cannot write {path}: no space", path=path)
-        files.write_atomically(path, data)
+        file_writing.write_atomically(path, data)
 
     for module in (command, validation.output):
         monkeypatch.setattr(module, "write_atomically", write_atomically)
@@ -217,10 +221,14 @@ def test_what_was_measured_is_kept_if_the_disk_gets_full(
 def test_a_file_that_cannot_be_written_is_refused_before_anything_is_measured(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def measure(_: bool) -> parts.Content:
+    def measure(_: bool) -> measurements.Content:
         pytest.fail("measured for nothing")
 
-    monkeypatch.setattr(parts, "PARTS", [parts.Part(p.command, measure) for p in parts.PARTS])
+    monkeypatch.setattr(
+        measurements,
+        "PARTS",
+        [measurements.Part(p.command, measure) for p in measurements.PARTS],
+    )
     (tmp_path / "effects.json").mkdir()
 
     done = write("--quick", "--output", tmp_path)

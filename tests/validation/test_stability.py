@@ -12,7 +12,7 @@ import pytest
 from typer.testing import CliRunner
 
 from sandbox.model import level_catalog
-from sandbox.model.writing import text
+from sandbox.model.level_writing import text
 from sandbox.physics.run import build
 from validation import cli
 from validation.stability import command, history, run

@@ -1,4 +1,4 @@
-"""The cases: a file of tables for each phenomenon, and a module for its functions under `own`."""
+"""The cases: a file of tables for each phenomenon; `functions` has what they name under `own`."""
 
 from collections.abc import Iterator
 from pathlib import Path

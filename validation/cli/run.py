@@ -6,7 +6,7 @@ from typing import Annotated
 import typer
 
 from sandbox.model import level_catalog
-from sandbox.model.files import check_writable
+from sandbox.model.file_writing import check_writable
 from validation import output, suite
 from validation.case import Case
 from validation.cases import all_cases

@@ -9,8 +9,8 @@ from pathlib import Path
 import typer
 from rich.table import Table
 
-from sandbox.model.files import check_writable, folder_of_files, write_atomically
-from sandbox.model.writing import text
+from sandbox.model.file_writing import check_writable, folder_of_files, write_atomically
+from sandbox.model.level_writing import text
 from sandbox.processes import spread
 from validation import output
 from validation.compose.outcome import Outcome, judged, playable

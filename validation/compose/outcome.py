@@ -4,7 +4,7 @@ from dataclasses import asdict, dataclass
 from time import perf_counter
 
 from sandbox.model.errors import SandboxError
-from validation.compose.invariants import Judgement, judge
+from validation.compose.property_checks import Judgement, judge
 from validation.compose.recorded_run import Refused, led
 from validation.compose.scenes import Scene, scene
 from validation.output import finite

@@ -10,7 +10,7 @@ from pathlib import Path
 import typer
 
 from sandbox.model import level_catalog
-from sandbox.model.files import check_writable, folder_of_files
+from sandbox.model.file_writing import check_writable, folder_of_files
 from sandbox.optional_packages import needed_for
 from sandbox.processes import spread
 from validation import output

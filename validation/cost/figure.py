@@ -6,7 +6,7 @@ from pathlib import Path
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from sandbox.model.files import write_atomically
+from sandbox.model.file_writing import write_atomically
 from sandbox.reporting import plots
 from validation.cost.summary import LEAST
 from validation.cost.sweep import Point, Sweep

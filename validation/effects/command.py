@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import asdict
 from pathlib import Path
 
-from sandbox.model.files import check_writable
+from sandbox.model.file_writing import check_writable
 from validation import output
 from validation.effects import costs, growth
 from validation.effects.costs import EffectCost, LevelCost

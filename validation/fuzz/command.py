@@ -14,14 +14,14 @@ from typing import Any
 
 import typer
 
-from sandbox.model.files import check_writable, folder_of_files, write_atomically
+from sandbox.model.file_writing import check_writable, folder_of_files, write_atomically
 from validation import output
 from validation.environment import environment
 from validation.fuzz.guided import available, guided
+from validation.fuzz.isolated_trial import Trial, Tried
 from validation.fuzz.repair import answered
 from validation.fuzz.shorthand import drawn_level
 from validation.fuzz.shrinking import shrunk
-from validation.fuzz.trial import Trial, Tried
 
 SAMPLES = Path("out") / "fuzz"
 """The default folder of levels that fail."""

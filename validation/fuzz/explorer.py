@@ -44,15 +44,15 @@ def main() -> None:
     line = Connection(int(pipe))
     atheris = importlib.import_module("atheris")
     with atheris.instrument_imports(include=["sandbox"]):
-        from validation.fuzz import trial
+        from validation.fuzz import isolated_trial
         from validation.fuzz.repair import answered
         from validation.fuzz.shorthand import drawn_level
-    trial.load_libraries()
+    isolated_trial.load_libraries()
     numbers = count()
 
-    def attempt(number: int, text: str) -> trial.Outcome:
+    def attempt(number: int, text: str) -> isolated_trial.Outcome:
         line.send((number, text))
-        outcome = trial.attempt_within(SLOWER * trial.SECONDS, text)
+        outcome = isolated_trial.attempt_within(SLOWER * isolated_trial.SECONDS, text)
         line.send(outcome)
         return outcome
 
@@ -64,7 +64,7 @@ def main() -> None:
 
     limits = ["-rss_limit_mb=0", "-timeout=0", f"-max_len={LONGEST}", "-len_control=0"]
     nowhere = f"-exact_artifact_path={os.devnull}"  # else it leaves a file where the work is
-    trial.limit_memory()
+    isolated_trial.limit_memory()
     atheris.Setup([sys.argv[0], f"-seed={seed}", *limits, nowhere, folder], explore)
     atheris.Fuzz()
 

@@ -14,7 +14,7 @@ from typing import Any
 
 from sandbox.model.errors import SandboxError
 from validation.fuzz.explorer import LONGEST
-from validation.fuzz.trial import HANGS, STARTS, Outcome, Trial, Tried
+from validation.fuzz.isolated_trial import HANGS, STARTS, Outcome, Trial, Tried
 
 FIRST = 200
 """The number of random inputs to begin with; Atheris itself begins with empty ones."""

@@ -5,7 +5,7 @@ from collections.abc import Callable, Iterator, Sequence
 from copy import deepcopy
 from typing import Any
 
-from validation.fuzz.trial import Outcome
+from validation.fuzz.isolated_trial import Outcome
 
 ROUNDS = 8
 """The most repairs of a level."""

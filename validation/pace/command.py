@@ -7,7 +7,7 @@ from pathlib import Path
 from rich.table import Table
 
 from sandbox.model import level_catalog
-from sandbox.model.files import check_writable
+from sandbox.model.file_writing import check_writable
 from validation import output
 from validation.environment import environment
 from validation.pace.measuring import Pace, pace

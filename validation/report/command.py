@@ -9,16 +9,16 @@ import typer
 from rich.console import Console
 
 from sandbox.model.errors import MisuseError, SandboxError
-from sandbox.model.files import check_writable, folder_of_files, write_atomically
+from sandbox.model.file_writing import check_writable, folder_of_files, write_atomically
 from sandbox.model.message import Message
 from sandbox.reporting import plots
 from validation.output import save
-from validation.report import page, parts
+from validation.report import measurements, page
 
 PAGE = "report.html"
 FIGURES = "figures"
 
-Contents = dict[str, parts.Content | SandboxError]
+Contents = dict[str, measurements.Content | SandboxError]
 """What each part has measured so far, or why it could not."""
 
 
@@ -35,9 +35,9 @@ def write(output: Path, source: Path | None, *, quick: bool, figures: bool) -> b
         raise MisuseError(Message("cannot read {source}: there is no such folder", source=source))
     contents: Contents = {}
     with folder_of_files(output), _rescued(contents):
-        for name in (PAGE, *(f"{part.command}.json" for part in parts.PARTS)):
+        for name in (PAGE, *(f"{part.command}.json" for part in measurements.PARTS)):
             check_writable(output / name)  # not only after all has been measured
-        for part in parts.PARTS:
+        for part in measurements.PARTS:
             contents[part.command] = content = _collected(part, source, quick=quick)
             _store(part.command, content, output)
         found = page.report(contents, quick=quick)
@@ -51,17 +51,17 @@ def write(output: Path, source: Path | None, *, quick: bool, figures: bool) -> b
 
 
 def _collected(
-    part: parts.Part, source: Path | None, *, quick: bool
-) -> parts.Content | SandboxError:
+    part: measurements.Part, source: Path | None, *, quick: bool
+) -> measurements.Content | SandboxError:
     """Return the measurements of a part, or the error; the other parts continue."""
     Console(stderr=True, highlight=False).print(f"validation {part.command} ...")
     try:
-        return parts.collect(part, source, quick=quick)
+        return measurements.collect(part, source, quick=quick)
     except SandboxError as error:
         return error
 
 
-def _store(command: str, content: parts.Content | SandboxError, folder: Path) -> None:
+def _store(command: str, content: measurements.Content | SandboxError, folder: Path) -> None:
     if isinstance(content, Mapping):
         save(content, folder / f"{command}.json")
 

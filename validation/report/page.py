@@ -20,7 +20,7 @@ from validation.effects import figure as effects_figure
 from validation.effects.costs import EffectCost, LevelCost
 from validation.effects.growth import Growth
 from validation.effects.tables import rows
-from validation.report import parts
+from validation.report import measurements
 from validation.report.digest.chapters import by_chapter
 from validation.report.digest.claims import Cases, cases, chosen, share
 from validation.report.digest.costs import Costs, costs
@@ -62,7 +62,7 @@ class Report:
         return not self.failures and not any(failed)
 
 
-def report(contents: Mapping[str, parts.Content | SandboxError], *, quick: bool) -> Report:
+def report(contents: Mapping[str, measurements.Content | SandboxError], *, quick: bool) -> Report:
     """Return a report of the measurements, or of the errors in their place, by command."""
     found = Report(quick=quick)
     for command, content in contents.items():
@@ -76,29 +76,32 @@ def report(contents: Mapping[str, parts.Content | SandboxError], *, quick: bool)
     return found
 
 
-def _add_cases(found: Report, content: parts.Content) -> None:
-    found.cases = cases(parts.outcomes(content))
+def _add_cases(found: Report, content: measurements.Content) -> None:
+    found.cases = cases(measurements.outcomes(content))
 
 
-def _add_costs(found: Report, content: parts.Content) -> None:
-    found.costs = costs(parts.sweeps(content))
-    found.requests = Requests(tuple(parts.requests(content)))
+def _add_costs(found: Report, content: measurements.Content) -> None:
+    found.costs = costs(measurements.sweeps(content))
+    found.requests = Requests(tuple(measurements.requests(content)))
     for sweep, _, _ in found.costs.rows:
         found.figures[figure_name(sweep.level)] = cost_figure.diagram(sweep)
 
 
-def _add_hard_cases(found: Report, content: parts.Content) -> None:
-    found.hard = hard_cases(parts.hard_cases(content))
+def _add_hard_cases(found: Report, content: measurements.Content) -> None:
+    found.hard = hard_cases(measurements.hard_cases(content))
 
 
-def _add_effects(found: Report, content: parts.Content) -> None:
-    found.levels, found.effects = parts.level_costs(content), parts.effect_costs(content)
-    found.growths = parts.growths(content)
+def _add_effects(found: Report, content: measurements.Content) -> None:
+    found.levels, found.effects = (
+        measurements.level_costs(content),
+        measurements.effect_costs(content),
+    )
+    found.growths = measurements.growths(content)
     if found.effects:
         found.figures["effects"] = effects_figure.diagram(found.effects)
 
 
-_ADDED: Mapping[str, Callable[[Report, parts.Content], None]] = {
+_ADDED: Mapping[str, Callable[[Report, measurements.Content], None]] = {
     "run": _add_cases,
     "cost": _add_costs,
     "stability": _add_hard_cases,
@@ -208,7 +211,7 @@ def _reach(sweep: Sweep, target: float) -> float | None:
 def _diagrams(found: Report) -> list[tuple[Sweep, Markup]]:
     """Return the diagrams, starting with those that are always visible."""
     rows = found.costs.rows if found.costs else ()
-    first = parts.SAMPLE[:SHOWN]
+    first = measurements.SAMPLE[:SHOWN]
     sweeps = sorted((sweep for sweep, _, _ in rows), key=lambda sweep: sweep.level not in first)
     return [
         (sweep, inline(found.figures[figure_name(sweep.level)], _title(sweep))) for sweep in sweeps

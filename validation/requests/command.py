@@ -7,11 +7,11 @@ from pathlib import Path
 
 import typer
 
-from sandbox.model.files import check_writable
+from sandbox.model.file_writing import check_writable
 from sandbox.processes import spread
 from validation import output
 from validation.environment import environment
-from validation.requests.trial import Trial, trial
+from validation.requests.accuracy_request import Trial, trial
 
 
 def measure(count: int, seed: int, json_file: Path | None, jobs: int | None) -> bool:

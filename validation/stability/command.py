@@ -6,7 +6,7 @@ from pathlib import Path
 
 import typer
 
-from sandbox.model.files import check_writable
+from sandbox.model.file_writing import check_writable
 from validation import output
 from validation.environment import environment
 from validation.output import finite

@@ -1,9 +1,9 @@
 """Hard cases as levels: `python -m validation.stability.levels` writes those that are computed."""
 
-from sandbox.model.files import write_atomically
+from sandbox.model.file_writing import write_atomically
 from sandbox.model.level_catalog import root
+from sandbox.model.level_writing import text
 from sandbox.model.loading import parse
-from sandbox.model.writing import text
 from validation.stability.families import all_levels
 
 FOLDER = root() / "hard"

@@ -4,7 +4,7 @@ import pymunk
 from pymunk import Vec2d
 
 from sandbox.model.expressions import Values
-from sandbox.model.joint_ends import span
+from sandbox.model.joint_ends_at_start import span
 from sandbox.model.joints import End, Held, Joint, Pivot, Rail, Rod, Rope, Spring, points
 from sandbox.model.level import Level, Stepping
 from sandbox.model.shapes import evaluate

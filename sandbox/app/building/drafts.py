@@ -10,7 +10,7 @@ from sandbox.editing.draft import Draft
 from sandbox.editing.recovery import Recoverable, Recovery, recoverable
 from sandbox.model import level_catalog
 from sandbox.model.errors import SandboxError
-from sandbox.model.files import make_folder
+from sandbox.model.file_writing import make_folder
 from sandbox.model.level import Level
 from sandbox.model.message import NOTHING, Message
 

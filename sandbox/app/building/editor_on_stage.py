@@ -7,8 +7,8 @@ import pygame
 from sandbox.app.building import painting
 from sandbox.app.building.applying_changes import Applying
 from sandbox.app.building.edited_level import Work
-from sandbox.app.building.foreseeing import Foreseeing
 from sandbox.app.building.live_edits import Live
+from sandbox.app.building.marked_faults import Foreseeing
 from sandbox.app.building.pointer import Spot
 from sandbox.app.building.toolbox import FIRST, Toolbox
 from sandbox.app.drawing.text import Pen

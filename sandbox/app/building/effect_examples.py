@@ -5,7 +5,7 @@ from typing import Any, get_args, get_origin
 
 from pydantic.fields import FieldInfo
 
-from sandbox.app.building.fields import bare
+from sandbox.app.building.editable_fields import bare
 from sandbox.editing.json_layout import Json
 from sandbox.model.base import Model
 from sandbox.model.effects import Effects

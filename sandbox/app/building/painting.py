@@ -5,7 +5,7 @@ from math import sqrt
 
 import pygame
 
-from sandbox.app.building import preview
+from sandbox.app.building import shape_preview
 from sandbox.app.building.edited_level import Work
 from sandbox.app.building.partial_level import Parts, Sketch
 from sandbox.app.building.pointer import Part
@@ -20,7 +20,7 @@ WIDE = 2.0  # px, the width of the line around the selection
 PADDING = 8  # px, around a hint
 FRAME = 8.0  # px, between a group and the frame around it
 
-caught = preview.caught
+caught = shape_preview.caught
 
 
 class Picture:

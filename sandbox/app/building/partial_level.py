@@ -21,12 +21,12 @@ from sandbox.app.drawing import lines, shading
 from sandbox.app.drawing.camera import Camera
 from sandbox.app.drawing.text import Pen
 from sandbox.app.stage import bodies, grid, joints, surfaces
-from sandbox.app.stage.outline import Outline, outlined
+from sandbox.app.stage.body_outlines import Outline, outlined
 from sandbox.model.body import Body
 from sandbox.model.constants import let_use
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Expression, Values
-from sandbox.model.joint_ends import place
+from sandbox.model.joint_ends_at_start import place
 from sandbox.model.joints import Joint, Rail, Wire, points
 from sandbox.model.level import Level
 from sandbox.model.shapes import XY, evaluate

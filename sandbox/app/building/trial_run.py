@@ -5,8 +5,8 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from sandbox.app.building.live_edits import Live
-from sandbox.app.runs.actions import Action
 from sandbox.app.runs.session import Session
+from sandbox.app.runs.user_interventions import Action
 from sandbox.model.expressions import Values
 
 MOST = 50

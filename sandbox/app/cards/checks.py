@@ -8,12 +8,12 @@ from sandbox.app.cards.card import GAP, Card
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
-from sandbox.app.observing.grading import Reading
+from sandbox.app.observing.running_checks import Reading
 from sandbox.app.words import formatting
 from sandbox.app.words.language import later, say
 from sandbox.app.words.level_words import Say, title
 from sandbox.model.level import Check
-from sandbox.physics.accuracy.study import Split
+from sandbox.physics.accuracy.accuracy_study import Split
 
 NOTHING: Mapping[int, Split] = {}
 TOUCHED = later("This run was moved or changed by hand: no formula describes it.")

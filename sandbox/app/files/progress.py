@@ -7,7 +7,7 @@ from pydantic import Field, TypeAdapter
 
 from sandbox.app.files import user_data
 from sandbox.app.words.language import say
-from sandbox.model.files import data_folder
+from sandbox.model.file_writing import data_folder
 
 _STARS = TypeAdapter(dict[str, Annotated[int, Field(ge=1, le=3)]])
 

@@ -7,7 +7,7 @@ from pydantic import TypeAdapter
 
 from sandbox.app.files import user_data
 from sandbox.app.words.language import later, say
-from sandbox.model.files import data_folder
+from sandbox.model.file_writing import data_folder
 
 _PATHS = TypeAdapter(list[str])
 

@@ -20,7 +20,7 @@ from sandbox.app.runs.session import Session
 from sandbox.app.stage.stage import Stage
 from sandbox.app.words import language
 from sandbox.model.errors import SandboxError
-from sandbox.model.files import read_ordinary, without_links, write_atomically
+from sandbox.model.file_writing import read_ordinary, without_links, write_atomically
 from sandbox.model.loading import MAX_BYTES, load
 from sandbox.version import __version__
 

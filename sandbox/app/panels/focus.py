@@ -8,7 +8,7 @@ from pygame_gui.core import UIElement
 from pygame_gui.elements import UIButton, UIHorizontalSlider, UIScrollingContainer
 
 from sandbox.app.drawing import theme
-from sandbox.app.panels.layout import Layout
+from sandbox.app.panels.window_layout import Layout
 from sandbox.app.widgets.text_field import Field
 from sandbox.app.widgets.widget_helpers import scroll, scrolled
 

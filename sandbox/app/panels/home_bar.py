@@ -5,7 +5,7 @@ from pygame_gui import UIManager
 
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
-from sandbox.app.panels.bar import MARGIN, Bar
+from sandbox.app.panels.button_bar import MARGIN, Bar
 from sandbox.app.runs.session import Session
 from sandbox.app.words import level_words
 from sandbox.app.words.language import later, say

@@ -17,14 +17,14 @@ from sandbox.app.frame_time import Load
 from sandbox.app.home.home import Home
 from sandbox.app.pages import register
 from sandbox.app.pages.workers import Workers
-from sandbox.app.panels import messages
-from sandbox.app.panels.controls import Controls
+from sandbox.app.panels import stage_messages
 from sandbox.app.panels.focus import Focus
 from sandbox.app.panels.home_bar import HomeBar
-from sandbox.app.panels.layout import Layout, divide
-from sandbox.app.panels.levels import LevelList
-from sandbox.app.panels.refusal import Refusal
+from sandbox.app.panels.level_list import LevelList
+from sandbox.app.panels.play_bar import Controls
+from sandbox.app.panels.refused_level import Refusal
 from sandbox.app.panels.side_panel import SidePanel
+from sandbox.app.panels.window_layout import Layout, divide
 from sandbox.app.runs.session import Session
 from sandbox.app.widgets.file_dialog import OpenDialog
 from sandbox.app.widgets.manager import Manager
@@ -35,7 +35,7 @@ from sandbox.model.errors import SandboxError
 if TYPE_CHECKING:
     from pygame_gui.elements import UIButton
 
-    from sandbox.app.panels.bar import Bar
+    from sandbox.app.panels.button_bar import Bar
     from sandbox.app.panels.verdicts_and_energies import View
 
 
@@ -254,7 +254,7 @@ class Panels:
             self.offer.kill()  # type: ignore[no-untyped-call]
             self.offer = None
         if self.offer is None and rate is not None:
-            self.offer = messages.offer(self.manager, self._pen, self.layout.stage, rate)
+            self.offer = stage_messages.offer(self.manager, self._pen, self.layout.stage, rate)
         self._advised = rate
 
     def accepts(self, event: pygame.event.Event) -> bool:

@@ -17,7 +17,7 @@ from sandbox.app.pages.workers import Workers
 from sandbox.app.panels.tabs import GAP, TOP, Tabs
 from sandbox.app.panels.verdicts_and_energies import FIRST, FOLDED, Foot, View
 from sandbox.app.runs.session import Session
-from sandbox.app.widgets.parameters import Parameters
+from sandbox.app.widgets.parameter_sliders import Parameters
 from sandbox.app.widgets.sheet import MARGIN, Panel, Sheet
 from sandbox.app.widgets.widget_helpers import scroll, scrolled
 from sandbox.app.words.formatting import seconds

@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.theme import Color
-from sandbox.app.observing.grading import Grading, Reading
+from sandbox.app.observing.running_checks import Grading, Reading
 from sandbox.app.observing.thinned_series import Trail
 from sandbox.app.runs.step_clock import Clock
 from sandbox.app.words import formatting

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from sandbox.app.observing.earlier_runs import Observed
-from sandbox.app.runs.actions import Action
+from sandbox.app.runs.user_interventions import Action
 
 MOST = 3
 """The number of records that are kept. Moving a body by hand or branching starts a new one."""

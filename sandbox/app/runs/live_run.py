@@ -8,17 +8,17 @@ from sandbox.app.observing import milestones
 from sandbox.app.observing.earlier_runs import Earlier, Observed, kept
 from sandbox.app.observing.energy_books import Books
 from sandbox.app.observing.first_contacts import FirstContacts
-from sandbox.app.observing.grading import Grading, Ration, Reading
 from sandbox.app.observing.impact_marks import ImpactMarks
 from sandbox.app.observing.impacts import ImpactLog
 from sandbox.app.observing.milestones import Milestone
+from sandbox.app.observing.running_checks import Grading, Ration, Reading
 from sandbox.app.observing.state_history import History
 from sandbox.app.observing.thinned_series import Trail
-from sandbox.app.runs.actions import Action, perform
-from sandbox.app.runs.beginning import Beginning
-from sandbox.app.runs.limits import Limits
-from sandbox.app.runs.pace import Pace
+from sandbox.app.runs.play_speed import Pace
+from sandbox.app.runs.run_limits import Limits
+from sandbox.app.runs.run_start import Beginning
 from sandbox.app.runs.step_clock import Clock
+from sandbox.app.runs.user_interventions import Action, perform
 from sandbox.model.errors import SandboxError
 from sandbox.model.level import Level
 from sandbox.model.loading import choose
@@ -29,7 +29,7 @@ from sandbox.physics.stepping.time_limit import Patience
 from sandbox.physics.stepping.world import World
 
 if TYPE_CHECKING:
-    from sandbox.physics.advising.remedies import Advice
+    from sandbox.physics.advising.remedy_trials import Advice
 
 
 class LiveRun:

@@ -11,15 +11,15 @@ from math import inf
 from time import perf_counter
 
 from sandbox.app.observing.earlier_runs import Observed
-from sandbox.app.observing.grading import Reading
 from sandbox.app.observing.impacts import Flash
 from sandbox.app.observing.milestones import Milestone
-from sandbox.app.runs.actions import Action
+from sandbox.app.observing.running_checks import Reading
 from sandbox.app.runs.grabbed_body import Grip
 from sandbox.app.runs.left_runs import Records
 from sandbox.app.runs.live_run import LiveRun
-from sandbox.app.runs.pace import faster, slower
+from sandbox.app.runs.play_speed import faster, slower
 from sandbox.app.runs.run_view import RunView
+from sandbox.app.runs.user_interventions import Action
 from sandbox.model.errors import SandboxError
 from sandbox.model.shapes import XY
 from sandbox.physics.state.errors import SimulationError

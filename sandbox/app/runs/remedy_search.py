@@ -3,8 +3,8 @@
 from sandbox.app.background import Errand
 from sandbox.app.runs.session import Session
 from sandbox.model.message import NOTHING, Message
-from sandbox.physics.advising import remedies
-from sandbox.physics.advising.remedies import Advice
+from sandbox.physics.advising import remedy_trials
+from sandbox.physics.advising.remedy_trials import Advice
 from sandbox.physics.state.errors import BreakdownError, SimulationError
 
 
@@ -27,7 +27,7 @@ class Advising(Errand):
                 session.run.trying = True
                 world = session.world
                 scene = session.level, session.values, world.stepping, session.duration
-                self._work.start(remedies.findings, failure, *scene)
+                self._work.start(remedy_trials.findings, failure, *scene)
         if not session.run.trying:
             return
         found = Advice(NOTHING)

@@ -6,11 +6,11 @@ from sandbox.app.observing.earlier_runs import Earlier, Observed, alike
 from sandbox.app.observing.energy_books import Books
 from sandbox.app.observing.state_history import History
 from sandbox.app.observing.thinned_series import Trail
-from sandbox.app.runs.actions import Action
 from sandbox.app.runs.companions import Companion
 from sandbox.app.runs.live_run import LiveRun
-from sandbox.app.runs.pace import Pace
+from sandbox.app.runs.play_speed import Pace
 from sandbox.app.runs.step_clock import Clock
+from sandbox.app.runs.user_interventions import Action
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level

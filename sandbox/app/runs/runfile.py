@@ -9,12 +9,12 @@ from typing import Annotated, Any, Literal
 from pydantic import Field, ValidationError
 from pydantic_core import ErrorDetails
 
-from sandbox.app.runs.actions import Action
 from sandbox.app.runs.session import Session
+from sandbox.app.runs.user_interventions import Action
 from sandbox.model import parse_messages
 from sandbox.model.base import Model
 from sandbox.model.errors import SandboxError
-from sandbox.model.files import read_ordinary, write_atomically
+from sandbox.model.file_writing import read_ordinary, write_atomically
 from sandbox.model.level import Level
 from sandbox.model.level_parts import names_in
 from sandbox.model.loading import choose, parse

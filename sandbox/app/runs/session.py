@@ -4,19 +4,19 @@ from collections.abc import Mapping, Sequence
 from contextlib import suppress
 
 from sandbox.app.observing.forces_on_selection import Looking
-from sandbox.app.runs.actions import Action
-from sandbox.app.runs.beginning import Beginning, at_rate, begin
 from sandbox.app.runs.companions import NONE, Changes, Variant
 from sandbox.app.runs.live_run import LiveRun
 from sandbox.app.runs.playback import Playback
+from sandbox.app.runs.run_start import Beginning, at_rate, begin
+from sandbox.app.runs.user_interventions import Action
 from sandbox.model.errors import SandboxError, ValueRangeError
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level
 from sandbox.model.loading import choose
 from sandbox.model.message import Message
-from sandbox.physics.accuracy.cache import keep
 from sandbox.physics.accuracy.calibration import Setting
-from sandbox.physics.advising.remedies import Advice
+from sandbox.physics.accuracy.calibration_cache import keep
+from sandbox.physics.advising.remedy_trials import Advice
 from sandbox.physics.measuring.goals import Attempt
 from sandbox.physics.state.errors import SimulationError
 

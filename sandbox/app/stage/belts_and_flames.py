@@ -8,7 +8,7 @@ import pygame
 
 from sandbox.app.drawing import lines, theme
 from sandbox.app.drawing.camera import Camera
-from sandbox.app.stage.outline import Outline
+from sandbox.app.stage.body_outlines import Outline
 from sandbox.app.words.formatting import nice
 from sandbox.model.shapes import XY, evaluate
 from sandbox.physics.stepping.world import World

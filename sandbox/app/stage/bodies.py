@@ -9,7 +9,7 @@ import pygame
 from sandbox.app.drawing import lines, shading, theme
 from sandbox.app.drawing.camera import Camera
 from sandbox.app.drawing.theme import Color
-from sandbox.app.stage.outline import RIM, Outline
+from sandbox.app.stage.body_outlines import RIM, Outline
 from sandbox.model.shapes import XY
 
 FEW = 200

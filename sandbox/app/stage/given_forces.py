@@ -13,7 +13,7 @@ from sandbox.app.drawing import lines, theme
 from sandbox.app.drawing.camera import Camera
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
-from sandbox.app.stage.labels import Labels
+from sandbox.app.stage.label_placement import Labels
 from sandbox.app.words.formatting import MINUS, number
 from sandbox.app.words.language import say
 from sandbox.model.arithmetic import ExpressionError

@@ -5,7 +5,7 @@ from weakref import WeakKeyDictionary
 
 import numpy as np
 
-from sandbox.app.stage.marks import PATH_POINTS, places
+from sandbox.app.stage.motion_marks import PATH_POINTS, places
 from sandbox.app.words.formatting import rounded_up
 from sandbox.model.expressions import Array
 from sandbox.model.level import Level

@@ -18,17 +18,17 @@ from sandbox.app.stage import (
     grid,
     joint_paths,
     joints,
+    level_labels,
     liquid,
-    marks,
+    motion_marks,
     surfaces,
-    texts,
     wires,
 )
+from sandbox.app.stage.body_outlines import Outline
 from sandbox.app.stage.given_forces import Arrow
-from sandbox.app.stage.labels import Labels
+from sandbox.app.stage.label_placement import Labels
 from sandbox.app.stage.landscape import Relief
 from sandbox.app.stage.observer import Observer
-from sandbox.app.stage.outline import Outline
 from sandbox.app.stage.overlays.overlay import Overlay
 from sandbox.app.stage.overlays.register import OVERLAYS, at_first
 from sandbox.app.stage.view import View
@@ -140,10 +140,10 @@ class Stage:
         liquid.draw_veil(surface, self.camera, world)
         self._draw_joints(surface, in_front=True)
         self._draw_beside(surface, beside)
-        texts.draw_observer(surface, view)
-        texts.draw_texts(surface, view)
+        level_labels.draw_observer(surface, view)
+        level_labels.draw_texts(surface, view)
         told = milestones if view.few and grounded else ()
-        marks.draw_milestones(surface, self.camera, told, view.labels)
+        motion_marks.draw_milestones(surface, self.camera, told, view.labels)
         for overlay in self._overlays:
             if overlay.draw is not None:
                 overlay.draw(surface, view)
@@ -154,9 +154,9 @@ class Stage:
         """Write the measured values, after the arrows, which cannot move out of the way."""
         view, words = self.view, level_words.of(self.view.world.level)
         placed = [(each, *view.state(each)) for each in view.moving]
-        avoid = marks.boxes(self.camera, placed)
-        marks.mark_large(self.camera, placed, view.labels)
-        marks.write_milestones(
+        avoid = motion_marks.boxes(self.camera, placed)
+        motion_marks.mark_large(self.camera, placed, view.labels)
+        motion_marks.write_milestones(
             surface, self.camera, self._pen, milestones, words, view.labels, avoid
         )
 
@@ -172,7 +172,7 @@ class Stage:
             for outline in self.view.moving:
                 x, y = snapshot.position[outline.row].tolist()
                 angle = float(snapshot.angle[outline.row])
-                marks.draw_ghost(surface, self.camera, outline, (x, y), angle, lane)
+                motion_marks.draw_ghost(surface, self.camera, outline, (x, y), angle, lane)
 
     def body_at(self, pixel: XY, margin: float = 6.0) -> str | None:
         """Return the dynamic body at a pixel, within a margin [px], or None."""
@@ -269,8 +269,10 @@ class Stage:
             if len(trail) > drawn:
                 paths = self.view.observer.path(trail.points[max(drawn - 1, 0) :])
                 for outline in self.view.moving:
-                    drawn_in = marks.trail_color(color or outline.color)
-                    marks.draw_trail(self._canvas, self.camera, drawn_in, paths[:, outline.row])
+                    drawn_in = motion_marks.trail_color(color or outline.color)
+                    motion_marks.draw_trail(
+                        self._canvas, self.camera, drawn_in, paths[:, outline.row]
+                    )
         self._trail_drawn = counts
 
     def _draw_joints(self, surface: pygame.Surface, *, in_front: bool) -> None:

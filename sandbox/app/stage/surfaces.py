@@ -9,7 +9,7 @@ import pygame
 from sandbox.app.drawing import lines, shading, theme
 from sandbox.app.drawing.camera import Camera
 from sandbox.app.stage.bodies import draw_area, draw_heads
-from sandbox.app.stage.outline import Outline
+from sandbox.app.stage.body_outlines import Outline
 from sandbox.model.shapes import XY
 
 HATCH = 9  # px, between strokes

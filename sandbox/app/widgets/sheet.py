@@ -9,7 +9,7 @@ from pygame_gui.core import ObjectID, UIContainer
 from pygame_gui.elements import UIButton, UIImage, UIScrollingContainer, UISelectionList
 
 from sandbox.app.drawing.text import Pen
-from sandbox.app.widgets.parameters import Parameters
+from sandbox.app.widgets.parameter_sliders import Parameters
 from sandbox.app.words.level_words import Say
 from sandbox.model.expressions import Values
 from sandbox.model.level import Parameter

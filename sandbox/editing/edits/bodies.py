@@ -11,10 +11,10 @@ from math import pi
 import numpy as np
 
 from sandbox.editing.cleanup import COEFFICIENTS, first_that_loads, without_meaning
+from sandbox.editing.drawn_outlines import centroid, simplified
 from sandbox.editing.edits.edit_result import Made, new_name
 from sandbox.editing.edits.titling import without_empty_summary
 from sandbox.editing.json_layout import Json, plain
-from sandbox.editing.outlines import centroid, simplified
 from sandbox.editing.text_patches import put, put_all, remove
 from sandbox.model.errors import SandboxError
 from sandbox.model.level import Level

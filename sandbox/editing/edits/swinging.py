@@ -14,7 +14,7 @@ from sandbox.editing.json_layout import Json, plain
 from sandbox.editing.placement import Placed, distance, placed
 from sandbox.editing.text_patches import put_all
 from sandbox.model.errors import SandboxError
-from sandbox.model.joint_ends import place
+from sandbox.model.joint_ends_at_start import place
 from sandbox.model.joints import Rod, Rope, bodies_of, body_of
 from sandbox.model.level import Level
 from sandbox.model.level_parts import names_in

@@ -15,7 +15,7 @@ from sandbox.editing.text_patches import Changes, put_all
 from sandbox.model.joints import Wire, body_of
 from sandbox.model.level import Level
 from sandbox.model.shapes import XY
-from sandbox.physics.geometry.distance import dot
+from sandbox.physics.geometry.outline_distance import dot
 
 Side = Literal["left", "right", "top", "bottom", "center-x", "center-y"]
 """The side at which bodies are aligned; `center-x` gives their centres the same x."""

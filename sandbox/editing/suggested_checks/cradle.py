@@ -19,7 +19,7 @@ from sandbox.editing.suggested_checks.scene import (
     said,
 )
 from sandbox.model.expressions import Expression
-from sandbox.model.joint_ends import place
+from sandbox.model.joint_ends_at_start import place
 from sandbox.model.joints import body_of, points
 from sandbox.model.shapes import Disc
 

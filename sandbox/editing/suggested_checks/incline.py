@@ -24,7 +24,7 @@ from sandbox.editing.suggested_checks.scene import (
 from sandbox.model.expressions import Expression
 from sandbox.model.level_parts import names_in
 from sandbox.model.shapes import Box, Polygon
-from sandbox.physics.geometry.distance import Gap, gap
+from sandbox.physics.geometry.outline_distance import Gap, gap
 
 EXACT = 1e-9
 """The tolerance of the checks: a uniform acceleration is exact to rounding."""

@@ -23,7 +23,7 @@ from sandbox.editing.suggested_checks.scene import (
 from sandbox.model.expressions import Expression
 from sandbox.model.joints import Joint, Pivot, body_of
 from sandbox.model.shapes import Box, Disc, Point
-from sandbox.physics.geometry.distance import Gap
+from sandbox.physics.geometry.outline_distance import Gap
 
 NEAR = 1e-4
 """The tolerance of the check at the rate below, as the plank turns a little in the first step."""

@@ -12,9 +12,9 @@ from sandbox.editing.json_layout import plain
 from sandbox.editing.suggested_checks.scene import TOUCHING, Scene, Suggestion, check, rate_of, said
 from sandbox.model.expressions import Expression
 from sandbox.model.formulas import Formula
-from sandbox.model.joint_ends import place
+from sandbox.model.joint_ends_at_start import place
 from sandbox.model.joints import End, Spring, body_of
-from sandbox.physics.geometry.distance import dot
+from sandbox.physics.geometry.outline_distance import dot
 
 NEAR = 1e-4
 """The tolerance of the check at the rate below: leapfrog is of second order."""

@@ -20,7 +20,7 @@ from sandbox.editing.suggested_checks.scene import (
     rate_of,
     said,
 )
-from sandbox.model.joint_ends import place
+from sandbox.model.joint_ends_at_start import place
 from sandbox.model.joints import Joint, Rod, Rope, points
 from sandbox.model.level_parts import names_in
 

@@ -20,7 +20,7 @@ from sandbox.editing.suggested_checks.scene import (
     opposite,
 )
 from sandbox.model.expressions import Expression
-from sandbox.model.joint_ends import place
+from sandbox.model.joint_ends_at_start import place
 from sandbox.model.joints import End, Joint, Pulley, Rod, Rope, bodies_of, body_of, points
 from sandbox.model.level_parts import names_in
 

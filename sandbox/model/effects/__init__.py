@@ -10,7 +10,6 @@ from typing import Annotated, Any
 from pydantic import Field
 
 from sandbox.model.base import Model
-from sandbox.model.bounds import MOST_FORCES
 from sandbox.model.effects.accretion import Accretion
 from sandbox.model.effects.attraction import Attraction
 from sandbox.model.effects.belt import Belt
@@ -33,6 +32,7 @@ from sandbox.model.effects.thrust import Thrust
 from sandbox.model.effects.torque import Torque
 from sandbox.model.effects.torsion import Torsion
 from sandbox.model.json_positions import Path
+from sandbox.model.number_bounds import MOST_FORCES
 
 SEVERAL = Field(min_length=1, max_length=MOST_FORCES)
 

@@ -3,8 +3,8 @@
 from typing import ClassVar
 
 from sandbox.model.base import Model
-from sandbox.model.bounds import Coordinate, Power, Strength
 from sandbox.model.effects.contract import Effect
+from sandbox.model.number_bounds import Coordinate, Power, Strength
 from sandbox.model.shapes import Point
 
 

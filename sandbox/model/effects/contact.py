@@ -5,9 +5,9 @@ from typing import Annotated, ClassVar, Literal
 from pydantic import Field
 
 from sandbox.model.base import Model
-from sandbox.model.bounds import MOST_PAIRS, Width
 from sandbox.model.effects.contract import Effect
 from sandbox.model.expressions import Fraction
+from sandbox.model.number_bounds import MOST_PAIRS, Width
 from sandbox.model.reference_fields import ActedOnBodies, BodyNames
 
 

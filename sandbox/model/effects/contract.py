@@ -15,7 +15,7 @@ and the tests of all effects. An incomplete declaration is reported when the pac
 the file to mend.
 
 The fields that name bodies are recognized by their types (see `sandbox.model.reference_fields`).
-Units are part of the types in `sandbox.model.bounds`, and of the fields' docstrings.
+Units are part of the types in `sandbox.model.number_bounds`, and of the fields' docstrings.
 """
 
 from collections.abc import Callable, Iterator, Mapping

@@ -5,8 +5,8 @@ from typing import Annotated, ClassVar, Literal
 from pydantic import Field as Constrained
 
 from sandbox.model.base import Model
-from sandbox.model.bounds import ForceInField
 from sandbox.model.effects.contract import Effect
+from sandbox.model.number_bounds import ForceInField
 from sandbox.model.reference_fields import ActedOnBodies
 
 

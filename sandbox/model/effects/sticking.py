@@ -5,9 +5,9 @@ from typing import Annotated, ClassVar
 from pydantic import Field
 
 from sandbox.model.base import Model
-from sandbox.model.bounds import MOST_PAIRS
 from sandbox.model.effects.contract import Effect
 from sandbox.model.effects.pair import Pair
+from sandbox.model.number_bounds import MOST_PAIRS
 
 
 class Sticking(Model):

@@ -3,8 +3,8 @@
 from typing import ClassVar
 
 from sandbox.model.base import Model
-from sandbox.model.bounds import Flow, Mass
 from sandbox.model.effects.contract import Effect
+from sandbox.model.number_bounds import Flow, Mass
 from sandbox.model.reference_fields import ActedOn
 from sandbox.model.shapes import Velocity
 

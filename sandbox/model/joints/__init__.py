@@ -10,16 +10,6 @@ from typing import Annotated, ClassVar, Literal, get_args
 from pydantic import Field
 
 from sandbox.model.base import Model
-from sandbox.model.bounds import (
-    Damping,
-    Extent,
-    LengthOverTime,
-    Load,
-    SpinOverTime,
-    SpringLaw,
-    Stiffness,
-    Width,
-)
 from sandbox.model.effects.contract import Effect
 from sandbox.model.expressions import Expression
 from sandbox.model.formulas import Curve
@@ -32,6 +22,16 @@ from sandbox.model.joints.gears import Rack as Rack
 from sandbox.model.joints.stops import AngleStop as AngleStop
 from sandbox.model.joints.stops import Stop as Stop
 from sandbox.model.json_positions import Path
+from sandbox.model.number_bounds import (
+    Damping,
+    Extent,
+    LengthOverTime,
+    Load,
+    SpinOverTime,
+    SpringLaw,
+    Stiffness,
+    Width,
+)
 from sandbox.model.reference_fields import BodyName
 from sandbox.model.shapes import Point
 

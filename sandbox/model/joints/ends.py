@@ -6,7 +6,7 @@ from typing import Annotated
 from pydantic import Discriminator, Tag
 
 from sandbox.model.base import Model
-from sandbox.model.bounds import Coordinate
+from sandbox.model.number_bounds import Coordinate
 from sandbox.model.reference_fields import BodyName
 from sandbox.model.shapes import Point
 

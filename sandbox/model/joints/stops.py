@@ -3,10 +3,10 @@
 from typing import ClassVar, Literal
 
 from sandbox.model.base import Model
-from sandbox.model.bounds import Angle, Travel
 from sandbox.model.expressions import Fraction
 from sandbox.model.joints.contract import Kind
 from sandbox.model.joints.ends import End
+from sandbox.model.number_bounds import Angle, Travel
 from sandbox.model.shapes import Point
 
 

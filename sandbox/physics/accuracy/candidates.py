@@ -8,7 +8,7 @@ from typing import NamedTuple
 from sandbox.model.level import HIGHEST_RATE, Stepping
 from sandbox.model.message import Message
 from sandbox.physics.accuracy.compared_runs import Watched
-from sandbox.physics.accuracy.event_errors import hidden
+from sandbox.physics.accuracy.event_timing_errors import hidden
 from sandbox.physics.accuracy.refinement import PARTS, SLOWEST, Refinement, furthest, in_step
 from sandbox.physics.measuring.recording import Trace
 

@@ -12,7 +12,7 @@ from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level, Stepping
 from sandbox.model.message import NOTHING, Message
 from sandbox.physics.accuracy.compared_runs import BLOCK, Stop, Watched, departure
-from sandbox.physics.accuracy.event_errors import timely
+from sandbox.physics.accuracy.event_timing_errors import timely
 from sandbox.physics.accuracy.exceptions import Cancelled
 from sandbox.physics.accuracy.refinement import Refinement
 from sandbox.physics.measuring.recording import count_steps

@@ -24,7 +24,7 @@ from sandbox.physics.accuracy.compared_runs import (
     scaled,
     stride,
 )
-from sandbox.physics.accuracy.event_errors import Onsets, onsets, velocities
+from sandbox.physics.accuracy.event_timing_errors import Onsets, onsets, velocities
 from sandbox.physics.accuracy.exceptions import AccuracyError
 from sandbox.physics.accuracy.refinement import NEARLY, foot, furthest, in_step, step_durations
 from sandbox.physics.accuracy.refinement_search import FEWEST, Progress, Refiner, cost, refine

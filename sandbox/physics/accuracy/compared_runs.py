@@ -6,9 +6,9 @@ from math import log2
 
 import numpy as np
 
-from sandbox.model.bounds import Duration
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Check, ContactEvent, Instant, Level, SeparationEvent, Stepping
+from sandbox.model.number_bounds import Duration
 from sandbox.model.quantities import quantity
 from sandbox.physics.accuracy.exceptions import Cancelled
 from sandbox.physics.engine.batch import Integers

@@ -5,8 +5,8 @@ from dataclasses import dataclass
 
 from sandbox.model.expressions import Values
 from sandbox.model.level import Instant, Level, Stepping
-from sandbox.physics.accuracy.cache import resolved
-from sandbox.physics.accuracy.compared_runs import Stop, Watched, checked, motion, never, record
+from sandbox.physics.accuracy.calibration_cache import resolved
+from sandbox.physics.accuracy.compared_runs import Watched, checked, motion, record
 from sandbox.physics.accuracy.richardson import extrapolated
 from sandbox.physics.measuring.recording import Trace
 
@@ -39,24 +39,20 @@ class Estimate:
 
 
 def estimate(
-    level: Level,
-    values: Values | None = None,
-    stepping: Stepping | None = None,
-    wanted: Sequence[Watched] | None = None,
-    stop: Stop = never,
+    level: Level, values: Values | None = None, stepping: Stepping | None = None
 ) -> tuple[Estimate | None, ...]:
     """Estimate the numerical error of a run, due to its step and its solver.
 
     It takes three runs, at the rate, twice and four times the rate: seven times the work of one.
-    The wanted quantities are by default those of the checks that apply or, without any, the
-    positions and velocities of the bodies. An estimate is None if its instant never occurs. Raises
-    `Cancelled` if `stop` returned true, and `SimulationError` if a run had to stop.
+    The quantities are those of the checks that apply or, without any, the positions and velocities
+    of the bodies. An estimate is None if its instant never occurs. Raises `SimulationError` if a
+    run had to stop.
     """
     values = level.defaults if values is None else values
     stepping = resolved(level, values, stepping or level.stepping)
-    items = checked(level, values) or tuple(motion(level)) if wanted is None else wanted
+    items = checked(level, values) or tuple(motion(level))
     finer = (stepping.model_copy(update={"rate": stepping.rate * times}) for times in (1, 2, 4))
-    traces = [record(level, values, each, items, stop) for each in finer]
+    traces = [record(level, values, each, items) for each in finer]
     return tuple(_estimate(traces, item) for item in items)
 
 

@@ -8,7 +8,7 @@ from math import ceil, floor, inf, log2
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level, Stepping
 from sandbox.physics.accuracy.compared_runs import Watched, apart, scale, size
-from sandbox.physics.accuracy.event_errors import hidden
+from sandbox.physics.accuracy.event_timing_errors import hidden
 from sandbox.physics.accuracy.richardson import ORDERS, extrapolated
 from sandbox.physics.measuring.recording import Trace
 from sandbox.physics.measuring.step_timing import brief_costs

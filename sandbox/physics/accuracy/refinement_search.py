@@ -14,7 +14,7 @@ from sandbox.model.expressions import Values
 from sandbox.model.level import HIGHEST_RATE, Level, Stepping
 from sandbox.physics.accuracy.compared_runs import SEEN, Stop, Watched, record
 from sandbox.physics.accuracy.refinement import SLOWEST, Refinement, held_against, judged
-from sandbox.physics.accuracy.step_cost import LOOK, step_work
+from sandbox.physics.accuracy.step_cost import LOOK, counted_cost
 from sandbox.physics.measuring.recording import Trace
 from sandbox.physics.state.errors import SimulationError
 
@@ -55,7 +55,7 @@ class Refiner:
     _traces: list[Trace] = field(default_factory=list)
 
     def __post_init__(self) -> None:
-        self.step = step_work(self.level, self.values, self.stepping)
+        self.step = counted_cost(self.level, self.values, self.stepping)
 
     def run(self, stop: Stop) -> None:
         """Take the next run; raise `Cancelled` if `stop` returned true."""

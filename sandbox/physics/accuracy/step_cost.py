@@ -1,4 +1,4 @@
-"""The work of a step, counted instead of timed: the same on every machine under any load.
+"""The cost of a step, counted instead of timed: the same on every machine under any load.
 
 The result of a search depends on the cost of runs. If that were timed, the same request could have
 different results.
@@ -31,8 +31,8 @@ LOOK = 40e-6
 """The time per observation of a run, about [s]."""
 
 
-def step_work(level: Level, values: Values, stepping: Stepping) -> float:
-    """Return the counted work of a step [s], from the first ones; 0 if none is possible."""
+def counted_cost(level: Level, values: Values, stepping: Stepping) -> float:
+    """Return the counted cost of a step [s], from the first ones; 0 if none is possible."""
     rate = max(stepping.rate, level.stepping.rate)  # it may not run at a lower one
     try:
         world = make_world(level, values, stepping.model_copy(update={"rate": rate}))

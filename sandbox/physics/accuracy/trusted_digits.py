@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from math import ceil, floor, isfinite, log10
 
 from sandbox.physics.accuracy.compared_runs import LITTLE, Watched, departure, size
-from sandbox.physics.accuracy.event_errors import hidden
+from sandbox.physics.accuracy.event_timing_errors import hidden
 from sandbox.physics.accuracy.richardson import extrapolated
 from sandbox.physics.measuring.recording import Trace
 

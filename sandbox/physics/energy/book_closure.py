@@ -21,7 +21,7 @@ import numpy as np
 
 from sandbox.physics.energy.ledger import Ledger
 from sandbox.physics.energy.step_record import Recorded
-from sandbox.physics.joints.exact.constraints import blur
+from sandbox.physics.joints.exact.constraint_interface import blur
 
 ROUNDING = 1e-11
 """The share of the turnover that rounding may add up to in a run;"""

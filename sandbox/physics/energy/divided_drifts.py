@@ -11,7 +11,7 @@ from sandbox.physics.engine.batch import Contacts
 from sandbox.physics.state.motion import Instant, Motion
 
 if TYPE_CHECKING:
-    from sandbox.physics.contacts.direct.drifts.drift_subdivision import Divided
+    from sandbox.physics.contacts.direct.drifts.fallback_subdivision import Divided
 
 
 class Within(NamedTuple):

@@ -16,7 +16,7 @@ from sandbox.physics.engine.batch import Booleans, Contacts
 from sandbox.physics.forces.law import Law, Turn
 from sandbox.physics.forces.spring import SpringForce
 from sandbox.physics.forces.velocity_rotation import given
-from sandbox.physics.geometry.distance import surfaces
+from sandbox.physics.geometry.outline_distance import surfaces
 from sandbox.physics.joints.joint_forces import Pulls
 from sandbox.physics.state.motion import Instant
 

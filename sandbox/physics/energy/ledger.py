@@ -27,20 +27,20 @@ from sandbox.physics.contacts.direct.kicks.kick_parts import Stage
 from sandbox.physics.contacts.impacts.contact_work import Kick
 from sandbox.physics.energy.balance import Balance
 from sandbox.physics.energy.divided_drifts import kicks_within
+from sandbox.physics.energy.energy_and_momentum import MechanicalEnergy, velocity_of
 from sandbox.physics.energy.impulse_attribution import Attribution
 from sandbox.physics.energy.ledger_entries import Entries
-from sandbox.physics.energy.mechanical_energy import MechanicalEnergy, velocity_of
 from sandbox.physics.energy.step_record import Recorded
 from sandbox.physics.engine.batch import Contacts
-from sandbox.physics.events.drift_events import Acted
 from sandbox.physics.events.impact_response import Collided
 from sandbox.physics.events.slip_phases import Stop
+from sandbox.physics.events.switching_events import Acted
 from sandbox.physics.forces.variable_mass import MassFlows
 from sandbox.physics.joints.joint_forces import pulls_of
 from sandbox.physics.state.motion import Instant, Motion
 
 if TYPE_CHECKING:
-    from sandbox.physics.contacts.direct.drifts.drift_subdivision import Divided
+    from sandbox.physics.contacts.direct.drifts.fallback_subdivision import Divided
     from sandbox.physics.forces.law import Law
 
 SEEN = 1e-12

@@ -13,10 +13,10 @@ from sandbox.physics.state.motion import Reading
 from sandbox.physics.state.snapshot import Snapshot
 
 if TYPE_CHECKING:
-    from sandbox.physics.contacts.direct.drifts.drift_subdivision import Divided
-    from sandbox.physics.events.drift_events import Acted
+    from sandbox.physics.contacts.direct.drifts.fallback_subdivision import Divided
     from sandbox.physics.events.impact_response import Collided
     from sandbox.physics.events.slip_phases import Stop
+    from sandbox.physics.events.switching_events import Acted
 
 
 class StepRecord(NamedTuple):

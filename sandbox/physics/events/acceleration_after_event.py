@@ -16,7 +16,7 @@ from sandbox.physics.contacts.coefficients.static_friction import Memory
 from sandbox.physics.contacts.impacts.post_impact_velocity import NEGLIGIBLE, rates_apart, touching
 from sandbox.physics.engine.batch import Contacts, Integers
 from sandbox.physics.events.slip_phases import Slips
-from sandbox.physics.geometry.distance import surfaces
+from sandbox.physics.geometry.outline_distance import surfaces
 from sandbox.physics.scene.scene import Scene
 
 TRIES = 16

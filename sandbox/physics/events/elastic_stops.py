@@ -16,9 +16,9 @@ from sandbox.model.acting_events import bouncing
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level
 from sandbox.physics.engine.batch import Booleans
-from sandbox.physics.events.drift_events import NEAR, Part, since
 from sandbox.physics.events.joint_breaking import borne_jolt
 from sandbox.physics.events.joint_impacts import Jolt, jolt
+from sandbox.physics.events.switching_events import NEAR, Part, since
 from sandbox.physics.joints.exact.joint_system import JointSystem, coordinates_of
 from sandbox.physics.joints.exact.shake import ExactJoints
 from sandbox.physics.scene.scene import Scene

@@ -28,7 +28,7 @@ from sandbox.physics.contacts.shapes.collision_filter import meets
 from sandbox.physics.engine.batch import Booleans, Contacts
 from sandbox.physics.events.impact_order import Tally, Turns
 from sandbox.physics.events.impact_response import Coefficients, Collided, Collision, Impact
-from sandbox.physics.geometry.distance import Outline, outlines
+from sandbox.physics.geometry.outline_distance import Outline, outlines
 from sandbox.physics.scene.scene import Scene
 from sandbox.physics.state.cancellation import cancellation_point
 from sandbox.physics.state.motion import momentum

@@ -6,8 +6,8 @@ from typing import NamedTuple
 import numpy as np
 
 from sandbox.model.expressions import Array
+from sandbox.physics.contacts.impacts.contact_kinematics import pair_jacobian
 from sandbox.physics.contacts.impacts.contact_work import rubbing
-from sandbox.physics.contacts.impacts.kinematics import pair_jacobian
 from sandbox.physics.engine.batch import Contacts, Integers
 from sandbox.physics.state.motion import momentum
 

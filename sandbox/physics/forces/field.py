@@ -5,10 +5,10 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from sandbox.model.bounds import ForceInField
 from sandbox.model.effects import field as declared
 from sandbox.model.effects.contract import Effect, Sight
 from sandbox.model.expressions import Array, Values
+from sandbox.model.number_bounds import ForceInField
 from sandbox.physics.engine.batch import Integers, in_place
 from sandbox.physics.forces.law import Given, Law
 from sandbox.physics.forces.variable_mass import Share

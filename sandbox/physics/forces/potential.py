@@ -6,11 +6,11 @@ from typing import ClassVar
 
 import numpy as np
 
-from sandbox.model.bounds import EnergyInField
 from sandbox.model.effects import potential as declared
 from sandbox.model.effects.contract import Effect
 from sandbox.model.expressions import Array, Values
 from sandbox.model.formulas import Function
+from sandbox.model.number_bounds import EnergyInField
 from sandbox.physics.forces.field import Weight
 from sandbox.physics.forces.law import Given, Law
 from sandbox.physics.state.motion import Motion

@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from sandbox.model.bounds import SpringLaw
 from sandbox.model.effects.contract import Effect
 from sandbox.model.expressions import Array, Values
 from sandbox.model.joints import ELASTIC
+from sandbox.model.number_bounds import SpringLaw
 from sandbox.physics.state.anchor import Anchor, Plane
 from sandbox.physics.state.motion import Motion
 

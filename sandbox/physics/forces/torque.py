@@ -5,10 +5,10 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from sandbox.model.bounds import TorqueOfTurning
 from sandbox.model.effects import torque as declared
 from sandbox.model.effects.contract import Effect, Sight
 from sandbox.model.expressions import Array, Values
+from sandbox.model.number_bounds import TorqueOfTurning
 from sandbox.physics.forces.law import Given, Law
 from sandbox.physics.state.motion import Motion
 

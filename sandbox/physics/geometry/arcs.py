@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from math import sqrt
 from typing import NamedTuple
 
-from sandbox.physics.geometry.distance import dot, mean
+from sandbox.physics.geometry.outline_distance import dot, mean
 from sandbox.physics.geometry.plane_curve import Side
 
 Placed = tuple[complex, complex]

@@ -17,7 +17,7 @@ from sandbox.model.shapes import Curve
 from sandbox.model.wires import along
 from sandbox.physics.geometry import arcs
 from sandbox.physics.geometry.arcs import THIN, Arc, Piece, Placed, Touch, Verdict, put
-from sandbox.physics.geometry.distance import dot, mean
+from sandbox.physics.geometry.outline_distance import dot, mean
 from sandbox.physics.geometry.plane_curve import Course, Foot, Side
 
 CENTRED = 1e-3

@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from sandbox.model.wires import Points
-from sandbox.physics.geometry.distance import dot
+from sandbox.physics.geometry.outline_distance import dot
 from sandbox.physics.geometry.quintics import Quintics
 
 KNOT = 16

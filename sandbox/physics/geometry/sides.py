@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, NamedTuple, Protocol
 import numpy as np
 
 from sandbox.physics.geometry.arcs import Arc, nearest
-from sandbox.physics.geometry.distance import dot, mean
+from sandbox.physics.geometry.outline_distance import dot, mean
 from sandbox.physics.geometry.plane_curve import Course, Foot
 
 if TYPE_CHECKING:

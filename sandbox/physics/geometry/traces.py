@@ -4,7 +4,7 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 from sandbox.physics.geometry.arcs import Piece, Placed, Touch, put
-from sandbox.physics.geometry.distance import Outline, dot, gap
+from sandbox.physics.geometry.outline_distance import Outline, dot, gap
 from sandbox.physics.geometry.plane_curve import Side
 
 

@@ -18,7 +18,7 @@ from sandbox.model.message import Message
 from sandbox.physics.contacts.shapes.pymunk_shapes import DIRECT_SKIN
 from sandbox.physics.forces.law import Law
 from sandbox.physics.forces.spring import SpringForce
-from sandbox.physics.geometry.distance import plain, width
+from sandbox.physics.geometry.outline_distance import plain, width
 from sandbox.physics.scene.scene import Scene
 from sandbox.physics.scene.stability_limits import PROBE, just_stable, limit
 from sandbox.physics.state.anchor import length

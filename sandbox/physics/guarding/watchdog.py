@@ -16,10 +16,10 @@ from sandbox.model import ledger_accounts
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level, Stepping
 from sandbox.model.message import NOTHING, Message
-from sandbox.physics.contacts.detection.pair_count import crowded, most_pairs
+from sandbox.physics.contacts.detection.pair_limit import crowded, most_pairs
 from sandbox.physics.engine.batch import Contacts, Integers
 from sandbox.physics.guarding.energy_audit import Audit
-from sandbox.physics.guarding.energy_drift import Gains
+from sandbox.physics.guarding.energy_gain import Gains
 from sandbox.physics.guarding.lost_bodies import (
     gives_some,
     is_sound,

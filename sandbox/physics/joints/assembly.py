@@ -14,7 +14,7 @@ import pymunk
 from sandbox.model.acting_events import bouncing, tied
 from sandbox.model.base import Model
 from sandbox.model.expressions import Array, Values
-from sandbox.model.joint_ends import span
+from sandbox.model.joint_ends_at_start import span
 from sandbox.model.joints import (
     AngleStop,
     End,
@@ -35,7 +35,7 @@ from sandbox.model.message import Message
 from sandbox.model.shapes import evaluate
 from sandbox.physics.engine.batch import Batch
 from sandbox.physics.joints.exact.angles import where
-from sandbox.physics.joints.exact.constraints import Coordinates, Equation
+from sandbox.physics.joints.exact.constraint_interface import Coordinates, Equation
 from sandbox.physics.joints.exact.distances import Row
 from sandbox.physics.joints.exact.equation_limit import refuse_too_many
 from sandbox.physics.joints.exact.joint_system import JointSystem

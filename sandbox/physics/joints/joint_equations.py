@@ -40,9 +40,9 @@ from sandbox.physics.joints.exact.angles import (
     weld,
     winding,
 )
-from sandbox.physics.joints.exact.constraints import Coordinates, Equation
+from sandbox.physics.joints.exact.bead_on_wire import WireEquation
+from sandbox.physics.joints.exact.constraint_interface import Coordinates, Equation
 from sandbox.physics.joints.exact.distances import Row
-from sandbox.physics.joints.exact.wire import WireEquation
 from sandbox.physics.joints.joints import Joints
 from sandbox.physics.state.anchor import Anchor
 

@@ -3,14 +3,12 @@
 import platform
 import shlex
 from collections.abc import Iterable, Iterator
-from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
 import pymunk
 
 from sandbox.model.errors import brief
-from sandbox.model.files import write_atomically
 from sandbox.model.level import Level
 from sandbox.model.loading import digest
 from sandbox.model.quantities import headed
@@ -26,22 +24,6 @@ class Change(NamedTuple):
     """such as `without drag`"""
     options: tuple[str, ...]
     """the command-line options that make the change"""
-
-
-def write_csv(
-    path: Path,
-    trace: Trace,
-    source: str,
-    names: Iterable[str] | None = None,
-    *,
-    disturbed: bool = False,
-    change: Change | None = None,
-) -> None:
-    """Write a run as a CSV file, whole or not at all; see `to_csv`.
-
-    Its folder must exist. Raises `SandboxError` if the file cannot be written.
-    """
-    write_atomically(path, to_csv(trace, source, names, disturbed=disturbed, change=change))
 
 
 def to_csv(

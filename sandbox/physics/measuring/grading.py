@@ -7,15 +7,8 @@ import numpy as np
 
 from sandbox.model.arithmetic import ExpressionError
 from sandbox.model.expressions import Array, Expression, Values
-from sandbox.model.level import (
-    ApexEvent,
-    Check,
-    ContactEvent,
-    CrossingEvent,
-    Instant,
-    LandingEvent,
-    SeparationEvent,
-)
+from sandbox.model.level import Check, ContactEvent, Instant, SeparationEvent
+from sandbox.model.measuring_instants import Passage, crossed
 from sandbox.physics.measuring.event_interpolation import crossing, value_at, value_before
 from sandbox.physics.measuring.recording import Meeting, Trace
 
@@ -165,28 +158,15 @@ def _when_parted(trace: Trace, column: Array, at: SeparationEvent) -> tuple[Arra
     return trace.t[then], column[then]
 
 
-def time_of(
-    at: Expression | CrossingEvent | ApexEvent | LandingEvent, trace: Trace
-) -> float | None:
+def time_of(at: Expression | Passage, trace: Trace) -> float | None:
     """Return the time of an instant that may lie between two steps [s]; None if not yet reached.
 
     The run must have recorded the quantities that `needed_at` names for it.
     """
-    values = trace.values
-    match at:
-        case ApexEvent(body=body):
-            return _crossing(trace, f"{body}.velocity.y", 0.0, "down")
-        case LandingEvent(body=body, height=height):
-            return _crossing(trace, f"{body}.position.y", height(values), "down")
-        case CrossingEvent(quantity=quantity, value=value, direction=direction):
-            return _crossing(trace, quantity, value(values), direction)
-        case Expression():
-            time = at(values)
-            return time if time <= trace.t[-1] * (1 + ROUNDING) else None
-
-
-def _crossing(
-    trace: Trace, quantity: str, value: float, direction: Literal["up", "down", "either"]
-) -> float | None:
-    column, impacts = trace.columns[quantity], trace.impacts
-    return crossing(trace.t, column, value, direction, smooth=trace.smooth, impacts=impacts)
+    if isinstance(at, Expression):
+        time = at(trace.values)
+        return time if time <= trace.t[-1] * (1 + ROUNDING) else None
+    quantity, value, direction = crossed(at)
+    column, level = trace.columns[quantity], value(trace.values)
+    smooth, impacts = trace.smooth, trace.impacts
+    return crossing(trace.t, column, level, direction, smooth=smooth, impacts=impacts)

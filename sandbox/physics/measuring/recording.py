@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING, NamedTuple, TypeVar
 import numpy as np
 
 from sandbox.model.expressions import Array, Values
-from sandbox.model.level import ApexEvent, CrossingEvent, Instant, LandingEvent, Level, Stepping
+from sandbox.model.level import Instant, Level, Stepping
 from sandbox.model.level_parts import measured
-from sandbox.model.measuring_instants import MOST_MEETINGS
+from sandbox.model.measuring_instants import MOST_MEETINGS, Passage, crossed
 from sandbox.model.message import Message
 from sandbox.model.quantities import TIME, base, quantity
 from sandbox.optional_packages import needed_for
@@ -296,12 +296,4 @@ def needed(level: Level) -> list[str]:
 
 def needed_at(quantity: str, at: Instant | None) -> list[str]:
     """Return a quantity and the one that locates an instant."""
-    match at:
-        case CrossingEvent(quantity=crossing):
-            return [quantity, crossing]
-        case ApexEvent(body=body):
-            return [quantity, f"{body}.velocity.y"]
-        case LandingEvent(body=body):
-            return [quantity, f"{body}.position.y"]
-        case _:
-            return [quantity]
+    return [quantity, crossed(at)[0]] if isinstance(at, Passage) else [quantity]

@@ -14,7 +14,7 @@ from sandbox.physics.contacts.coefficients.solver_coefficients import (
     stand_proud,
     take_bounces,
 )
-from sandbox.physics.contacts.detection.pair_count import (
+from sandbox.physics.contacts.detection.pair_limit import (
     MOST_HOLLOW,
     most_pairs,
     refuse_crowd,

@@ -26,7 +26,7 @@ def make_world(level: Level, values: Values, stepping: Stepping, begin: Begin = 
         with np.errstate(all="ignore"):  # non-finite values are reported by name
             return World(level, values, stepping, begin)
     except Exception as error:  # any error is explained
-        from sandbox.physics.stepping.failures import explained
+        from sandbox.physics.stepping.failure_messages import explained
 
         explanation = explained(error, list(level.bodies), 0.0, stepping.rate)
         if isinstance(explanation, SimulationError):

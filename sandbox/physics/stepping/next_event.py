@@ -12,15 +12,15 @@ import numpy as np
 
 from sandbox.model.acting_events import Crossing, Happening, loads
 from sandbox.model.expressions import Array
-from sandbox.physics.events.drift_events import NEAR, Part, crosses, within
 from sandbox.physics.events.joint_breaking import SUDDEN
+from sandbox.physics.events.switching_events import NEAR, Part, crosses, within
 from sandbox.physics.quantities.meter import Meter
 from sandbox.physics.state.motion import Instant
 from sandbox.physics.state.snapshot import Snapshot
 from sandbox.physics.stepping.stage import Setup
 
 if TYPE_CHECKING:
-    from sandbox.physics.contacts.direct.drifts.drift_subdivision import Between
+    from sandbox.physics.contacts.direct.drifts.fallback_subdivision import Between
 
 Value = Callable[[str, float], float]
 """Returns a quantity, by name, at a time after the start of a part [s]."""

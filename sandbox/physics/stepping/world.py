@@ -164,7 +164,7 @@ class World:
 
     def _stop(self, error: Exception) -> NoReturn:
         """End the world, and raise the error with its explanation."""
-        from sandbox.physics.stepping.failures import explained
+        from sandbox.physics.stepping.failure_messages import explained
 
         self._ended = explained(error, list(self.scene.bodies), self.t, self.stepping.rate)
         raise self._ended from error.__cause__ if self._ended is error else error

@@ -5,8 +5,8 @@ from typing import get_args
 import pygame
 import pytest
 
-from sandbox.app.building import fields
-from sandbox.app.building.fields import Section
+from sandbox.app.building import editable_fields
+from sandbox.app.building.editable_fields import Section
 from sandbox.model.body import Body
 from sandbox.model.effects import EFFECTS
 from sandbox.model.joints import Joint
@@ -127,13 +127,13 @@ def test_every_effect_is_switched_on_and_off(builder: Builder, effect: str) -> N
 def test_every_field_of_the_models_has_a_row() -> None:
     for model in (Body, *get_args(get_args(Joint)[0])):
         said: dict[str, object] = {}
-        rows = fields.rows(model, said, ())  # type: ignore[arg-type]
+        rows = editable_fields.rows(model, said, ())  # type: ignore[arg-type]
         shown = {row.path[0] if isinstance(row, Section) else row[0].path[0] for row in rows}
         assert shown | {"type"} == {*model.model_fields, "type"}
 
 
 def test_what_a_field_means_is_said_with_it() -> None:
-    rows = fields.rows(Body, {"shape": {"type": "disc", "radius": 1}}, ())
+    rows = editable_fields.rows(Body, {"shape": {"type": "disc", "radius": 1}}, ())
     entries = [entry for row in rows if not isinstance(row, Section) for entry in row]
 
     assert all(entry.help for entry in entries if entry.label != "type")

@@ -10,7 +10,7 @@ from sandbox.app.drawing import curve_markers, theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.observing import energy_graph
 from sandbox.app.pages.graph.chosen_quantities import Choice
-from sandbox.app.pages.race import race
+from sandbox.app.pages.race import scheme_comparison
 from tests.app.person import Person
 from tests.app.scenes import falling
 
@@ -76,7 +76,7 @@ def test_several_curves_have_signs_and_one_alone_has_none(
 
 def test_racing_runs_are_dashed_otherwise_on_the_stage(person: Person, tmp_path: object) -> None:
     person.open(tmp_path, falling())  # type: ignore[arg-type]
-    race.toggle(person.session)
+    scheme_comparison.toggle(person.session)
     lanes = [companion.variant.lane for companion in person.session.companions]
 
     assert len({curve_markers.dash(lane) for lane in lanes}) == len(lanes) >= 2

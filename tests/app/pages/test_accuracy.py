@@ -14,8 +14,8 @@ from sandbox.app.pages.accuracy.panel import AccuracyPage
 from sandbox.app.pages.accuracy.studying import Studying
 from sandbox.app.runs.session import Session
 from sandbox.app.words import formatting
-from sandbox.physics.accuracy import cache, study
-from sandbox.physics.accuracy.study import Here, Point
+from sandbox.physics.accuracy import accuracy_study, calibration_cache
+from sandbox.physics.accuracy.accuracy_study import Here, Point
 from sandbox.physics.accuracy.trusted_digits import surviving
 from sandbox.physics.run import build
 from tests.app import scenes, work
@@ -36,7 +36,7 @@ def waits(person: Person) -> bool:
 @pytest.fixture
 def player(person: Person, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Person]:
     """A person who has opened the page of the accuracy, with a ball that falls with drag."""
-    monkeypatch.setattr(study, "study", work.short_study)
+    monkeypatch.setattr(accuracy_study, "study", work.short_study)
     person.open(tmp_path, scenes.falling(effects=DRAG, ghosts={}))
     person.press(pygame.K_a, "a")
     yield person
@@ -165,9 +165,9 @@ def in_the_background(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     def calibrate(*_: object, **__: object) -> None:
         pytest.fail("the window waits")
 
-    monkeypatch.setattr(cache, "folder", lambda: tmp_path / "cache")
-    monkeypatch.setattr(cache, "_unkept", {})
-    monkeypatch.setattr(cache, "calibrate", calibrate)
+    monkeypatch.setattr(calibration_cache, "folder", lambda: tmp_path / "cache")
+    monkeypatch.setattr(calibration_cache, "_unkept", {})
+    monkeypatch.setattr(calibration_cache, "calibrate", calibrate)
 
 
 @pytest.mark.usefixtures("in_the_background")

@@ -8,7 +8,7 @@ import pytest
 from sandbox.app.files.progress import Progress
 from sandbox.app.pages.challenge.card import NONE
 from sandbox.app.pages.challenge.panel import ChallengePage
-from sandbox.app.panels.levels import LevelList
+from sandbox.app.panels.level_list import LevelList
 from sandbox.app.runs import runfile
 from sandbox.model import level_catalog
 from tests.app.person import Person

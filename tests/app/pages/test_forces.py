@@ -10,11 +10,11 @@ import pytest
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.observing import forces_on_selection
-from sandbox.app.pages.forces import card, diagram
+from sandbox.app.pages.forces import card, force_diagrams
 from sandbox.app.pages.forces.axes import Axes, components
 from sandbox.app.pages.forces.panel import ForcesPage
 from sandbox.app.runs.session import Session
-from sandbox.app.stage.labels import Labels
+from sandbox.app.stage.label_placement import Labels
 from sandbox.app.stage.overlays import accelerations, center, forces
 from sandbox.physics.measuring.free_body import FRICTION, NORMAL, Acting, FreeBody
 from tests.app import scenes
@@ -136,7 +136,7 @@ def test_words_of_the_diagram_do_not_cover_each_other(
     monkeypatch.setattr(Labels, "find", spied)
     session = stepped(level)
 
-    diagram.free_body(pen, (WIDTH, card.DIAGRAM), at(session))
+    force_diagrams.free_body(pen, (WIDTH, card.DIAGRAM), at(session))
 
     assert places
     assert not any(a.colliderect(b) for a, b in combinations(places, 2))
@@ -147,7 +147,7 @@ def test_the_polygon_ends_where_the_sum_does(pen: Pen, level: str) -> None:
     session = stepped(level)
     found = at(session)
 
-    picture = diagram.polygon(pen, (WIDTH, card.POLYGON), found)
+    picture = force_diagrams.polygon(pen, (WIDTH, card.POLYGON), found)
 
     net = hypot(*forces_on_selection.cleared(found.net, found))
     arrow = pixels(picture, theme.RESULTANT) - pixels(words(pen, net), theme.RESULTANT)
@@ -244,7 +244,7 @@ def test_forces_along_one_line_all_have_their_words(
         return place
 
     monkeypatch.setattr(Labels, "find", noted)
-    diagram.free_body(pen, (WIDTH, card.DIAGRAM), found)
+    force_diagrams.free_body(pen, (WIDTH, card.DIAGRAM), found)
 
     assert len(places) == len(forces_on_selection.felt(found))
     assert not any(a.colliderect(b) for a, b in combinations(places, 2))

@@ -5,8 +5,8 @@ from pathlib import Path
 import pytest
 
 from sandbox.app.runs import runfile
-from sandbox.app.runs.actions import Action
 from sandbox.app.runs.session import Session
+from sandbox.app.runs.user_interventions import Action
 from sandbox.model import level_catalog
 from sandbox.model.effect_variants import without
 from sandbox.model.errors import SandboxError

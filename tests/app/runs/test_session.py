@@ -7,9 +7,9 @@ import pytest
 
 from sandbox.app.pages.effects import whatif
 from sandbox.app.runs import session as session_module
-from sandbox.app.runs.beginning import begin
 from sandbox.app.runs.live_run import LiveRun
-from sandbox.app.runs.pace import SPEEDS, Pace
+from sandbox.app.runs.play_speed import SPEEDS, Pace
+from sandbox.app.runs.run_start import begin
 from sandbox.app.runs.session import Session
 from sandbox.editing.run_as_level import as_it_stands
 from sandbox.model import level_catalog

@@ -5,7 +5,7 @@ from pathlib import Path
 import pygame
 
 from sandbox.app.pages.effects import whatif
-from sandbox.app.pages.race import race
+from sandbox.app.pages.race import scheme_comparison
 from tests.app.person import Person
 from tests.app.scenes import falling
 
@@ -87,11 +87,11 @@ def test_speed_effects_and_race_are_taken_back_in_their_order(
     person.wait(1.0)
     whatif.toggle(session, "gravity")
     person.wait(1.0)
-    race.toggle(session)
+    scheme_comparison.toggle(session)
     person.wait(1.0)
 
     undo(person)
-    assert not race.racing(session)
+    assert not scheme_comparison.racing(session)
     assert session.changes
     undo(person)
     assert not session.changes
@@ -101,7 +101,7 @@ def test_speed_effects_and_race_are_taken_back_in_their_order(
     assert session.speed == 1
     for _ in range(3):
         redo(person)
-    assert race.racing(session)
+    assert scheme_comparison.racing(session)
     assert session.speed == 2
 
 

@@ -11,7 +11,7 @@ import pytest
 import sandbox
 from sandbox.app.translatable_texts import has_words
 from sandbox.app.words import language
-from sandbox.cli.texts import said_in
+from sandbox.cli.update_translations import said_in
 from sandbox.model.errors import LevelError
 from sandbox.model.loading import parse
 from sandbox.model.message import Message

@@ -10,7 +10,7 @@ from sandbox.editing.edits.swinging import peg_of, swing
 from sandbox.editing.suggested_checks import suggestions, take
 from sandbox.editing.text_patches import put, value_at
 from sandbox.model.errors import SandboxError
-from sandbox.model.joint_ends import span
+from sandbox.model.joint_ends_at_start import span
 from sandbox.model.loading import parse
 from sandbox.physics.measuring.grading import grade
 from sandbox.physics.run import simulate

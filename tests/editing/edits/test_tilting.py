@@ -17,10 +17,10 @@ from sandbox.editing.snapping import flat_turn, snap_body
 from sandbox.editing.suggested_checks import suggestions, take
 from sandbox.editing.text_patches import put, value_at
 from sandbox.model.errors import SandboxError
-from sandbox.model.joint_ends import place
+from sandbox.model.joint_ends_at_start import place
 from sandbox.model.joints import points
 from sandbox.model.loading import parse
-from sandbox.physics.geometry.distance import gap
+from sandbox.physics.geometry.outline_distance import gap
 from sandbox.physics.measuring.grading import grade
 from sandbox.physics.run import build, simulate
 from tests.editing.suggested_checks.set_ups import incline

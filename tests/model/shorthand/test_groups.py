@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from sandbox.model.errors import LevelError
-from sandbox.model.joint_ends import place
+from sandbox.model.joint_ends_at_start import place
 from sandbox.model.joints import Joint, bodies_of, ends_of
 from sandbox.model.joints.stops import AngleStop
 from sandbox.model.level import Level

@@ -12,9 +12,9 @@ from hypothesis import strategies as st
 
 from sandbox.model.errors import LevelError
 from sandbox.model.level import Level
+from sandbox.model.level_writing import formatted
 from sandbox.model.loading import digest, parse
 from sandbox.model.shorthand import write_out
-from sandbox.model.writing import formatted
 from sandbox.physics.run import build
 from tests.model.levels import Data, bare
 

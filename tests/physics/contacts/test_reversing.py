@@ -10,7 +10,7 @@ from sandbox.model.effect_variants import vary
 from sandbox.model.errors import LevelError
 from sandbox.model.level import Level
 from sandbox.physics.run import build
-from sandbox.physics.stepping.branching import branch
+from sandbox.physics.stepping.run_continuation import branch
 from tests.physics.scenes import GRAVITY, disc, fixed, level
 
 LINE = {"type": "segment", "start": [-3, 0], "end": [3, 0]}

@@ -5,9 +5,9 @@ import pytest
 
 from sandbox.physics.energy.ledger import Ledger
 from sandbox.physics.engine.batch import NO_CONTACTS
-from sandbox.physics.events.drift_events import Acted
 from sandbox.physics.events.impact_response import Collided, Impact
 from sandbox.physics.events.joint_impacts import Jolt
+from sandbox.physics.events.switching_events import Acted
 from sandbox.physics.joints.joint_forces import Pulls
 from sandbox.physics.run import build
 from sandbox.physics.stepping.world import World

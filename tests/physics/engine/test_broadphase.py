@@ -7,8 +7,8 @@ import pytest
 
 from sandbox.model.crowd_levels import crowd
 from sandbox.model.level import Level, Scheme, Stepping
+from sandbox.model.level_writing import text
 from sandbox.model.loading import parse
-from sandbox.model.writing import text
 from sandbox.physics.engine import broadphase
 from sandbox.physics.engine.broadphase import choose_broad_phase
 from sandbox.physics.run import build

@@ -7,7 +7,7 @@ import pytest
 
 from sandbox.model.errors import LevelError
 from sandbox.model.level import Level
-from sandbox.physics.stepping.branching import branch
+from sandbox.physics.stepping.run_continuation import branch
 from tests.physics.scenes import GRAVITY, G, booked, box, disc, floor, level
 
 

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from sandbox.model.errors import LevelError
 from sandbox.model.level import Level
-from sandbox.physics.stepping.branching import branch
+from sandbox.physics.stepping.run_continuation import branch
 from tests.physics.scenes import GRAVITY, G, booked, box, disc, level
 
 

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from sandbox.model.errors import LevelError
 from sandbox.model.level import Level
 from sandbox.physics.state.errors import SimulationError
-from sandbox.physics.stepping.branching import branch
+from sandbox.physics.stepping.run_continuation import branch
 from tests.physics.scenes import GRAVITY, booked, box, disc, level
 
 MEET = {"event": "crossing", "quantity": "hook.length", "value": 1.2, "direction": "down"}

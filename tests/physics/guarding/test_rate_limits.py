@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from sandbox.model.level import Level
-from sandbox.physics.geometry.distance import smallest
+from sandbox.physics.geometry.outline_distance import smallest
 from sandbox.physics.guarding.rate_limits import needs
 from sandbox.physics.run import build
 from sandbox.physics.state.errors import SimulationError

@@ -10,7 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from sandbox.model.level import Level, Stepping
-from sandbox.physics.joints.exact.constraints import Coordinates, Rows
+from sandbox.physics.joints.exact.constraint_interface import Coordinates, Rows
 from sandbox.physics.run import build
 from sandbox.physics.state.errors import SimulationError
 from sandbox.physics.stepping.world import World

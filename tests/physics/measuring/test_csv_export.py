@@ -8,9 +8,10 @@ import pymunk
 import pytest
 
 from sandbox.model.errors import SandboxError
+from sandbox.model.file_writing import write_atomically
 from sandbox.model.level import Level, Stepping
 from sandbox.model.loading import digest, parse
-from sandbox.physics.measuring.csv_export import to_csv, write_csv
+from sandbox.physics.measuring.csv_export import to_csv
 from sandbox.physics.measuring.recording import Trace
 from sandbox.physics.run import simulate
 
@@ -43,7 +44,7 @@ def comments(text: str) -> dict[str, str]:
 def test_numbers_keep_every_bit(trace: Trace, tmp_path: Path) -> None:
     path = tmp_path / "out.csv"
 
-    write_csv(path, trace, "fall")
+    write_atomically(path, to_csv(trace, "fall"))
 
     rows = [line for line in path.read_text(encoding="utf-8").splitlines() if line[0] != "#"][1:]
     read = np.array([[float(cell) for cell in row.split(",")] for row in rows])
@@ -123,7 +124,7 @@ def test_what_is_not_known_is_not_a_number(level: Level) -> None:
 
 def test_a_file_that_cannot_be_written_is_said(trace: Trace, tmp_path: Path) -> None:
     with pytest.raises(SandboxError, match="there is no folder"):
-        write_csv(tmp_path / "missing" / "out.csv", trace, "fall")
+        write_atomically(tmp_path / "missing" / "out.csv", to_csv(trace, "fall"))
 
 
 @pytest.mark.parametrize("t", [0.1, 0.25, 0.5, 3.0])

@@ -6,7 +6,14 @@ person might build, and varies masses, sizes, surfaces and joints.
 
 from collections.abc import Callable, Mapping
 
-from validation.compose.families import driven, hanging, moving, random_trees, smooth, standing
+from validation.compose.families import (
+    colliding_mechanisms,
+    driven,
+    hanging,
+    random_trees,
+    smooth,
+    standing,
+)
 from validation.compose.scene_builder import Draft
 
 Family = Callable[[Draft], None]
@@ -30,20 +37,20 @@ FAMILIES: Mapping[str, Family] = {
         hanging.braked_wheel,
         hanging.trolley,
         hanging.pressed,
-        moving.pendulum_at_a_wall,
-        moving.dumbbell,
-        moving.seesaw,
-        moving.ragdoll,
-        moving.cart_downhill,
-        moving.block_and_weight,
-        moving.chain_dropped,
-        moving.train,
-        moving.wrecking_ball,
-        moving.bolas,
-        moving.yo_yo,
-        moving.bead_and_block,
-        moving.collapse,
-        moving.fluid,
+        colliding_mechanisms.pendulum_at_a_wall,
+        colliding_mechanisms.dumbbell,
+        colliding_mechanisms.seesaw,
+        colliding_mechanisms.ragdoll,
+        colliding_mechanisms.cart_downhill,
+        colliding_mechanisms.block_and_weight,
+        colliding_mechanisms.chain_dropped,
+        colliding_mechanisms.train,
+        colliding_mechanisms.wrecking_ball,
+        colliding_mechanisms.bolas,
+        colliding_mechanisms.yo_yo,
+        colliding_mechanisms.bead_and_block,
+        colliding_mechanisms.collapse,
+        colliding_mechanisms.fluid,
         driven.motor_car,
         driven.belt,
         driven.lift,

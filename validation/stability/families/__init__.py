@@ -9,17 +9,26 @@ from validation.stability.families import (
     bounces,
     bullets,
     chains,
+    converging_motions,
     coupled_systems,
     cradles,
     dumbbells,
     exact,
-    oscillators,
     piles,
     structures,
 )
 from validation.stability.scene import Document
 
-SEARCHED = (cradles, oscillators, piles, structures, chains, bullets, coupled_systems, dumbbells)
+SEARCHED = (
+    cradles,
+    converging_motions,
+    piles,
+    structures,
+    chains,
+    bullets,
+    coupled_systems,
+    dumbbells,
+)
 """The families with frontiers."""
 
 FAMILIES = (exact, bounces, *SEARCHED)

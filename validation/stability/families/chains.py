@@ -6,7 +6,7 @@ from math import cos, sin
 import numpy as np
 from scipy.optimize import brentq
 
-from sandbox.model.joint_ends import span
+from sandbox.model.joint_ends_at_start import span
 from validation.stability.case import Frontier, HardCase
 from validation.stability.run_measures import Run, energy, separation
 from validation.stability.scene import (

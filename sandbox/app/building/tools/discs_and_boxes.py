@@ -7,7 +7,7 @@ from math import cos, dist, sin, tau
 
 import pygame
 
-from sandbox.app.building import preview
+from sandbox.app.building import shape_preview
 from sandbox.app.building.edited_level import Work
 from sandbox.app.building.pointer import Spot
 from sandbox.app.building.tools.tool import STILL, Tool
@@ -15,7 +15,7 @@ from sandbox.app.drawing.text import Pen
 from sandbox.app.words.language import later, say
 from sandbox.editing.edits import bodies
 from sandbox.editing.edits.edit_result import Made
-from sandbox.editing.foreseen import Proposed
+from sandbox.editing.foreseen_faults import Proposed
 from sandbox.editing.snapping import grid_step
 from sandbox.model.level import Level
 from sandbox.model.shapes import XY
@@ -83,9 +83,9 @@ class Stretching(Tool, ABC):
             return
         one, other = self._start.point, self._reached(self._start, self._end)
         camera = self._bench.camera
-        preview.outline(surface, camera, self.corners(one, other), closed=True)
-        preview.dots(surface, camera, [one])
-        preview.measure(surface, pen, self._end.pixel, self.measured(one, other))
+        shape_preview.outline(surface, camera, self.corners(one, other), closed=True)
+        shape_preview.dots(surface, camera, [one])
+        shape_preview.measure(surface, pen, self._end.pixel, self.measured(one, other))
 
     def _reached(self, start: Spot, end: Spot) -> XY:
         """Return the second point [m], on a finer grid if the shape is too small for this one."""
@@ -138,7 +138,7 @@ class DiscTool(Stretching):
 
     def measured(self, one: XY, other: XY) -> str:
         """Return the radius as text."""
-        return f"r {preview.metres(dist(one, other))}"
+        return f"r {shape_preview.metres(dist(one, other))}"
 
 
 class BoxTool(Stretching):
@@ -162,4 +162,4 @@ class BoxTool(Stretching):
     def measured(self, one: XY, other: XY) -> str:
         """Return the width and the height as text."""
         width, height = abs(other[0] - one[0]), abs(other[1] - one[1])
-        return f"{preview.metres(width)} × {preview.metres(height)}"
+        return f"{shape_preview.metres(width)} × {shape_preview.metres(height)}"

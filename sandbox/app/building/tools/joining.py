@@ -7,7 +7,7 @@ from typing import NamedTuple, get_args
 
 import pygame
 
-from sandbox.app.building import preview
+from sandbox.app.building import shape_preview
 from sandbox.app.building.edited_level import Work
 from sandbox.app.building.pointer import Spot
 from sandbox.app.building.tools.tool import Tool
@@ -16,7 +16,7 @@ from sandbox.app.words.language import later, say
 from sandbox.editing.edits import joints
 from sandbox.editing.edits.edit_result import Made
 from sandbox.editing.edits.joints import Pick
-from sandbox.editing.foreseen import Proposed
+from sandbox.editing.foreseen_faults import Proposed
 from sandbox.model.joints import KINDS, Joint
 
 ON = 6.0  # px, the largest distance at which a click is on a body
@@ -166,9 +166,11 @@ class JoinTool(Tool):
             return
         camera, end = self._bench.camera, self._spot.point
         points = [place.point for place in self._places]
-        preview.outline(surface, camera, [*points, end])
-        preview.dots(surface, camera, points)
-        preview.measure(surface, pen, self._spot.pixel, preview.metres(dist(points[-1], end)))
+        shape_preview.outline(surface, camera, [*points, end])
+        shape_preview.dots(surface, camera, points)
+        shape_preview.measure(
+            surface, pen, self._spot.pixel, shape_preview.metres(dist(points[-1], end))
+        )
 
 
 def kinds() -> Mapping[str, str]:

@@ -8,19 +8,19 @@ from math import degrees, dist, pi, radians
 
 import pygame
 
-from sandbox.app.building import handles, preview
+from sandbox.app.building import selection_handles, shape_preview
 from sandbox.app.building.edited_level import Work
-from sandbox.app.building.handles import Handle
 from sandbox.app.building.partial_level import Drawn
 from sandbox.app.building.pointer import Part, Snapped, Spot
+from sandbox.app.building.selection_handles import Handle
 from sandbox.app.building.tools.tool import STILL, Tool
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.words.formatting import number
 from sandbox.app.words.language import later, say
 from sandbox.editing.edits import transforms
-from sandbox.editing.edits.handles import drag_handle
-from sandbox.editing.foreseen import Proposed
+from sandbox.editing.edits.resizing import drag_handle
+from sandbox.editing.foreseen_faults import Proposed
 from sandbox.model.shapes import XY
 
 STEP = radians(5)
@@ -100,9 +100,11 @@ class SelectTool(Tool):
         self._start = self._now = spot
         self._way = NOWHERE
         if bodies := self._held:
-            self._handle = handles.at(handles.of(bodies, bench.camera), spot.pixel)
+            self._handle = selection_handles.at(
+                selection_handles.of(bodies, bench.camera), spot.pixel
+            )
             if self._handle is not None:
-                turning = self._handle.index == handles.TURN
+                turning = self._handle.index == selection_handles.TURN
                 self._doing = Doing.TURNING if turning else Doing.RESIZING
                 return
         part = bench.part_at(spot.pixel)
@@ -192,7 +194,7 @@ class SelectTool(Tool):
         held, start, now = self._held, self._start, self._now
         if self._doing is not Doing.TURNING or not (held and start and now):
             return 0.0
-        center, angle = complex(*handles.middle(held)), self._angle
+        center, angle = complex(*selection_handles.middle(held)), self._angle
         by = phase((complex(*now.free) - center) / ((complex(*start.free) - center) or 1))
         return by if now.loose else round((angle + by) / STEP) * STEP - angle
 
@@ -223,7 +225,7 @@ class SelectTool(Tool):
         """Draw the handles, or the preview of the drag."""
         start, now, body = self._start, self._now, self._single
         if self._held and self._doing in (Doing.NOTHING, Doing.CATCHING):
-            handles.draw(surface, self._held, self._bench.camera)
+            selection_handles.draw(surface, self._held, self._bench.camera)
         if start is None or now is None or dist(start.pixel, now.pixel) < STILL:
             return
         match self._doing:
@@ -250,36 +252,36 @@ class SelectTool(Tool):
             outlines = [(_frame(bodies), True)]
         for corners, closed in outlines:
             moved = [(x + dx, y + dy) for x, y in corners]
-            preview.outline(surface, self._bench.camera, moved, closed=closed)
-        message = f"Δx {preview.metres(dx)}  Δy {preview.metres(dy)}  {self._way.by}"
-        preview.measure(surface, pen, now.pixel, message.strip())
+            shape_preview.outline(surface, self._bench.camera, moved, closed=closed)
+        message = f"Δx {shape_preview.metres(dx)}  Δy {shape_preview.metres(dy)}  {self._way.by}"
+        shape_preview.measure(surface, pen, now.pixel, message.strip())
 
     def _draw_turned(self, surface: pygame.Surface, pen: Pen, now: Spot) -> None:
         held, turn = self._held, self._turn
-        center = complex(*handles.middle(held))
+        center = complex(*selection_handles.middle(held))
         for body in held[:CROWD]:
             place = center + (complex(*body.position) - center) * rect(1, turn)
             corners = body.outline.placed((place.real, place.imag), body.angle + turn)
-            preview.outline(surface, self._bench.camera, corners, closed=body.outline.closed)
+            shape_preview.outline(surface, self._bench.camera, corners, closed=body.outline.closed)
         shown = degrees((self._angle + turn + pi) % (2 * pi) - pi)
-        preview.measure(surface, pen, now.pixel, f"{number(shown, 4)}°")
+        shape_preview.measure(surface, pen, now.pixel, f"{number(shown, 4)}°")
 
     def _draw_resized(
         self, surface: pygame.Surface, pen: Pen, body: Drawn, handle: Handle, now: Spot
     ) -> None:
-        local = handles.dragged(body, handle.index, now.point)
-        corners = [handles.in_plane(body, point) for point in local]
-        preview.outline(surface, self._bench.camera, corners, closed=body.outline.closed)
+        local = selection_handles.dragged(body, handle.index, now.point)
+        corners = [selection_handles.in_plane(body, point) for point in local]
+        shape_preview.outline(surface, self._bench.camera, corners, closed=body.outline.closed)
         xs, ys = zip(*local, strict=True)
         width, height = max(xs) - min(xs), max(ys) - min(ys)
-        message = f"{preview.metres(width)} × {preview.metres(height)}"
+        message = f"{shape_preview.metres(width)} × {shape_preview.metres(height)}"
         if body.outline.radius is not None:
-            message = f"r {preview.metres(width / 2)}"
-        preview.measure(surface, pen, now.pixel, message)
+            message = f"r {shape_preview.metres(width / 2)}"
+        shape_preview.measure(surface, pen, now.pixel, message)
 
 
 def _turning(bodies: Sequence[Drawn], angle: float) -> Proposed[str]:
-    names, middle = [body.outline.name for body in bodies], handles.middle(bodies)
+    names, middle = [body.outline.name for body in bodies], selection_handles.middle(bodies)
     return Proposed(partial(transforms.turn, names=names, angle=angle, about=middle), names)
 
 

@@ -9,7 +9,7 @@ from sandbox.app.building.edited_level import Work
 from sandbox.app.building.pointer import Spot
 from sandbox.app.drawing.text import Pen
 from sandbox.editing.edits.edit_result import Made
-from sandbox.editing.foreseen import Proposed
+from sandbox.editing.foreseen_faults import Proposed
 
 STILL = 4.0  # px, the distance between press and release below which it is a click
 

@@ -6,7 +6,7 @@ from math import atan2, degrees, dist
 
 import pygame
 
-from sandbox.app.building import preview
+from sandbox.app.building import shape_preview
 from sandbox.app.building.edited_level import Work
 from sandbox.app.building.pointer import Spot
 from sandbox.app.building.tools.tool import Tool
@@ -15,7 +15,7 @@ from sandbox.app.words.formatting import number
 from sandbox.app.words.language import later, say
 from sandbox.editing.edits import bodies
 from sandbox.editing.edits.edit_result import Made
-from sandbox.editing.foreseen import Proposed
+from sandbox.editing.foreseen_faults import Proposed
 from sandbox.model.level import Level
 from sandbox.model.shapes import XY
 
@@ -94,13 +94,12 @@ class Tracing(Tool):
         if not self._points or self._spot is None:
             return
         camera, end = self._bench.camera, self._spot.point
-        preview.outline(surface, camera, [*self._points, end], closed=self.closed)
-        preview.dots(surface, camera, self._points)
+        shape_preview.outline(surface, camera, [*self._points, end], closed=self.closed)
+        shape_preview.dots(surface, camera, self._points)
         x, y = end[0] - self._points[-1][0], end[1] - self._points[-1][1]
-        message = (
-            f"{preview.metres(dist(end, self._points[-1]))}  {number(degrees(atan2(y, x)), 4)}°"
-        )
-        preview.measure(surface, pen, self._spot.pixel, message)
+        length = shape_preview.metres(dist(end, self._points[-1]))
+        message = f"{length}  {number(degrees(atan2(y, x)), 4)}°"
+        shape_preview.measure(surface, pen, self._spot.pixel, message)
 
     def edit(self, points: tuple[XY, ...]) -> Callable[[str, Level], Made]:
         """Return the edit that adds the surface to the level."""
@@ -178,4 +177,4 @@ class CurveTool(Tool):
 
     def draw(self, surface: pygame.Surface, pen: Pen) -> None:  # noqa: ARG002 (nothing to write)
         """Draw the stroke."""
-        preview.outline(surface, self._bench.camera, self._points)
+        shape_preview.outline(surface, self._bench.camera, self._points)

@@ -12,7 +12,7 @@ from sandbox.app.words import formatting, level_words
 from sandbox.app.words.language import later, say
 from sandbox.app.words.level_words import Say, title
 from sandbox.model.level import Check, Level, Stepping
-from sandbox.physics.accuracy.study import Here, Progress, Split
+from sandbox.physics.accuracy.accuracy_study import Here, Progress, Split
 from sandbox.physics.accuracy.trusted_digits import Trust
 
 PARTS = (later("model"), later("numerical"), later("remaining"))

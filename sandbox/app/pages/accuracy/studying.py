@@ -10,9 +10,9 @@ from sandbox.app.words import formatting
 from sandbox.app.words.language import say
 from sandbox.model.errors import SandboxError
 from sandbox.model.message import NOTHING, Message
-from sandbox.physics.accuracy import study
+from sandbox.physics.accuracy import accuracy_study
+from sandbox.physics.accuracy.accuracy_study import Failed, Here, Point, Progress, Split
 from sandbox.physics.accuracy.calibration import BUDGET, Setting
-from sandbox.physics.accuracy.study import Failed, Here, Point, Progress, Split
 from sandbox.physics.accuracy.trusted_digits import Trust, least_known
 
 if TYPE_CHECKING:
@@ -101,7 +101,7 @@ class Studying(Errand):
     def measure(self, session: Session) -> None:
         """Start computing the missing results."""
         self._measured = True
-        work = study.split if self.points else study.study
+        work = accuracy_study.split if self.points else accuracy_study.study
         self._start(work, session.resolved, session.values)
 
     def measure_or_cancel(self, session: Session) -> None:
@@ -111,10 +111,10 @@ class Studying(Errand):
         else:
             self.measure(session)
 
-    def seek(self, session: Session, target: float, seconds: float = study.SEARCH) -> None:
+    def seek(self, session: Session, target: float, seconds: float = accuracy_study.SEARCH) -> None:
         """Start searching the cheapest setting that reaches an accuracy, for a limited time [s]."""
         self.target = target
-        self._start(study.seek, session.resolved, session.values, target, seconds)
+        self._start(accuracy_study.seek, session.resolved, session.values, target, seconds)
 
     def _start(self, work: Work, *arguments: object) -> None:
         self.failure, self.progress = NOTHING, Progress(0.0, "starting")

@@ -7,7 +7,7 @@ import pygame
 from pygame_gui.elements import UIButton
 
 from sandbox.app.building.button_action import Act
-from sandbox.app.building.fields import Entry, Row, Section, caption_of
+from sandbox.app.building.editable_fields import Entry, Row, Section, caption_of
 from sandbox.app.drawing import theme
 from sandbox.app.pages.build.column import GAP, HEIGHT, Column
 from sandbox.app.widgets.sheet import Sheet

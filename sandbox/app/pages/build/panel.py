@@ -8,15 +8,15 @@ import pygame
 from pygame_gui import UI_BUTTON_PRESSED, UI_TEXT_ENTRY_CHANGED, UI_TEXT_ENTRY_FINISHED
 from pygame_gui.elements import UIButton
 
-from sandbox.app.building import inspection
+from sandbox.app.building import inspected_fields
 from sandbox.app.building.button_action import Act
+from sandbox.app.building.editable_fields import Row
 from sandbox.app.building.editor import Editor
-from sandbox.app.building.fields import Row
 from sandbox.app.pages.build import sections
 from sandbox.app.pages.build.column import GAP, HEIGHT, Column
 from sandbox.app.pages.build.inspector import Inspector, Line
-from sandbox.app.pages.build.palette import Palette
 from sandbox.app.pages.build.sections import Block
+from sandbox.app.pages.build.toolbar import Palette
 from sandbox.app.pages.page import Desk
 from sandbox.app.widgets.sheet import Sheet
 from sandbox.app.widgets.widget_helpers import press, scroll
@@ -77,7 +77,7 @@ class BuildPage:
         line = self.inspector.line(element)
         if line is None or line.field is None:  # from before the page was rebuilt
             return False
-        names = inspection.completions(self._editor.bench, line.entry, line.field.get_text())
+        names = inspected_fields.completions(self._editor.bench, line.entry, line.field.get_text())
         before, self._offered = self._offered, {line.entry.path: names} if names else {}
         return before != self._offered
 
@@ -95,7 +95,7 @@ class BuildPage:
 
     def _choose(self, line: Line, element: object) -> None:
         if element is line.slider:
-            inspection.parametrise(self._editor.bench, line.entry)
+            inspected_fields.parametrise(self._editor.bench, line.entry)
             return
         means = next(means for button, means in line.choices.items() if button is element)
         self._assign(line, means)
@@ -122,7 +122,7 @@ class BuildPage:
         self._editor.trying.look(self._session)
         entry, work = line.entry, self._editor.bench
         self._offered.clear()
-        why = inspection.assign(work, line.row, entry, typed)
+        why = inspected_fields.assign(work, line.row, entry, typed)
         self._refused.pop(entry.path, None)
         if why:
             self._refused[entry.path] = why
@@ -165,7 +165,10 @@ class BuildPage:
             self._refused.clear()
             self._offered.clear()
         self.palette.update()
-        rows, numbers = inspection.rows(self._editor.bench), inspection.numbers(self._editor.bench)
+        rows, numbers = (
+            inspected_fields.rows(self._editor.bench),
+            inspected_fields.numbers(self._editor.bench),
+        )
         blocks = self._blocks()
         shape = (
             selected, self._editor.saving.naming,

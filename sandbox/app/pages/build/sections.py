@@ -3,13 +3,13 @@
 from functools import partial
 from typing import NamedTuple
 
-from sandbox.app.building import fields, inspection
+from sandbox.app.building import editable_fields, inspected_fields
 from sandbox.app.building.arranging import arrangements
 from sandbox.app.building.button_action import Act
+from sandbox.app.building.context_actions import part_actions
 from sandbox.app.building.editor import Editor
 from sandbox.app.building.effect_costs import said
 from sandbox.app.building.level_actions import stated
-from sandbox.app.building.part_actions import part_actions
 from sandbox.app.building.recovery_choices import offers
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.theme import Color
@@ -86,7 +86,7 @@ def subject(editor: Editor) -> list[Block]:
     """Return the blocks about the inspected parts, with the actions on them."""
     work = editor.bench
     in_run = work is editor.trial.live
-    said = say("The run") if in_run and not work.selected else inspection.subject(work)
+    said = say("The run") if in_run and not work.selected else inspected_fields.subject(work)
     title = Block(said, heading=True)
     if not work.selected and in_run:
         return [title, Block(say(IN_RUN)), _switches(editor)]
@@ -118,7 +118,7 @@ def arranging(editor: Editor) -> list[Block]:
 
 
 def _suggested(editor: Editor) -> list[Block]:
-    acts = tuple(inspection.suggestions(editor.work))
+    acts = tuple(inspected_fields.suggestions(editor.work))
     if acts:
         return [Block(say(CHECKS), theme.NOTICE, acts)]
     return [Block(say(CHECKED if editor.work.document.get("checks") else NO_CHECKS))]
@@ -146,11 +146,11 @@ def _switches(editor: Editor) -> Block:
     acts = (
         Act(
             say(name),
-            say(fields.help_of(Effects, name) or name),
-            partial(inspection.switch, work, name),
+            say(editable_fields.help_of(Effects, name) or name),
+            partial(inspected_fields.switch, work, name),
         )
         for name in EFFECTS
     )
     message = say("Effects: those that are lit are on; click to switch one on or off.")
-    lit = frozenset(map(say, inspection.declared(work)))
+    lit = frozenset(map(say, inspected_fields.declared(work)))
     return Block(message, acts=tuple(acts), pressed=lit)

@@ -8,7 +8,7 @@ from pygame_gui import UI_BUTTON_PRESSED
 from pygame_gui.elements import UIButton
 
 from sandbox.app.cards.card import label
-from sandbox.app.observing.grading import Ration
+from sandbox.app.observing.running_checks import Ration
 from sandbox.app.pages.effects import whatif
 from sandbox.app.pages.effects.card import compared, effects_intro, unchanged
 from sandbox.app.pages.page import Desk

@@ -3,10 +3,10 @@
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from sandbox.experiments.document import made
+from sandbox.experiments.experiment_file import made
 from sandbox.experiments.plan import Plan
 from sandbox.experiments.planning import make
-from sandbox.experiments.running import measured
+from sandbox.experiments.row_runs import measured
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level

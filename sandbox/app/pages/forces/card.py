@@ -9,7 +9,7 @@ from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
 from sandbox.app.observing import forces_on_selection
-from sandbox.app.pages.forces import diagram
+from sandbox.app.pages.forces import force_diagrams
 from sandbox.app.pages.forces.axes import Axes, components
 from sandbox.app.runs.session import Session
 from sandbox.app.words.formatting import name_in_words, number
@@ -40,7 +40,7 @@ def forces(pen: Pen, width: int, session: Session, axes: Axes) -> pygame.Surface
     if len(session.level.bodies) > 1:
         card.text(say("Click on another body to see its forces."), SIZE, theme.DIM)
         card.y += 4
-    card.put(diagram.free_body(pen, (width, pen.px(DIAGRAM)), found), 0)
+    card.put(force_diagrams.free_body(pen, (width, pen.px(DIAGRAM)), found), 0)
     card.y += pen.px(DIAGRAM) + 6
     row = list(session.world.scene.bodies).index(found.body)
     vx, vy = session.world.snapshot.velocity[row].tolist()
@@ -49,7 +49,7 @@ def forces(pen: Pen, width: int, session: Session, axes: Axes) -> pygame.Surface
         if holds:
             card.text(say(text), SIZE, theme.NOTICE)
     card.y += 2
-    card.put(diagram.polygon(pen, (width, pen.px(POLYGON)), found), 0)
+    card.put(force_diagrams.polygon(pen, (width, pen.px(POLYGON)), found), 0)
     card.y += pen.px(POLYGON) + 8
     return card.drawn()
 

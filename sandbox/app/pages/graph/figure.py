@@ -12,7 +12,7 @@ from sandbox.app.words.formatting import with_unit_in_brackets
 from sandbox.app.words.language import say
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Array
-from sandbox.model.files import write_atomically
+from sandbox.model.file_writing import write_atomically
 from sandbox.model.quantities import TIME
 from sandbox.optional_packages import needed_for
 

@@ -3,7 +3,7 @@
 from typing import TYPE_CHECKING
 
 from sandbox.app.background import Errand
-from sandbox.app.observing.grading import Ration
+from sandbox.app.observing.running_checks import Ration
 from sandbox.app.pages.predict.judging import Outcome, judged
 from sandbox.app.pages.predict.neglected import Trial, Trying, trials
 from sandbox.app.pages.predict.questions import questions, unit_of

@@ -1,7 +1,7 @@
 """The page of the race between schemes."""
 
 from sandbox.app.pages.page import Page, PageCommand
-from sandbox.app.pages.race import race
+from sandbox.app.pages.race import scheme_comparison
 from sandbox.app.pages.race.card import standing
 from sandbox.app.pages.race.panel import RacePage
 
@@ -14,8 +14,11 @@ PAGE = Page(
     panel=RacePage,
     commands=(
         PageCommand(
-            "race", "S", "start the race, or end it", lambda desk: race.start_or_end(desk.session)
+            "race",
+            "S",
+            "start the race, or end it",
+            lambda desk: scheme_comparison.start_or_end(desk.session),
         ),
     ),
-    beside=race.rows,
+    beside=scheme_comparison.rows,
 )

@@ -8,8 +8,8 @@ from sandbox.app.cards.card import GAP, Card, noted
 from sandbox.app.drawing import curve_markers, lines, theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
-from sandbox.app.pages.race import race
-from sandbox.app.pages.race.race import Lane
+from sandbox.app.pages.race import scheme_comparison
+from sandbox.app.pages.race.scheme_comparison import Lane
 from sandbox.app.runs.session import Session
 from sandbox.app.words import formatting
 from sandbox.app.words.language import later, say
@@ -29,7 +29,7 @@ def race_intro(pen: Pen, width: int) -> pygame.Surface:
 
 def standing(pen: Pen, width: int, session: Session) -> pygame.Surface:
     """Draw the standings of a session's race; nothing if there is none."""
-    found = race.lanes(session) if race.racing(session) else []
+    found = scheme_comparison.lanes(session) if scheme_comparison.racing(session) else []
     return _lanes(pen, width, found, session.world.stepping.rate)
 
 

@@ -4,7 +4,7 @@ import pygame
 from pygame_gui import UI_BUTTON_PRESSED
 
 from sandbox.app.pages.page import Desk
-from sandbox.app.pages.race import race
+from sandbox.app.pages.race import scheme_comparison
 from sandbox.app.pages.race.card import race_intro, standing
 from sandbox.app.widgets.sheet import Sheet, below
 from sandbox.app.words.language import later, say
@@ -31,12 +31,12 @@ class RacePage:
         """Start or end the race."""
         if event.type != UI_BUTTON_PRESSED or event.ui_element is not self.button:
             return None
-        race.toggle(self._session)
+        scheme_comparison.toggle(self._session)
         return ""
 
     def update(self) -> None:
         """Show the standings."""
-        text = say(END if race.racing(self._session) else RACE)
+        text = say(END if scheme_comparison.racing(self._session) else RACE)
         if self.button.text != text:
             self.button.set_text(text)
         self._sheet.replace(self._table, self._drawn())

@@ -12,10 +12,10 @@ from sandbox.app.files import save_folder
 from sandbox.app.runs import runfile
 from sandbox.app.runs.session import Session
 from sandbox.model.errors import SandboxError
-from sandbox.model.files import make_folder, write_atomically
+from sandbox.model.file_writing import make_folder, write_atomically
+from sandbox.model.level_writing import text
 from sandbox.model.quantities import TIME
-from sandbox.model.writing import text
-from sandbox.physics.measuring.csv_export import write_csv
+from sandbox.physics.measuring.csv_export import to_csv
 from sandbox.physics.measuring.recording import Trace
 from sandbox.physics.quantities.meter import Meter
 
@@ -57,7 +57,9 @@ def run(session: Session) -> Path:
 def table(session: Session) -> Path:
     """Save the quantities of the checks at each step, as a CSV file."""
     path = path_for(session, ".csv")
-    write_csv(path, session.trace, session.original.title, disturbed=session.world.disturbed)
+    write_atomically(
+        path, to_csv(session.trace, session.original.title, disturbed=session.world.disturbed)
+    )
     return path
 
 
@@ -79,7 +81,7 @@ def graphed(
     columns = {name: column[seen] for name, column in columns.items() if name != TIME.name}
     built = world.level, world.values, world.stepping
     trace = Trace(*built, states.t[seen], columns, units, meetings={}, partings={})
-    write_csv(path, trace, session.original.title, disturbed=world.disturbed)
+    write_atomically(path, to_csv(trace, session.original.title, disturbed=world.disturbed))
     return path
 
 

@@ -10,13 +10,14 @@ from sandbox.app.words.language import say
 from sandbox.model.expressions import Expression, Values
 from sandbox.model.level import ApexEvent, ContactEvent, CrossingEvent, LandingEvent, Level
 from sandbox.model.level_parts import measured
+from sandbox.model.measuring_instants import Passage
 from sandbox.model.quantities import QuantityError
 from sandbox.model.traversal import expressions
 from sandbox.physics.measuring.grading import time_of
 from sandbox.physics.measuring.recording import Trace, needed_at
 from sandbox.physics.quantities.meter import Meter
 
-Moment = Expression | ContactEvent | CrossingEvent | ApexEvent | LandingEvent
+Moment = Expression | ContactEvent | Passage
 """A time [s], or the first occurrence of an event."""
 
 FEW = 12
@@ -78,7 +79,7 @@ def _instants(level: Level) -> Iterator[Moment]:
         if isinstance(one.at, ContactEvent) and one.at.nth == 1:
             first, second = sorted(one.at.bodies)
             yield one.at.model_copy(update={"bodies": (first, second)})
-        elif isinstance(one.at, ApexEvent | LandingEvent | CrossingEvent):
+        elif isinstance(one.at, Passage):
             yield one.at
     moving = [name for name, body in level.bodies.items() if body.type == "dynamic"]
     if level.effects.gravity and len(moving) <= FEW:

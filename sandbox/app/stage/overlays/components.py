@@ -2,7 +2,7 @@
 
 import pygame
 
-from sandbox.app.stage import marks
+from sandbox.app.stage import motion_marks
 from sandbox.app.stage.overlays import arrows
 from sandbox.app.stage.overlays.overlay import Overlay
 from sandbox.app.stage.view import View
@@ -14,7 +14,7 @@ def _draw(surface: pygame.Surface, view: View) -> None:
         return
     for outline in view.moving:
         position, velocity = view.state(outline)[0], view.velocity(outline)
-        marks.draw_components(surface, view.camera, view.pen, position, velocity, ahead)
+        motion_marks.draw_components(surface, view.camera, view.pen, position, velocity, ahead)
 
 
 OVERLAY = Overlay(

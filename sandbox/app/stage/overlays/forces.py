@@ -6,7 +6,7 @@ import pygame
 
 from sandbox.app.drawing import lines, theme
 from sandbox.app.observing import forces_on_selection
-from sandbox.app.stage import marks
+from sandbox.app.stage import motion_marks
 from sandbox.app.stage.given_forces import LONGEST, beside
 from sandbox.app.stage.overlays.overlay import Overlay
 from sandbox.app.stage.view import View
@@ -43,7 +43,7 @@ def _draw(surface: pygame.Surface, view: View) -> None:
     if lines.near((center := view.camera.to_screen(found.center),)):
         pygame.draw.aacircle(surface, theme.TEXT, center, RING, 2)
     moving = view.moving if view.few else ()
-    avoid = marks.boxes(view.camera, ((each, *view.state(each)) for each in moving))
+    avoid = motion_marks.boxes(view.camera, ((each, *view.state(each)) for each in moving))
     written = [
         beside(surface, view.pen, text, start, end, view.labels, color, name, avoid)
         for text, start, end, color, name in ends

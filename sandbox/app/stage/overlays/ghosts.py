@@ -2,7 +2,7 @@
 
 import pygame
 
-from sandbox.app.stage import marks
+from sandbox.app.stage import motion_marks
 from sandbox.app.stage.overlays.overlay import Overlay
 from sandbox.app.stage.view import View
 
@@ -12,11 +12,11 @@ def _draw(surface: pygame.Surface, view: View) -> None:
     if world.disturbed or t > view.duration * (1 + 1e-9):
         return
     for name, formulas in world.level.ghosts.items():
-        where = marks.place(formulas, world.values, t)
+        where = motion_marks.place(formulas, world.values, t)
         if where is not None:
             outline = view.outlines[name]
             angle = view.state(outline)[1]
-            marks.draw_ghost(surface, view.camera, outline, where, angle)
+            motion_marks.draw_ghost(surface, view.camera, outline, where, angle)
 
 
 def _draw_paths(surface: pygame.Surface, view: View) -> None:
@@ -24,7 +24,7 @@ def _draw_paths(surface: pygame.Surface, view: View) -> None:
     if world.disturbed or view.observer.place is not None:  # the paths are those on the ground
         return
     for formulas in world.level.ghosts.values():
-        marks.draw_ghost_path(surface, view.camera, formulas, world.values, view.duration)
+        motion_marks.draw_ghost_path(surface, view.camera, formulas, world.values, view.duration)
 
 
 OVERLAY = Overlay(

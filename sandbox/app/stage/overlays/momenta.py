@@ -6,7 +6,7 @@ import pygame
 
 from sandbox.app.drawing import lines, theme
 from sandbox.app.stage import momenta
-from sandbox.app.stage.marks import LONGEST
+from sandbox.app.stage.motion_marks import LONGEST
 from sandbox.app.stage.overlays.overlay import Overlay
 from sandbox.app.stage.view import View
 from sandbox.app.words.formatting import nice

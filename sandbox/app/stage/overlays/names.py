@@ -2,7 +2,7 @@
 
 import pygame
 
-from sandbox.app.stage import marks
+from sandbox.app.stage import motion_marks
 from sandbox.app.stage.overlays.overlay import Overlay
 from sandbox.app.stage.view import View
 
@@ -10,7 +10,7 @@ from sandbox.app.stage.view import View
 def _draw(surface: pygame.Surface, view: View) -> None:
     if view.few:
         named = [(outline, *view.state(outline)) for outline in view.moving]
-        marks.draw_names(surface, view.camera, view.pen, named, view.labels)
+        motion_marks.draw_names(surface, view.camera, view.pen, named, view.labels)
 
 
 OVERLAY = Overlay(name="names", key="n", text="names", draw=_draw, caption="Names")

@@ -7,10 +7,9 @@ import numpy as np
 
 from sandbox.model.acting_events import tied
 from sandbox.model.arithmetic import ExpressionError
-from sandbox.model.bounds import Extent
 from sandbox.model.errors import brief
 from sandbox.model.expressions import Values
-from sandbox.model.joint_ends import place, span
+from sandbox.model.joint_ends_at_start import place, span
 from sandbox.model.joints import (
     AngleStop,
     Gear,
@@ -32,6 +31,7 @@ from sandbox.model.joints import (
 from sandbox.model.level import Level
 from sandbox.model.level_parts import names_in
 from sandbox.model.message import Message, word
+from sandbox.model.number_bounds import Extent
 from sandbox.model.rules.conditions.condition import Condition
 from sandbox.model.shapes import evaluate
 

@@ -3,7 +3,6 @@
 from collections.abc import Iterator, Sequence
 
 from sandbox.model.body import Body
-from sandbox.model.bounds import MOST_PAIRS
 from sandbox.model.collision_filter import apart
 from sandbox.model.effects.pair import Pair
 from sandbox.model.errors import brief
@@ -12,6 +11,7 @@ from sandbox.model.json_positions import Path
 from sandbox.model.level import ContactEvent, Level, SeparationEvent, is_alone
 from sandbox.model.level_parts import Fault
 from sandbox.model.message import Message, both
+from sandbox.model.number_bounds import MOST_PAIRS
 from sandbox.model.rules.consistency.bodies import given
 from sandbox.model.rules.consistency.mentions import (
     bodies_of_flows,

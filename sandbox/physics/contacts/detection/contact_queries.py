@@ -10,7 +10,7 @@ import pymunk
 from sandbox.physics.contacts.shapes.collision_filter import meets
 from sandbox.physics.contacts.shapes.hollow_contacts import Hollows
 from sandbox.physics.engine.batch import NO_CONTACTS, Contacts
-from sandbox.physics.geometry.distance import dot
+from sandbox.physics.geometry.outline_distance import dot
 
 if TYPE_CHECKING:
     from sandbox.physics.contacts.shapes.one_way import Gates

@@ -15,7 +15,7 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.engine.batch import Booleans
-from sandbox.physics.geometry.distance import FLUSH, Gap, Outline, dot, gap
+from sandbox.physics.geometry.outline_distance import FLUSH, Gap, Outline, dot, gap
 
 TOUCH = -1e-9
 """m, the gap at which shapes touch. It is the skin of flat shapes; bodies that come to rest must be

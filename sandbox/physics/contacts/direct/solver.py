@@ -27,7 +27,7 @@ from sandbox.physics.contacts.direct.complementarity.constraint_rows import Acti
 from sandbox.physics.contacts.direct.drifts.crowds import stopped
 from sandbox.physics.contacts.direct.drifts.drift_parts import Landed, Part
 from sandbox.physics.contacts.direct.drifts.drift_record import Drifts
-from sandbox.physics.contacts.direct.drifts.drift_subdivision import through
+from sandbox.physics.contacts.direct.drifts.fallback_subdivision import through
 from sandbox.physics.contacts.direct.drifts.landing_drifts import Landings
 from sandbox.physics.contacts.direct.drifts.slip_stops import slip_ends
 from sandbox.physics.contacts.direct.kicks.closing_gaps import closed
@@ -40,7 +40,7 @@ from sandbox.physics.contacts.direct.rows.row_layout import Surfaces
 from sandbox.physics.contacts.direct.solving.warm_start import WarmStart
 from sandbox.physics.contacts.impacts.impact_outcome import ImpactOutcome
 from sandbox.physics.engine.batch import Batch, Booleans, Contacts
-from sandbox.physics.joints.exact.constraints import Coordinates, order
+from sandbox.physics.joints.exact.constraint_interface import Coordinates, order
 from sandbox.physics.joints.exact.shake import ExactJoints
 from sandbox.physics.state.errors import JointFailure, NoForces
 

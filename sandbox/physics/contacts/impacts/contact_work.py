@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.contacts.impacts.kinematics import point_velocity
+from sandbox.physics.contacts.impacts.contact_kinematics import point_velocity
 from sandbox.physics.engine.batch import Contacts
 from sandbox.physics.state.motion import Motion
 

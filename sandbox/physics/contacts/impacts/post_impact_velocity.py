@@ -9,7 +9,7 @@ the part that the ground under the body supports.
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.contacts.impacts.kinematics import point_velocity
+from sandbox.physics.contacts.impacts.contact_kinematics import point_velocity
 from sandbox.physics.engine.batch import NO_CONTACTS, Booleans, Contacts, Integers
 
 NEGLIGIBLE = 1e-3

@@ -16,8 +16,8 @@ from typing import NamedTuple
 import numpy as np
 
 from sandbox.model.expressions import Array
+from sandbox.physics.contacts.impacts.contact_kinematics import over_bodies, pair_jacobian
 from sandbox.physics.contacts.impacts.impact_outcome import ImpactOutcome
-from sandbox.physics.contacts.impacts.kinematics import over_bodies, pair_jacobian
 from sandbox.physics.contacts.impacts.post_impact_velocity import reached
 from sandbox.physics.contacts.impacts.simultaneous_impacts import ROUNDING, Pile
 from sandbox.physics.engine.batch import NO_CONTACTS, Batch, Booleans, Contacts, Integers

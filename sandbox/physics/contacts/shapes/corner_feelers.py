@@ -8,7 +8,7 @@ import pymunk
 from sandbox.model.body import Body
 from sandbox.model.expressions import Values
 from sandbox.model.shapes import Curve, Polyline, Segment
-from sandbox.physics.geometry.distance import FEELER
+from sandbox.physics.geometry.outline_distance import FEELER
 
 HOLLOW = 1 << 30
 """The category of arcs and curves, which collide with feelers."""

@@ -24,7 +24,7 @@ from sandbox.physics.contacts.shapes.corner_feelers import (
     make_feeler,
 )
 from sandbox.physics.geometry.arcs import Arc, Piece
-from sandbox.physics.geometry.distance import dot
+from sandbox.physics.geometry.outline_distance import dot
 from sandbox.physics.geometry.plane_curve import Course
 
 MET = 1e-6

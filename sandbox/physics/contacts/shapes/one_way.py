@@ -32,7 +32,7 @@ from sandbox.physics.contacts.shapes.hollow_shapes import line_of
 from sandbox.physics.engine.bodies import local_points
 from sandbox.physics.engine.pre_solve_contact import Meeting, address
 from sandbox.physics.geometry.arcs import Arc, Placed, put
-from sandbox.physics.geometry.distance import dot, plain
+from sandbox.physics.geometry.outline_distance import dot, plain
 from sandbox.physics.geometry.sides import Curved, Line, Round, Straight, side
 
 Pair = tuple[int, int]

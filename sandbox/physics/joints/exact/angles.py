@@ -9,7 +9,7 @@ from typing import TypeVar
 import numpy as np
 
 from sandbox.model.message import Message
-from sandbox.physics.joints.exact.constraints import Coordinates, Equation, Share
+from sandbox.physics.joints.exact.constraint_interface import Coordinates, Equation, Share
 from sandbox.physics.joints.exact.distances import Row
 from sandbox.physics.state.anchor import Anchor
 from sandbox.physics.state.errors import JointFailure

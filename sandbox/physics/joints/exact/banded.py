@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sandbox.model.expressions import Array
-from sandbox.physics.joints.exact.constraints import MAX_ITERATIONS, QUADRATIC, Coordinates
+from sandbox.physics.joints.exact.constraint_interface import MAX_ITERATIONS, QUADRATIC, Coordinates
 from sandbox.physics.joints.exact.distances import Reaches
 
 FEWEST = 48

@@ -10,7 +10,7 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.engine.batch import Booleans
-from sandbox.physics.joints.exact.constraints import (
+from sandbox.physics.joints.exact.constraint_interface import (
     GROWS,
     MAX_ITERATIONS,
     QUADRATIC,

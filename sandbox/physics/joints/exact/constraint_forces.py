@@ -9,7 +9,7 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.engine.batch import Batch, Booleans
-from sandbox.physics.joints.exact.constraints import Equation
+from sandbox.physics.joints.exact.constraint_interface import Equation
 from sandbox.physics.joints.exact.distances import Row
 from sandbox.physics.joints.exact.joint_system import JointSystem
 

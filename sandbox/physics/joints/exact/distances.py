@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sandbox.model.expressions import Array
-from sandbox.physics.joints.exact.constraints import Coordinates, Rows
+from sandbox.physics.joints.exact.constraint_interface import Coordinates, Rows
 from sandbox.physics.state.anchor import Anchor, Plane
 
 TINY = 1e-300

@@ -11,7 +11,7 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.model.message import Message
-from sandbox.physics.joints.exact.constraints import Condition
+from sandbox.physics.joints.exact.constraint_interface import Condition
 from sandbox.physics.joints.exact.separate_joints import are_apart
 from sandbox.physics.state.errors import JointFailure
 

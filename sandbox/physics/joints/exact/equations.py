@@ -12,7 +12,7 @@ from sandbox.model.expressions import Array
 from sandbox.model.message import Message
 from sandbox.physics.engine.batch import Booleans
 from sandbox.physics.joints.exact.angles import Turn
-from sandbox.physics.joints.exact.constraints import (
+from sandbox.physics.joints.exact.constraint_interface import (
     Condition,
     Coordinates,
     Equation,

@@ -8,7 +8,7 @@ import numpy as np
 from sandbox.model.expressions import Array
 from sandbox.model.message import Message
 from sandbox.physics.engine.batch import Integers
-from sandbox.physics.joints.exact.constraints import Coordinates, Rows
+from sandbox.physics.joints.exact.constraint_interface import Coordinates, Rows
 from sandbox.physics.joints.exact.distances import Row
 from sandbox.physics.joints.exact.equations import Equations
 from sandbox.physics.joints.exact.joint_system import JointSystem

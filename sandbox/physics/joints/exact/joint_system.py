@@ -8,7 +8,7 @@ import numpy as np
 from sandbox.model.expressions import Array
 from sandbox.physics.engine.batch import Batch, Booleans
 from sandbox.physics.joints.exact.banded import FEWEST, Banded
-from sandbox.physics.joints.exact.constraints import (
+from sandbox.physics.joints.exact.constraint_interface import (
     Coordinates,
     Equation,
     Rows,

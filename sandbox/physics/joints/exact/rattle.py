@@ -2,7 +2,7 @@
 
 from sandbox.model.expressions import Array
 from sandbox.physics.joints.exact.banded import Banded
-from sandbox.physics.joints.exact.constraints import Coordinates
+from sandbox.physics.joints.exact.constraint_interface import Coordinates
 from sandbox.physics.joints.exact.joint_system import JointSystem, coordinates_of
 from sandbox.physics.joints.exact.solvability import solved
 

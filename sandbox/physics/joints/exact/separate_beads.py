@@ -8,8 +8,8 @@ where d is the signed distance from the wire.
 """
 
 from sandbox.physics.engine.batch import Batch
-from sandbox.physics.joints.exact.constraints import GROWS, MAX_ITERATIONS, QUADRATIC
-from sandbox.physics.joints.exact.wire import WireEquation
+from sandbox.physics.joints.exact.bead_on_wire import WireEquation
+from sandbox.physics.joints.exact.constraint_interface import GROWS, MAX_ITERATIONS, QUADRATIC
 
 
 class Bead:

@@ -5,11 +5,11 @@ from typing import Protocol
 
 from sandbox.model.expressions import Array
 from sandbox.physics.engine.batch import Batch
-from sandbox.physics.joints.exact.constraints import Condition
+from sandbox.physics.joints.exact.bead_on_wire import WireEquation
+from sandbox.physics.joints.exact.constraint_interface import Condition
 from sandbox.physics.joints.exact.distances import Row
 from sandbox.physics.joints.exact.separate_beads import Bead
 from sandbox.physics.joints.exact.separate_rods import Rod
-from sandbox.physics.joints.exact.wire import WireEquation
 
 
 class Alone(Protocol):

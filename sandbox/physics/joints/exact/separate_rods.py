@@ -9,7 +9,7 @@ from math import hypot
 
 from sandbox.model.expressions import Array
 from sandbox.physics.engine.batch import Batch
-from sandbox.physics.joints.exact.constraints import MAX_ITERATIONS, QUADRATIC
+from sandbox.physics.joints.exact.constraint_interface import MAX_ITERATIONS, QUADRATIC
 from sandbox.physics.joints.exact.distances import Row
 
 

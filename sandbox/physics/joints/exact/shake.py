@@ -19,7 +19,7 @@ from sandbox.model.expressions import Array
 from sandbox.physics.engine.batch import Booleans
 from sandbox.physics.joints.exact.banded import Banded
 from sandbox.physics.joints.exact.constraint_forces import ConstraintForces
-from sandbox.physics.joints.exact.constraints import (
+from sandbox.physics.joints.exact.constraint_interface import (
     GROWS,
     MAX_ITERATIONS,
     QUADRATIC,

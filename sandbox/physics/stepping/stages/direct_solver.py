@@ -3,7 +3,7 @@
 from sandbox.physics.energy.step_record import StepRecord
 from sandbox.physics.state.kick import Kick
 from sandbox.physics.stepping.stage import Setup, Stage
-from sandbox.physics.stepping.stages.solved_joints import bearing
+from sandbox.physics.stepping.stages.non_pymunk_joints import bearing
 
 
 def make(setup: Setup) -> Stage:

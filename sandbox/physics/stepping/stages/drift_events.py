@@ -1,7 +1,7 @@
 """The stage of acting events: each takes effect at its own time within a drift.
 
-See `events/drift_events.py`. At the event the bodies are held in place and kicked for half of the
-remaining drift, with the forces that act from there on, so that exact joints hold at its end.
+See `events/switching_events.py`. At the event the bodies are held in place and kicked for half of
+the remaining drift, with the forces that act from there on, so that exact joints hold at its end.
 pymunk is then given the positions and velocities of a straight drift with the same end. Euler's
 schemes have no velocities at the steps, and errors of a step in time anyway: there, events act at
 the step that finds them.
@@ -26,10 +26,10 @@ from sandbox.model.expressions import Array
 from sandbox.physics.energy.step_record import StepRecord
 from sandbox.physics.energy.taut_ropes import reached
 from sandbox.physics.engine.batch import Booleans
-from sandbox.physics.events.drift_events import Part, acted, acted_at_a_step, stored
 from sandbox.physics.events.elastic_stops import Bounces
 from sandbox.physics.events.joint_breaking import borne_jolt
 from sandbox.physics.events.joint_impacts import Jolt, jolt
+from sandbox.physics.events.switching_events import Part, acted, acted_at_a_step, stored
 from sandbox.physics.joints.joint_changes import catch, let_go
 from sandbox.physics.joints.joint_forces import Pulls, pulls_of
 from sandbox.physics.state.motion import Instant
@@ -37,7 +37,7 @@ from sandbox.physics.stepping.next_event import Waiting
 from sandbox.physics.stepping.stage import Setup, Stage
 
 if TYPE_CHECKING:
-    from sandbox.physics.contacts.direct.drifts.drift_subdivision import Divided
+    from sandbox.physics.contacts.direct.drifts.fallback_subdivision import Divided
 
 Act = Callable[[float], None]
 """Performs an event at a time [s]."""

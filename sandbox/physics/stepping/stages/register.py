@@ -42,7 +42,7 @@ STAGES: Mapping[str, tuple[Callable[[Setup], bool], Callable[[Setup], Stage]]] =
     "events that act": (lambda s: s.level.happens, _by("drift_events")),
     "force laws": (lambda s: s.forces.acts, _by("force_laws")),
     "motions of kinematic bodies": (_has_motions, _by("kinematic_bodies")),
-    "joints": (lambda s: bool(s.level.joints or s.scene.joints.together), _by("solved_joints")),
+    "joints": (lambda s: bool(s.level.joints or s.scene.joints.together), _by("non_pymunk_joints")),
     "located impacts, and located ends of slipping": (_has_cuts, _by("located_events")),
     "sequential impacts": (lambda s: s.scene.sequence is not None, _by("sequential_impacts")),
     "contacts solved directly": (lambda s: s.scene.direct is not None, _by("direct_solver")),

@@ -12,14 +12,14 @@ from sandbox.physics.contacts.detection.time_of_impact import TOUCH, Hit, Path
 from sandbox.physics.contacts.direct.drifts.drift_parts import Part
 from sandbox.physics.contacts.direct.drifts.level_surfaces import carries_on
 from sandbox.physics.contacts.direct.prediction.convex_parts import Pair
-from sandbox.physics.contacts.direct.prediction.passing_contacts import Passing
+from sandbox.physics.contacts.direct.prediction.side_end_crossings import Passing
 from sandbox.physics.contacts.direct.prediction.speculative_contacts import (
     AnyCorner,
     SpeculativeContacts,
 )
 from sandbox.physics.engine.batch import Contacts
 from sandbox.physics.geometry.roots import root
-from sandbox.physics.joints.exact.constraints import Coordinates, order
+from sandbox.physics.joints.exact.constraint_interface import Coordinates, order
 
 SOON = 1e-6
 """The share of a drift at its start for which no kick is solved, and at its end in which no landing

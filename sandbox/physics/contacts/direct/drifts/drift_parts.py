@@ -9,12 +9,12 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.complementarity.constraint_rows import Active
-from sandbox.physics.contacts.direct.drifts.drift_subdivision import Between, Divided
+from sandbox.physics.contacts.direct.drifts.fallback_subdivision import Between, Divided
 from sandbox.physics.contacts.direct.kicks.kick_parts import Stage, Taken
 from sandbox.physics.contacts.direct.prediction.convex_parts import Pair
 from sandbox.physics.contacts.direct.rows.kick_system import Kick
 from sandbox.physics.engine.batch import Booleans, Integers
-from sandbox.physics.joints.exact.constraints import (
+from sandbox.physics.joints.exact.constraint_interface import (
     GROWS,
     Coordinates,
     inertia_of,

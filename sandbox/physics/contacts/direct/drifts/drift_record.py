@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.detection.contact_queries import pairs_of
-from sandbox.physics.contacts.direct.drifts.drift_subdivision import Divided
+from sandbox.physics.contacts.direct.drifts.fallback_subdivision import Divided
 from sandbox.physics.contacts.direct.drifts.landing_record import LandingRecord, Struck
 from sandbox.physics.engine.batch import NO_CONTACTS, Contacts
 

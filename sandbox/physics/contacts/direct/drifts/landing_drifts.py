@@ -46,7 +46,7 @@ from sandbox.physics.contacts.direct.rows.kick_system import Kick
 from sandbox.physics.contacts.direct.solving.constraint_impulses import hold
 from sandbox.physics.contacts.direct.solving.warm_start import recalled
 from sandbox.physics.engine.batch import NO_CONTACTS, Booleans
-from sandbox.physics.joints.exact.constraints import order
+from sandbox.physics.joints.exact.constraint_interface import order
 from sandbox.physics.state.errors import JointFailure, NoForces
 
 SHORT = 0.1

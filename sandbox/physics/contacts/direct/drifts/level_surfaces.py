@@ -14,7 +14,7 @@ from sandbox.model.expressions import Array
 from sandbox.physics.contacts.detection.time_of_impact import Hit, Motion, Path
 from sandbox.physics.contacts.direct.drifts.drift_parts import Part
 from sandbox.physics.contacts.direct.prediction.separation import spread
-from sandbox.physics.geometry.distance import Outline, dot, gap
+from sandbox.physics.geometry.outline_distance import Outline, dot, gap
 
 LEVEL = 1e-6
 """m, the highest step between surfaces that carry each other on, as of rounded decimals."""

@@ -11,7 +11,7 @@ import numpy as np
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.detection.contact_queries import Query, pairs_of
 from sandbox.physics.engine.batch import Booleans, Contacts, Integers
-from sandbox.physics.joints.exact.constraints import QUADRATIC
+from sandbox.physics.joints.exact.constraint_interface import QUADRATIC
 
 FURTHER = 1.5
 """The largest overlap of a new contact, as a multiple of the motion of its bodies in a step."""

@@ -10,7 +10,7 @@ from sandbox.physics.contacts.direct.solving.newton import solve_rows
 from sandbox.physics.contacts.impacts.impact_outcome import ImpactOutcome
 from sandbox.physics.contacts.impacts.simultaneous_impacts import Pile
 from sandbox.physics.engine.batch import Booleans, Integers
-from sandbox.physics.joints.exact.constraints import QUADRATIC, angles, order, planes
+from sandbox.physics.joints.exact.constraint_interface import QUADRATIC, angles, order, planes
 from sandbox.physics.joints.exact.shake import TAUT
 from sandbox.physics.state.errors import JointFailure, NoForces
 

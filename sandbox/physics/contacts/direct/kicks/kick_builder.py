@@ -7,14 +7,14 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.detection.contact_queries import Query
-from sandbox.physics.contacts.direct.kicks.corner_pairs import CornerPairs
+from sandbox.physics.contacts.direct.kicks.corner_normals import CornerPairs
 from sandbox.physics.contacts.direct.kicks.false_contacts import FalseContacts
 from sandbox.physics.contacts.direct.rows.kick_system import Kick
 from sandbox.physics.contacts.direct.rows.row_layout import Layouts, Surfaces
 from sandbox.physics.contacts.direct.solving.overlap_correction import OverlapCorrection
 from sandbox.physics.contacts.direct.solving.warm_start import WarmStart
 from sandbox.physics.engine.batch import NO_CONTACTS, Batch, Booleans, Contacts
-from sandbox.physics.joints.exact.constraints import Coordinates, order
+from sandbox.physics.joints.exact.constraint_interface import Coordinates, order
 from sandbox.physics.joints.exact.shake import ExactJoints
 
 

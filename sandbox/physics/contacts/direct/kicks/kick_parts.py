@@ -9,7 +9,7 @@ from sandbox.physics.contacts.direct.complementarity.constraint_rows import Acti
 from sandbox.physics.contacts.direct.rows.kick_system import Kick
 from sandbox.physics.contacts.impacts.impact_outcome import ImpactOutcome
 from sandbox.physics.engine.batch import Booleans, Contacts
-from sandbox.physics.joints.exact.constraints import Coordinates
+from sandbox.physics.joints.exact.constraint_interface import Coordinates
 
 
 class Stage(NamedTuple):

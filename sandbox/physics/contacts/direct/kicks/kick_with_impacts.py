@@ -10,7 +10,7 @@ from sandbox.physics.contacts.direct.kicks.kick_parts import Stage, Taken
 from sandbox.physics.contacts.direct.rows.kick_system import Kick
 from sandbox.physics.contacts.direct.solving.constraint_impulses import hold
 from sandbox.physics.contacts.direct.solving.warm_start import WarmStart
-from sandbox.physics.joints.exact.constraints import order
+from sandbox.physics.joints.exact.constraint_interface import order
 
 
 class Beginning(NamedTuple):

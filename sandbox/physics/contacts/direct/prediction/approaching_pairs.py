@@ -33,8 +33,8 @@ from sandbox.physics.contacts.direct.rows.outlines import PARALLEL
 from sandbox.physics.contacts.direct.rows.row_layout import Surfaces
 from sandbox.physics.contacts.shapes.collision_filter import meets
 from sandbox.physics.engine.batch import Booleans, Contacts, Integers
-from sandbox.physics.geometry.distance import Outline, outlines
-from sandbox.physics.joints.exact.constraints import Coordinates, planes
+from sandbox.physics.geometry.outline_distance import Outline, outlines
+from sandbox.physics.joints.exact.constraint_interface import Coordinates, planes
 
 MOST = 6
 """The largest relative motion of two bodies, as a multiple of the largest coordinate change."""

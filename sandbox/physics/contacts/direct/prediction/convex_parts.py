@@ -12,8 +12,8 @@ import numpy as np
 import pymunk
 
 from sandbox.model.expressions import Array
-from sandbox.physics.geometry import distance
-from sandbox.physics.joints.exact.constraints import Coordinates
+from sandbox.physics.geometry import outline_distance
+from sandbox.physics.joints.exact.constraint_interface import Coordinates
 
 if TYPE_CHECKING:
     from sandbox.physics.engine.batch import Booleans
@@ -120,7 +120,7 @@ class Part(NamedTuple):
     def touches(self, other: "Part") -> bool:
         """Return whether two parts touch or overlap."""
         proud = self.rounding + other.rounding
-        return distance.gap(self.corners, other.corners, proud).distance <= TOUCHING
+        return outline_distance.gap(self.corners, other.corners, proud).distance <= TOUCHING
 
 
 def parts_of(shapes: Sequence[pymunk.Shape]) -> list[Part]:
@@ -128,7 +128,7 @@ def parts_of(shapes: Sequence[pymunk.Shape]) -> list[Part]:
 
     A body with a shape of another kind has none.
     """
-    own = distance.plain(shapes)
+    own = outline_distance.plain(shapes)
     if not all(isinstance(s, pymunk.Circle | pymunk.Poly | pymunk.Segment) for s in own):
         return []
     parts = map(Part.of, own)

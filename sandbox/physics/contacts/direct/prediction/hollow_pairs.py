@@ -20,10 +20,10 @@ from sandbox.physics.contacts.direct.prediction.corner_contacts import LEAST
 from sandbox.physics.contacts.shapes.hollow_contacts import Hollows
 from sandbox.physics.geometry.arcs import Piece, Placed, Touch, put
 from sandbox.physics.geometry.curves import verdict
-from sandbox.physics.geometry.distance import FEELER, Outline, dot, outline_of
+from sandbox.physics.geometry.outline_distance import FEELER, Outline, dot, outline_of
 from sandbox.physics.geometry.roots import root
 from sandbox.physics.geometry.traces import Spot, Trace, trace, trace_convex
-from sandbox.physics.joints.exact.constraints import Coordinates
+from sandbox.physics.joints.exact.constraint_interface import Coordinates
 from sandbox.physics.state.anchor import Plane
 
 if TYPE_CHECKING:

@@ -12,7 +12,7 @@ import numpy as np
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.detection.time_of_impact import Path
 from sandbox.physics.contacts.direct.prediction.convex_parts import Pair, Part, Shapes
-from sandbox.physics.joints.exact.constraints import Coordinates
+from sandbox.physics.joints.exact.constraint_interface import Coordinates
 
 CLEAR = 1e-7
 """m, the least distance of bodies that certainly are apart: contacts overlap by less."""

@@ -37,7 +37,7 @@ from sandbox.physics.contacts.direct.rows.kick_system import Kick
 from sandbox.physics.contacts.direct.rows.row_layout import Surfaces
 from sandbox.physics.contacts.direct.rows.surfaces import SLOP
 from sandbox.physics.engine.batch import NO_CONTACTS, Booleans, Contacts
-from sandbox.physics.joints.exact.constraints import Coordinates, angles, order, planes
+from sandbox.physics.joints.exact.constraint_interface import Coordinates, angles, order, planes
 
 LOOKS = 30
 """The most times that a drift is followed to its end: in a rocking stack each time finds one more

@@ -18,15 +18,15 @@ import numpy as np
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.complementarity.linear_systems import most
 from sandbox.physics.contacts.direct.prediction.convex_parts import Shapes
-from sandbox.physics.contacts.direct.prediction.passing_contacts import Line, Lying, Passing
+from sandbox.physics.contacts.direct.prediction.side_end_crossings import Line, Lying, Passing
 from sandbox.physics.contacts.direct.prediction.side_tables import NEAR, Sides
 from sandbox.physics.contacts.direct.rows.kick_system import Kick
 from sandbox.physics.contacts.direct.rows.outlines import SHARP
 from sandbox.physics.contacts.direct.rows.row_layout import Surfaces
 from sandbox.physics.contacts.shapes.hollow_contacts import Hollows
 from sandbox.physics.engine.batch import Booleans, Contacts
-from sandbox.physics.geometry.distance import dot
-from sandbox.physics.joints.exact.constraints import Coordinates, angles, planes
+from sandbox.physics.geometry.outline_distance import dot
+from sandbox.physics.joints.exact.constraint_interface import Coordinates, angles, planes
 from sandbox.physics.state.anchor import Plane
 
 if TYPE_CHECKING:

@@ -18,7 +18,7 @@ from typing import NamedTuple
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.rows.outlines import Figures
 from sandbox.physics.engine.batch import Booleans, Integers
-from sandbox.physics.geometry.distance import dot
+from sandbox.physics.geometry.outline_distance import dot
 from sandbox.physics.geometry.plane_curve import Course, Foot
 from sandbox.physics.state.anchor import Plane
 

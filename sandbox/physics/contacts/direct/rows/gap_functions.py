@@ -33,7 +33,7 @@ from sandbox.physics.contacts.direct.rows.curve_contacts import (
 from sandbox.physics.contacts.direct.rows.outlines import SHARP, Outlines
 from sandbox.physics.contacts.direct.rows.touching import FROM_TO, Touching
 from sandbox.physics.engine.batch import Booleans, Contacts, Integers
-from sandbox.physics.joints.exact.constraints import Coordinates
+from sandbox.physics.joints.exact.constraint_interface import Coordinates
 from sandbox.physics.state.anchor import Plane
 
 OUT = -FROM_TO

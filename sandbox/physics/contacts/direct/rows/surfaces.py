@@ -19,7 +19,7 @@ from sandbox.physics.contacts.shapes.pymunk_shapes import DIRECT_SKIN, INSET
 from sandbox.physics.engine.batch import Booleans
 from sandbox.physics.engine.bodies import center_of, local_points
 from sandbox.physics.geometry.curves import course_of
-from sandbox.physics.geometry.distance import surfaces
+from sandbox.physics.geometry.outline_distance import surfaces
 from sandbox.physics.state.anchor import Plane
 
 SLOP = 1e-7

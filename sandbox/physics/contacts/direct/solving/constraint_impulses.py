@@ -11,7 +11,7 @@ from sandbox.physics.contacts.direct.rows.kick_system import Kick
 from sandbox.physics.contacts.direct.rows.row_layout import Layout
 from sandbox.physics.contacts.direct.solving.newton import newton
 from sandbox.physics.contacts.direct.solving.redundant_contacts import check_held, without_held
-from sandbox.physics.joints.exact.constraints import GROWS
+from sandbox.physics.joints.exact.constraint_interface import GROWS
 from sandbox.physics.state.errors import JointFailure, NoForces
 
 GIVES = 1e-3

@@ -6,7 +6,7 @@ import numpy as np
 import pymunk
 
 from sandbox.model.expressions import Array
-from sandbox.physics.joints.exact.constraints import PLACES
+from sandbox.physics.joints.exact.constraint_interface import PLACES
 
 FOOT = 16
 """How much worse than a place the foot of a body on a curve is known: it is found from several.

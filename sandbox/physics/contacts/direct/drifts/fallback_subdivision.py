@@ -1,0 +1,190 @@
+"""Subdivision of a drift whose contacts and joints have no solution as a whole.
+
+A heavy wheel on a chain of light planks whips them straight. No impulses then keep their lengths
+until the end of the drift: the equations of the step have no solution. For a shorter drift they
+have one. So this drift is divided into equal parts, as few as suffice, with a kick between any two.
+In these kicks the forces are those of the last one, and the contacts and joints stay the same.
+pymunk receives the mean velocities of the whole drift.
+"""
+
+from collections.abc import Callable
+from itertools import pairwise
+from typing import NamedTuple
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+from sandbox.physics.contacts.direct.kicks.kick_parts import Stage, Taken
+from sandbox.physics.contacts.direct.rows.kick_system import Kick
+from sandbox.physics.contacts.direct.solving.constraint_impulses import hold
+from sandbox.physics.engine.batch import Booleans, Integers
+from sandbox.physics.joints.exact.constraint_interface import Coordinates
+from sandbox.physics.state.errors import JointFailure, NoForces
+
+PARTS = (2, 4, 8, 16, 32)
+"""The numbers of parts that are tried in turn. Only with the last one may velocities be constrained
+where positions cannot be."""
+
+
+class Between(NamedTuple):
+    """A kick between two parts of a drift; n bodies, m equations of joints.
+
+    `place`, (n, 3), are the positions there [m, rad], `jacobian`, (m, n, 3), is that of the joints'
+    equations there, and `stage` is the kick.
+    """
+
+    place: Array
+    jacobian: Array
+    stage: Stage
+
+
+class Divided(NamedTuple):
+    """A drift in parts, for the rest of the step; n bodies.
+
+    Attributes
+    ----------
+    left
+        (n, 3), the velocities after a whole kick before it [m/s, rad/s].
+    begun
+        (n, 3), the velocities before a whole kick after it [m/s, rad/s].
+    reached
+        (n,), which bodies move in parts; the others go straight on through all of it.
+    before
+        The stages of the kick before it, which ends in the middle of the first part of the drift.
+    between
+        The kicks in it, and at its end the excess of the whole kick after it, taken back.
+    first
+        The first share of it, in the middle of which the books are read.
+    end
+        (n, 3), the positions at its end [m, rad].
+    lifted
+        The excess of the energy in the middle of it that only another acceleration explains [J].
+    """
+
+    left: Array
+    begun: Array
+    reached: Booleans
+    before: tuple[Stage, ...]
+    between: tuple[Between, ...]
+    first: float
+    end: Array
+    lifted: float = 0.0
+
+
+class Inner(NamedTuple):
+    """A solved kick between two parts of a drift; r rows, N bodies with the plane.
+
+    `kick` is its system, and `lasts` its length [s]. `impulse`, (r,), are its impulses, and
+    `moved`, (3 N,), the velocities after it [m/s, rad/s].
+    """
+
+    kick: Kick
+    lasts: float
+    impulse: Array
+    moved: Array
+
+    def seen(self, start: Array, origin: Array, order: Integers) -> Between:
+        """Return it for the rest of the step.
+
+        `start`, (n, 3), and `origin`, (3 N,), are the positions at the start of the drift, by
+        bodies and as coordinates [m, rad]; `order`, (n, 3), has the indices of the coordinates of
+        each body.
+        """
+        kick = self.kick
+        place = start + (kick.place.values - origin)[order]
+        jacobian = -kick.here.jacobian[kick.layout.joints][:, order]
+        stage = Stage.of(kick, self.lasts, self.moved[order], self.impulse)
+        return Between(place, jacobian, stage)
+
+
+class Through(NamedTuple):
+    """A solved drift in parts; r rows, N bodies with the plane.
+
+    `first` is the kick before it, shorter than a whole one by the time `missing` [s]; `inner` are
+    the kicks in it. The acceleration, (3 N,), is that by gravity and force laws in all of
+    them [m/s², rad/s²]; `way`, (3 N,), is the displacement [m, rad].
+    """
+
+    first: Taken
+    inner: tuple[Inner, ...]
+    acceleration: Array
+    missing: float
+    way: Array
+
+    @property
+    def whole(self) -> Array:
+        """(r,), the impulses of a whole kick before it."""
+        return self.first.total + self.missing * self.first.forces
+
+    def seen(self, start: Array, order: Integers) -> Divided:
+        """Return it for the rest of the step, from positions (n, 3) [m, rad]; see `Inner.seen`."""
+        first, lost = self.first, self.missing
+        kick, moved = first.kick, first.moved
+        forces = first.forces.dot(kick.response)
+        length = kick.joints.kick - lost
+        begun = (self.inner[-1].moved - lost * self.acceleration)[order]
+        between = [one.seen(start, kick.place.values, order) for one in self.inner]
+        end, last = start + self.way[order], between[-1]
+        nothing = Stage.of(self.inner[-1].kick, -lost, begun, 0.0 * self.inner[-1].impulse)
+        back = Between(end, last.jacobian, nothing)
+        return Divided(
+            (moved + lost * (self.acceleration + forces))[order],
+            begun,
+            np.ones(len(start), dtype=bool),
+            first.stages or (Stage.of(kick, length, moved[order], first.total),),
+            (*between, back),
+            1 / (len(between) + 1),
+            end,
+        )
+
+
+def through(kick: Kick, acceleration: Array, until: float, take: Callable[..., Taken]) -> Through:
+    """Return the drift after a kick of a step, in parts.
+
+    The system of `kick` has no solution for the whole drift, which ends at the time `until` [s].
+    `acceleration`, (3 N,), is that by gravity and force laws [m/s², rad/s²]. `take` takes a kick,
+    whose length its joints know; for `placed` see `hold`. Raises `JointFailure` or `NoForces` if
+    there is no solution in any number of parts.
+    """
+    joints, whole = kick.joints, kick.joints.drift
+    lost: JointFailure | NoForces | None = None
+    for parts in PARTS:
+        times = until - whole + whole * np.arange(parts + 1) / parts
+        lengths = [joints.lengths(float(t)) for t in times]
+        try:
+            return _in_parts(kick, acceleration, lengths, take, placed=parts < PARTS[-1])
+        except (JointFailure, NoForces) as error:
+            lost = error
+        finally:
+            joints.time(whole, whole)
+    assert lost
+    raise lost
+
+
+def _in_parts(
+    kick: Kick,
+    acceleration: Array,
+    lengths: list[Array],
+    take: Callable[..., Taken],
+    *,
+    placed: bool,
+) -> Through:
+    """Return the drift, given the joints' lengths at the ends of its parts: (m,) each [m, rad]."""
+    joints, whole, parts = kick.joints, kick.joints.drift, len(lengths) - 1
+    drift = whole / parts
+    missing = (whole - drift) / 2  # of the length of the kicks before and after
+    joints.time(whole - missing, drift)
+    first = take(kick.lasting(lengths[0], lengths[1]), placed=placed)
+    moved, forces, active = first.moved, first.forces, first.active
+    joints.time(drift, drift)
+    place, inner = Coordinates(kick.place.values + drift * moved), []
+    for before, after in pairwise(lengths[1:]):
+        now = kick.between(place, before, after)
+        motion = moved + drift * acceleration
+        impulse, moved, active, _ = hold(
+            now, motion, (drift * forces, active), driven=False, placed=placed
+        )
+        inner.append(Inner(now, drift, impulse, moved))
+        forces = impulse / drift
+        place = Coordinates(place.values + drift * moved)
+    return Through(first, tuple(inner), acceleration, missing, place.values - kick.place.values)

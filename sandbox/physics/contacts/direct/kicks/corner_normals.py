@@ -1,0 +1,85 @@
+"""Corners that meet corners keep their normal.
+
+Where a corner touches a corner, the normal is not unique: a whole cone of directions is possible.
+pymunk takes the line between the centres of the two roundings, of 1e-8 m. This line turns with the
+smallest error of a position, and flips to the normal of a side where the roundings overlap. The
+forces would turn with it and move bodies at rest. Any normal of the cone will do. So the first one
+is kept, as if it were that of a side of the first body, until the corners slip or turn against
+each other.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from sandbox.physics.contacts.direct.rows.kick_system import Kick
+from sandbox.physics.contacts.direct.rows.outlines import PARALLEL
+from sandbox.physics.engine.batch import Contacts
+from sandbox.physics.joints.exact.constraint_interface import Coordinates
+
+REACH = 1e-7
+"""m, by which corners may slip along each other and keep their normal: some of their roundings."""
+
+
+class Held(NamedTuple):
+    """Two corners that meet.
+
+    The points are along the axes of the first body and of the second [m]. The normal is from the
+    first to the second, along the axes of the first; `turned` is the angle of the second relative
+    to the first [rad].
+    """
+
+    points: tuple[complex, complex]
+    normal: complex
+    turned: float
+
+
+class CornerPairs:
+    """Remembers corners that meet from step to step."""
+
+    def __init__(self) -> None:
+        self._held: dict[tuple[int, int], Held] = {}
+
+    def forget(self) -> None:
+        """Forget all pairs: bodies were put elsewhere."""
+        self._held = {}
+
+    def note(self, kick: Kick) -> None:
+        """Remember the pairs of a kick; known ones keep their normal."""
+        corners, before, self._held = kick.features.corners, self._held, {}
+        if corners is None:
+            return
+        touching, features = kick.layout.touching, kick.features
+        for gap in np.flatnonzero(corners).tolist():
+            a, b = touching.bodies[:, gap].tolist()
+            if kick.contacts.touches[touching.pair[gap]] == 1:
+                one, other = features.points[:, gap].tolist()
+                turned = float(kick.place.angle[b] - kick.place.angle[a])
+                new = Held((one, other), complex(features.normal[gap]), turned)
+                self._held[a, b] = before.get((a, b), new)
+
+    def steady(self, contacts: Contacts, place: Coordinates, origin: complex) -> Contacts:
+        """Return the contacts with the remembered normals of corner pairs.
+
+        `place` has the positions of the bodies, and `origin` is the origin of these [m].
+        """
+        if not self._held:
+            return contacts
+        touches, direction = contacts.touches.copy(), contacts.direction.copy()
+        points, depths = contacts.points.copy(), contacts.depths.copy()
+        for row, (a, b) in enumerate(contacts.bodies.tolist()):
+            if held := self._held.get((a, b)):
+                n = held.normal * complex(place.turned[a])
+                first, second = (
+                    complex(place.plane[body] + point * place.turned[body])
+                    for body, point in zip((a, b), held.points, strict=True)
+                )
+                off = (second - first) * n.conjugate()
+                turned = float(place.angle[b] - place.angle[a]) - held.turned
+                if abs(off.imag) > REACH or abs(turned) > PARALLEL:
+                    del self._held[a, b]
+                    continue
+                middle = (first + second) / 2 + origin
+                touches[row], direction[row], depths[row, 0] = 1, (n.real, n.imag), -off.real
+                points[row, 0] = middle.real, middle.imag
+        return contacts._replace(touches=touches, direction=direction, points=points, depths=depths)

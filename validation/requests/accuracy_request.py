@@ -1,0 +1,162 @@
+"""A request for an accuracy, and its outcome.
+
+A setting is compared with a run at a much smaller step, and with cheaper settings.
+"""
+
+from collections.abc import Sequence
+from contextlib import suppress
+from dataclasses import dataclass
+from math import inf, isnan, nan
+from random import Random
+
+from sandbox.model import level_catalog
+from sandbox.model.expressions import Values
+from sandbox.model.level import HIGHEST_RATE, Level, Stepping
+from sandbox.model.loading import load
+from sandbox.physics.accuracy.calibration import Setting, calibrate
+from sandbox.physics.accuracy.compared_runs import Watched, record, scaled, watched
+from sandbox.physics.accuracy.exceptions import AccuracyError
+from sandbox.physics.accuracy.refinement import furthest
+from sandbox.physics.accuracy.step_cost import counted_cost
+from sandbox.physics.measuring.recording import Trace
+from sandbox.physics.scene.schemes import usable
+from sandbox.physics.state.errors import SimulationError
+
+TARGETS = (1e-3, 1e-6, 1e-9)
+
+FINER = 8
+"""The steps of the reference run, as a multiple of the setting's; half as many if too slow."""
+
+LONGEST = 20.0
+"""The longest reference run, by its counted work [s]."""
+
+EXPENSIVE = 3.0
+"""The highest cost of a setting, as a multiple of the cheapest in the sweep."""
+
+BETTER = 2.0
+"""The highest ratio of the true error to the reported one."""
+
+ROUNDING = 1e-12
+"""The difference below which errors count as equal."""
+
+SWEPT = tuple(15.0 * 2**i for i in range(13))
+"""The rates of the sweep [Hz]."""
+
+
+@dataclass(frozen=True, slots=True)
+class Trial:
+    """A request, and its outcome."""
+
+    seed: int
+    level: str
+    values: Values
+    target: float
+    """The request and its seed."""
+    answer: str
+    """The setting in words, or the reason why there is none."""
+    refused: bool = False
+    """Whether the accuracy was refused as out of reach."""
+    estimated: float = nan
+    delivered: float = nan
+    """The reported error and the measured one; NaN if there is none."""
+    cheaper: str = ""
+    """A setting of the sweep as accurate, at less than a third of the work; empty if none."""
+
+    @property
+    def looked_at(self) -> bool:
+        """Whether there was time to verify the result."""
+        return not isnan(self.delivered)
+
+    @property
+    def kept(self) -> bool:
+        """Whether it is as accurate as requested."""
+        return self.delivered <= self.target
+
+    @property
+    def honest(self) -> bool:
+        """Whether the reported error is not too small."""
+        return self.delivered <= max(BETTER * self.estimated, ROUNDING)
+
+
+def trial(seed: int) -> Trial:
+    """Draw a level, its parameters and an accuracy, request it, and verify the result."""
+    random = Random(seed)
+    name = random.choice(level_catalog.textbook())
+    level = load(level_catalog.find(name))
+    values = {n: random.uniform(p.min, p.max) for n, p in level.parameters.items()}
+    target = random.choice(TARGETS)
+    try:
+        setting = calibrate(level, values, target)
+    except (AccuracyError, SimulationError) as error:
+        return Trial(seed, name, values, target, str(error), refused=True)
+    delivered, cheaper = nan, ""
+    with suppress(SimulationError):
+        delivered, cheaper = _looked_at(level, values, setting)
+    text = str(setting)
+    return Trial(
+        seed, name, values, target, text,
+        estimated=setting.chosen.error, delivered=delivered, cheaper=cheaper,
+    )  # fmt: skip
+
+
+def _looked_at(level: Level, values: Values, setting: Setting) -> tuple[float, str]:
+    """Return the error of a setting, and a cheaper setting."""
+    chosen = setting.chosen.stepping
+    finer = _finer(level, values, chosen)
+    if finer is None:
+        return nan, ""
+    wanted: Sequence[Watched] = watched(level, values)
+    if "chaotic" in setting.judged_by:
+        wanted = (Watched("system.energy"),)
+    best = record(level, values, finer, wanted, seen=max(chosen.rate, 240.0))
+    wanted = scaled(wanted, best)
+    run = record(level, values, chosen, wanted, seen=inf)
+    half = finer.model_copy(update={"rate": finer.rate / 2})
+    other = record(level, values, half, wanted, seen=max(chosen.rate, 240.0))
+    delivered = max(_off(run, (best, other), item) for item in wanted)
+    return delivered, _cheaper(level, values, setting, wanted, best)
+
+
+def _off(run: Trace, finer: Sequence[Trace], item: Watched) -> float:
+    """Return the error of a run in a quantity, against the nearer of the finer runs.
+
+    Rounding of forces grows with the rate, so that the finest run may be the one with the error.
+    """
+    return min(furthest(run, trace, [item])[0] for trace in finer)
+
+
+def _finer(level: Level, values: Values, chosen: Stepping) -> Stepping | None:
+    """Return a much finer setting, of fourth order if possible; None if it takes too long."""
+    for times in (FINER, FINER // 2):
+        update: dict[str, object] = {"rate": times * chosen.rate, "scheme": "leapfrog"}
+        if "fourth-order" in usable(level):
+            update["scheme"] = "fourth-order"
+        elif level.effects.contact:
+            update["iterations"] = min(FINER * chosen.iterations, 1000)
+        finer = chosen.model_copy(update=update)
+        if finer.rate <= 2 * HIGHEST_RATE and _work(level, values, finer) <= LONGEST:
+            return finer
+    return None
+
+
+def _work(level: Level, values: Values, stepping: Stepping) -> float:
+    """Return the counted work of a run [s]."""
+    return counted_cost(level, values, stepping) * stepping.rate * level.duration(values)
+
+
+def _cheaper(
+    level: Level, values: Values, setting: Setting, wanted: Sequence[Watched], best: Trace
+) -> str:
+    """Return the setting of the sweep that is as accurate at far less work; empty if none is."""
+    chosen = setting.chosen.stepping
+    enough = _work(level, values, chosen) / EXPENSIVE
+    for scheme in usable(level):
+        for rate in SWEPT:
+            tried = chosen.model_copy(update={"scheme": scheme, "rate": rate})
+            if _work(level, values, tried) >= enough:
+                break
+            with suppress(SimulationError):
+                run = record(level, values, tried, wanted)
+                if furthest(run, best, wanted)[0] <= setting.target:
+                    return f"{scheme} at {rate:g} Hz"
+    return ""
