@@ -70,6 +70,11 @@ class Active(NamedTuple):
         """Return whether another active set is the same."""
         return other is self or other.key == self.key
 
+    def changes(self, other: "Active") -> int:
+        """Return in how many rows, and signs of slips, another active set differs."""
+        rows, signs = self.on != other.on, self.slip != other.slip
+        return int(np.count_nonzero(rows)) + int(np.count_nonzero(signs))
+
 
 class Problem(NamedTuple):
     """The kinds of the rows; m of them.
