@@ -33,11 +33,7 @@ from sandbox.physics.contacts.direct.drifts.slip_stops import slip_ends
 from sandbox.physics.contacts.direct.kicks.closing_gaps import closed
 from sandbox.physics.contacts.direct.kicks.kick_builder import KickBuilder
 from sandbox.physics.contacts.direct.kicks.kick_parts import Stage, Taken
-from sandbox.physics.contacts.direct.kicks.kick_with_impacts import (
-    Beginning,
-    take,
-    take_again,
-)
+from sandbox.physics.contacts.direct.kicks.kick_with_impacts import Beginning, take
 from sandbox.physics.contacts.direct.prediction.speculative_contacts import SpeculativeContacts
 from sandbox.physics.contacts.direct.rows.kick_system import Kick
 from sandbox.physics.contacts.direct.rows.row_layout import Surfaces
@@ -221,7 +217,10 @@ class Direct:
     def _closed(self, taken: Taken, start: Beginning) -> Taken:
         """Return a kick after which slow corners have come down; see `closed`."""
         look, build, laws = self._speculative, self._build, start.acceleration
-        again = partial(take_again, start=start)
+
+        def again(_: Taken, kick: Kick) -> Taken:
+            return take(kick, start, self._known)
+
         taken, strikes = closed(taken, look, build, laws, again, locates=self._locates)
         return taken._replace(strikes=True) if strikes else taken
 
@@ -296,8 +295,8 @@ class Direct:
     def _stop(self, kick: Kick, crowded: Booleans) -> None:
         """Let what would land in a crowd, (n,), come to touch after a kick, and go no further."""
         start = self._beginning()
-        again = partial(take_again, start=start)
-        taken = self._taken or take(kick, start, self._known)
+        again = partial(take, start=start, known=self._known)
+        taken = self._taken or again(kick)
         self._keep(stopped(taken, crowded, self._speculative, self._build, again), start)
 
     def _whole(self, place: Coordinates, moved: Array) -> Part:

@@ -49,7 +49,7 @@ def stopped(
     crowded: Booleans,
     look: SpeculativeContacts,
     build: KickBuilder,
-    again: Callable[[Taken, Kick], Taken],
+    again: Callable[[Kick], Taken],
 ) -> Taken:
     """Return a kick after which what would land in a crowd comes to touch, and goes no further.
 
@@ -60,7 +60,7 @@ def stopped(
         if not len(ahead.bodies):
             break
         try:
-            taken = again(taken, build.with_ahead(taken.kick, ahead))
+            taken = again(build.with_ahead(taken.kick, ahead))
         except (JointFailure, NoForces):
             break
     return taken

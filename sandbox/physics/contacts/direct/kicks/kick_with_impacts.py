@@ -8,7 +8,6 @@ from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.kicks import impacts
 from sandbox.physics.contacts.direct.kicks.kick_parts import Stage, Taken
 from sandbox.physics.contacts.direct.rows.kick_system import Kick
-from sandbox.physics.contacts.direct.rows.row_layout import Layout
 from sandbox.physics.contacts.direct.solving.constraint_impulses import hold
 from sandbox.physics.contacts.direct.solving.warm_start import WarmStart
 from sandbox.physics.joints.exact.constraint_interface import order
@@ -53,35 +52,6 @@ def take(kick: Kick, start: Beginning, known: WarmStart, *, placed: bool = False
     )
     record, total = impacts.recorded(kick, left, pushes), before + pushes + rest.total
     return rest._replace(total=total, impacts=record, stages=stages)
-
-
-def take_again(taken: Taken, kick: Kick, start: Beginning) -> Taken:
-    """Take a kick with more rows, which close in the drift after it, and return the result.
-
-    They take no part in what is before that drift, so its impacts stay. `taken` is the kick without
-    these rows. Raises as `take`.
-    """
-    known = WarmStart()
-    known.note(taken.kick, taken.forces, taken.active)
-    rest = _onwards(kick, start, taken.begun, taken.lasts, known, placed=False)
-    if taken.impacts is None:
-        return rest
-    before = taken.total - taken.lasts * taken.forces
-    total = _with_more(taken.kick.layout, kick.layout, before) + rest.total
-    moved = rest.moved[order(len(rest.moved) // 3 - 1)]
-    stages = *taken.stages[:-1], Stage.of(kick, rest.lasts, moved, rest.total)
-    return rest._replace(total=total, impacts=taken.impacts, stages=stages)
-
-
-def _with_more(old: Layout, new: Layout, impulse: Array) -> Array:
-    """Return impulses, (r,), for the rows of a layout with more contacts, which have none."""
-    (before, after), found = (old.touching, new.touching), np.zeros(new.slips.stop)
-    found[new.joints] = impulse[old.joints]
-    points = np.flatnonzero(np.isin(after.number, before.number))
-    found[new.gaps.start + points] = impulse[old.gaps]
-    rubs = np.isin(after.pair[after.rubs], before.pair[before.rubs])
-    found[new.slips.start + np.flatnonzero(rubs)] = impulse[old.slips]
-    return found
 
 
 def _onwards(

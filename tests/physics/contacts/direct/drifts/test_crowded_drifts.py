@@ -1,18 +1,11 @@
 """Where more bodies land in a drift than are located, none overlaps, and the books still close."""
 
-from types import SimpleNamespace
-
 import numpy as np
 import pytest
 
-from sandbox.model.expressions import Array
 from sandbox.model.level import Level
 from sandbox.physics.contacts.direct import solver
-from sandbox.physics.contacts.direct.kicks import impacts, kick_with_impacts
-from sandbox.physics.contacts.direct.prediction.convex_parts import Pair
-from sandbox.physics.contacts.direct.rows.kick_system import Kick
 from sandbox.physics.energy.book_closure import Closer
-from sandbox.physics.engine.batch import Booleans
 from sandbox.physics.run import build
 from tests.physics.scenes import GRAVITY, Spec, box, disc, fixed, level
 
@@ -174,30 +167,6 @@ def test_a_car_drives_into_a_pile(rate: float, start: float, most: float) -> Non
 
     assert deepest <= most
     assert abs(books.closing.unexplained) <= 1e-3 * books.closing.turned
-
-
-@pytest.mark.sweep
-def test_the_impacts_of_a_step_are_solved_once(monkeypatch: pytest.MonkeyPatch) -> None:
-    """They were solved again, up to three times, with the rows for what closes in the drift after.
-
-    Once more where another point of a side bears than was assumed.
-    """
-    solved: list[Kick] = []
-    bounce = impacts.bounce
-
-    def noting(kick: Kick, came: Array, strikes: Booleans) -> tuple[Array, Array, list[Pair]]:
-        solved.append(kick)
-        return bounce(kick, came, strikes)
-
-    noted = SimpleNamespace(**{**vars(impacts), "bounce": noting})
-    monkeypatch.setattr(kick_with_impacts, "impacts", noted)
-    world, most = build(crash(60)), 0
-    while world.t < 0.8:
-        solved.clear()
-        world.advance()
-        most = max(most, len(solved))
-
-    assert 1 <= most <= 2
 
 
 @pytest.mark.sweep
