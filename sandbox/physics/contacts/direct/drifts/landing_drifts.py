@@ -53,6 +53,11 @@ SHORT = 0.1
 """The share of a drift below which the forces of its last part are solved for a whole one: those of
 a short part follow from small differences of positions, and their rounding is traced far back."""
 
+BRIEF = 1e-3
+"""The share of a drift for which the forces of the whole one will do, where none are found for so
+short a part: rounding of the gaps, over so short a time, may ask for velocities that exclude each
+other."""
+
 LEAST = 0.06
 """The share of a drift below which it is not divided where contacts do not keep their gaps: bodies
 that turn far in it would gain energy on its curved path, by the third power of its length."""
@@ -236,7 +241,9 @@ class Landings:
         """Return a part with a shorter drift [s]; Newton's method begins with a similar part."""
         lasts = part.lasts - (part.drift - drift) / 2
         if drift >= SOON * part.drift:
-            return self._solved(part._replace(forces=near.forces, active=near.active), drift, lasts)
+            similar = part._replace(forces=near.forces, active=near.active)
+            with suppress(*(() if drift > BRIEF * part.drift else (NoForces,))):
+                return self._solved(similar, drift, lasts)
         moved = part.begun + lasts * (self._laws + part.pulls)
         return part._replace(drift=drift, lasts=lasts, moved=moved)
 
