@@ -1,6 +1,7 @@
 """`simulate`: a run as a CSV file."""
 
 from collections.abc import Iterable, Sequence
+from math import ceil
 from pathlib import Path
 
 import typer
@@ -92,9 +93,15 @@ def _say(output: Path, source: str, trace: Trace, names: Sequence[str]) -> None:
 
 
 def _close(trace: Trace) -> None:
-    """Print the run's energy balance, and whether a pile may have leant."""
+    """Print the run's energy balance, and whether a pile may lean, or an impact was missed."""
     if trace.leans:
         typer.echo(f"contacts: {leaning(trace.level, trace.values, trace.stepping)}")
+    if trace.unseen:
+        rate, subject = trace.unseen[0]
+        typer.echo(
+            f"contacts: {subject} moved further than its own width in a step, and may have passed"
+            f" through others; impacts that are located, or {ceil(rate):,} Hz, miss none"
+        )
     if trace.closing:
         typer.echo(f"energy: {trace.closing.text}")
 

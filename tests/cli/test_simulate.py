@@ -128,6 +128,23 @@ def test_it_says_that_a_pile_may_lean(run: Run, write: Write, tmp_path: Path) ->
     assert outcome.out.splitlines()[-2].startswith("contacts: sweeps of the solver did not settle")
 
 
+def test_it_says_what_may_have_passed_through_others(
+    run: Run, write: Write, tmp_path: Path
+) -> None:
+    disc = {"shape": {"type": "disc", "radius": 0.02}, "mass": 0.01}
+    bodies = {
+        "bullet": {**disc, "position": [-3, 0], "velocity": [100, 0]},
+        "target": {**disc, "position": [0, 0]},
+    }
+    effects = {"gravity": {"acceleration": [0, "-g"]}, "contact": {}}
+    level = write(effects=effects, bodies=bodies, checks=[], ghosts={})
+
+    outcome = run("simulate", level, "--output", tmp_path / "out.csv", "--duration", "0.1")
+
+    assert "contacts: the body 'bullet' moved further than its own width in a step" in outcome.out
+    assert "2,501 Hz, miss none" in outcome.out
+
+
 def test_it_says_steps_and_verdicts(run: Run, write: Write, tmp_path: Path) -> None:
     outcome = run("simulate", write(), "--output", tmp_path / "out.csv")
 

@@ -53,8 +53,8 @@ def needs(scene: Scene, now: Snapshot, located: Container[str] = ()) -> list[Nee
     Tensions and speeds change: ask again, or leave a margin. The bodies whose impacts are `located`
     in time may be fast.
     """
-    fast = _fast(scene, now, located)
-    return sorted((*_springs(scene, now), *_taut(scene, now), *fast), reverse=True)
+    moves = fast(scene, np.hypot(*now.velocity.T), located)
+    return sorted((*_springs(scene, now), *_taut(scene, now), *moves), reverse=True)
 
 
 def needed(scene: Scene, now: Snapshot, located: Container[str] = ()) -> float:
@@ -84,14 +84,14 @@ def _taut(scene: Scene, now: Snapshot) -> Iterator[Need]:
         yield Need(rate, Message("the joint '{name}'", name=name.partition(" ")[2]))
 
 
-def _fast(scene: Scene, now: Snapshot, located: Container[str]) -> Iterator[Need]:
-    """Bound the motion per step by the width of a body, unless its impacts are located.
+def fast(scene: Scene, speeds: Array, located: Container[str] = ()) -> Iterator[Need]:
+    """Yield the rates at which bodies of given speeds, (n,) [m/s], move by their width in a step.
 
-    Lines are left out: they are as wide as the skin, and no practical rate is enough.
+    Those whose impacts are `located` need none. Lines are left out: they are as wide as the skin,
+    and no practical rate is enough.
     """
-    speeds = np.hypot(*now.velocity.T).tolist()
     for (name, body), speed, moves in zip(
-        scene.bodies.items(), speeds, (scene.mass > 0).tolist(), strict=True
+        scene.bodies.items(), speeds.tolist(), (scene.mass > 0).tolist(), strict=True
     ):
         wide = min(map(width, plain(body.shapes)), default=0.0)
         if moves and wide > THIN and speed > 0 and name not in located:

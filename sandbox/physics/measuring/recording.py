@@ -26,6 +26,8 @@ if TYPE_CHECKING:
     from pandas import DataFrame
     from xarray import Dataset
 
+    from sandbox.physics.guarding.rate_limits import Need
+
 Met = TypeVar("Met")
 
 MANY = 1000
@@ -68,6 +70,8 @@ class Trace:
     """Whether the forces on bodies at rest at the start were not found: a pile may then lean."""
     closing: Closing | None = None
     """How its energy books closed; None if none were kept."""
+    unseen: "tuple[Need, ...]" = ()
+    """What may have passed through others within a step, with the rates at which it would not."""
 
     @property
     def smooth(self) -> bool:
@@ -154,6 +158,7 @@ class Recorder:
         self._measured: list[tuple[Array, dict[str, Array]]] = []
         self._count = 0
         self._leans = leans(world)
+        self._speeds = np.zeros(len(self._names))  # the highest, [m/s]
         self._meetings: dict[Pair, list[Meeting]] = {}
         self._partings: dict[Pair, list[int]] = {}
         self._touching: set[int] = set()  # pairs that touch now, as numbers
@@ -241,6 +246,8 @@ class Recorder:
                     columns[name] = columns[name] + self._measured[-1][1][name][-1]
             fresh = {name: column[known:] for name, column in columns.items()}
             self._measured.append((stack.t[known:], fresh))
+            speeds = np.hypot(stack.velocity[..., 0], stack.velocity[..., 1])
+            self._speeds = np.maximum(self._speeds, speeds.max(axis=0))
             self._last = self._fresh[-1:]
             self._fresh.clear()
 
@@ -272,7 +279,18 @@ class Recorder:
             self._meetings,
             self._partings,
             self._leans,
+            unseen=self._unseen(),
         )
+
+    def _unseen(self) -> "tuple[Need, ...]":
+        """Return what moved further than its own width in a step, where only steps see impacts."""
+        world, contact = self._world, self._world.level.effects.contact
+        if contact is None or world.scene.direct or world.scene.sequence:
+            return ()
+        from sandbox.physics.guarding.rate_limits import fast
+
+        found = fast(world.scene, self._speeds, contact.located or ())
+        return tuple(sorted(need for need in found if need.rate > world.stepping.rate))[::-1]
 
 
 def _add(to: dict[Pair, list[Met]], pair: Pair, what: Met) -> None:

@@ -1,0 +1,39 @@
+"""What may have passed through others between two steps is told."""
+
+import pytest
+
+from sandbox.model.level import Level
+from sandbox.physics.run import simulate
+from tests.physics.scenes import Spec, box, disc, fixed, level
+
+
+def shot(rate: float, **contact: object) -> Level:
+    """A bullet of 4 cm flies at 100 m/s through a wall of 10 cm."""
+    bodies: dict[str, Spec] = {
+        "wall": fixed({"type": "box", "width": 0.1, "height": 4}, (0, 0)),
+        "bullet": disc((-3, 0), radius=0.02, mass=0.01, velocity=[100, 0]),
+        "bystander": box((-3, 3), size=(1, 1), velocity=[1, 0]),
+    }
+    return level(bodies, {"contact": contact}, stepping={"rate": rate}, duration=0.1)
+
+
+def test_a_bullet_that_steps_over_a_wall_is_named_with_the_rate_it_needs() -> None:
+    (need,) = simulate(shot(240)).unseen
+
+    assert need.subject == "the body 'bullet'"
+    assert need.rate == pytest.approx(100 / 0.04)
+
+
+@pytest.mark.parametrize(
+    "scene",
+    [shot(20_000), shot(240, located=["bullet"]), shot(240, solver="direct")],
+    ids=["fine", "located", "direct"],
+)
+def test_where_no_impact_is_missed_nobody_is_named(scene: Level) -> None:
+    assert simulate(scene).unseen == ()
+
+
+def test_without_contact_there_is_nothing_to_miss() -> None:
+    thrown = {"ball": disc((0, 0), radius=0.02, velocity=[100, 0])}
+
+    assert simulate(level(thrown, {}, duration=0.1)).unseen == ()
