@@ -8,7 +8,7 @@ import pytest
 
 import sandbox
 from sandbox.model.level import Level
-from sandbox.model.rules.faults import corners
+from sandbox.model.rules.level_validation import corners
 from sandbox.physics.measuring.goals import Attempt, attempt
 
 DOCS = Path(__file__).resolve().parents[1] / "docs"

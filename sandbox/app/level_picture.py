@@ -20,7 +20,7 @@ from sandbox.app.pages.register import runs_beside
 from sandbox.app.runs.companions import Changes
 from sandbox.app.runs.session import Session
 from sandbox.app.stage.stage import Stage
-from sandbox.app.words import formatting, level_words
+from sandbox.app.words import formatting, level_translation
 from sandbox.app.words.language import say
 from sandbox.model.effect_variants import Variation
 from sandbox.model.expressions import Values
@@ -167,7 +167,7 @@ def _judged(session: Session, pen: Pen, width: int, room: int) -> pygame.Surface
 
 def _checks(session: Session, pen: Pen, width: int, room: int) -> pygame.Surface:
     """Draw as many checks as there is room for."""
-    readings, words = session.readings(), level_words.of(session.original)
+    readings, words = session.readings(), level_translation.of(session.original)
     drawn = checks(pen, width, readings, words)
     for count in range(len(readings) - 1, 0, -1):
         if drawn.height <= room:

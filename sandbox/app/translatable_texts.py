@@ -16,7 +16,7 @@ from sandbox.app.drawing import theme
 from sandbox.app.frame_time import Load
 from sandbox.app.pages.register import PAGES
 from sandbox.app.stage.overlays.register import OVERLAYS
-from sandbox.editing.suggested_checks.scene import Setup
+from sandbox.editing.suggested_checks.recognised_setup import Setup
 from sandbox.model import ledger_accounts, level_catalog
 from sandbox.model.base import Model
 from sandbox.model.effects import EFFECTS

@@ -23,7 +23,7 @@ from sandbox.app.runs.remedy_search import Advising
 from sandbox.app.runs.session import Session
 from sandbox.app.runs.undoing import Undoing
 from sandbox.app.stage.stage import Stage
-from sandbox.app.words import language, level_words
+from sandbox.app.words import language, level_translation
 from sandbox.app.words.language import later, say
 from sandbox.model import level_catalog
 from sandbox.model.errors import SandboxError
@@ -311,7 +311,7 @@ class Workspace:
 
 def _title(level: Level) -> str:
     """Return the title of a level, in the current language."""
-    return legible(level_words.of(level)(level.title))
+    return legible(level_translation.of(level)(level.title))
 
 
 def _file(level: Level) -> Path | None:

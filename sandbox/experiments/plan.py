@@ -19,7 +19,7 @@ from sandbox.model.expressions import Values
 from sandbox.model.level import Level, Stepping
 from sandbox.model.loading import choose
 from sandbox.model.rules.conditions.condition import Condition
-from sandbox.model.rules.faults import depending
+from sandbox.model.rules.level_validation import depending
 
 NONE = "none"
 """The value of `without` that switches off nothing."""

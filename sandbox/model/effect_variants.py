@@ -25,7 +25,7 @@ from sandbox.model.level import Level
 from sandbox.model.level_parts import Fault
 from sandbox.model.message import Message
 from sandbox.model.rules.consistency import inconsistencies
-from sandbox.model.rules.faults import faults
+from sandbox.model.rules.level_validation import faults
 
 DEFAULTS: Mapping[str, Settings] = {
     name: effect.trial for name, effect in EFFECTS.items() if effect.trial is not None

@@ -29,7 +29,7 @@ from sandbox.model.level import Level, Parameter
 from sandbox.model.level_parts import Fault
 from sandbox.model.message import NOTHING, Message, joined
 from sandbox.model.origin import Origin
-from sandbox.model.rules import faults
+from sandbox.model.rules import level_validation
 from sandbox.model.rules.conditions.condition import Condition
 from sandbox.model.rules.consistency import dangling
 from sandbox.model.shorthand import write_out
@@ -147,7 +147,7 @@ def _parsed(text: str, source: str) -> Level:
         if details[0]["type"] == "json_invalid":  # the two JSON parsers differ in details
             _refuse_json(document, details[0]["ctx"]["error"], typed=whole is text)
         document.refuse(_faults(document, data, details))
-    if found := faults.faults(level):
+    if found := level_validation.faults(level):
         document.refuse(made.hinted(fault, typed) for fault in found)
     level.read_from(Origin(text, source, made.place))
     return level
@@ -185,7 +185,7 @@ def choose(
 ) -> Values:
     """Return the values of a level's parameters, with some of them changed from their defaults.
 
-    `among` is the result of `faults.depending` for the level, if already known. Raises
+    `among` is the result of `level_validation.depending` for the level, if already known. Raises
     `ValueRangeError` if the level has no such parameter, or a value is not finite, is out of the
     parameter's range, or makes a part of the level impossible.
     """
@@ -193,8 +193,8 @@ def choose(
         if wrong := _wrong_value(level, name, value):
             raise ValueRangeError(wrong)
     values = {**level.defaults, **settings}
-    held = faults.depending(level) if among is None and settings else among or ()
-    if fault := next(faults.broken(held, values), None):
+    held = level_validation.depending(level) if among is None and settings else among or ()
+    if fault := next(level_validation.broken(held, values), None):
         chosen = ", ".join(f"{name} = {value:g}" for name, value in settings.items())
         place = ".".join(map(str, fault.path))
         raise ValueRangeError(

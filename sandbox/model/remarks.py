@@ -12,7 +12,7 @@ from sandbox.model.formulas import Formula
 from sandbox.model.level import Level
 from sandbox.model.level_parts import Fault, expressions
 from sandbox.model.message import Message
-from sandbox.model.rules.faults import corners
+from sandbox.model.rules.level_validation import corners
 
 
 def remarks(level: Level) -> Iterator[Fault]:

@@ -8,7 +8,7 @@ import pytest
 from sandbox.model import level_catalog, templates
 from sandbox.model.level_writing import formatted
 from sandbox.model.loading import load
-from sandbox.model.rules.faults import corners
+from sandbox.model.rules.level_validation import corners
 from sandbox.physics.measuring.grading import grade
 from sandbox.physics.run import simulate
 from tests.cli.helpers import Run, Write

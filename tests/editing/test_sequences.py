@@ -17,10 +17,10 @@ from sandbox.editing.edits import (
     fields,
     joints,
     mirroring,
+    pendulum_angle,
     resizing,
     rope_wrapping,
     round_shape_kinds,
-    swinging,
     tilting,
     transforms,
 )
@@ -167,8 +167,10 @@ def tilted(text: str, hand: Hand) -> str:
 
 
 def swung(text: str, hand: Hand) -> str:
-    hanging = [name for name in hand.level.bodies if swinging.peg_of(hand.level, name) is not None]
-    return swinging.swing(text, hand.level, hand.word(hanging)) if hanging else text
+    hanging = [
+        name for name in hand.level.bodies if pendulum_angle.peg_of(hand.level, name) is not None
+    ]
+    return pendulum_angle.swing(text, hand.level, hand.word(hanging)) if hanging else text
 
 
 def wrapped(text: str, hand: Hand) -> str:

@@ -7,7 +7,7 @@ import pytest
 
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level
-from sandbox.model.rules.faults import corners
+from sandbox.model.rules.level_validation import corners
 from validation.case import textbook
 
 MOST = 100

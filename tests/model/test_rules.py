@@ -8,7 +8,7 @@ import pytest
 
 from sandbox.model.errors import MAX_MISTAKES
 from sandbox.model.level_parts import expressions
-from sandbox.model.rules.faults import broken, corners, depending
+from sandbox.model.rules.level_validation import broken, corners, depending
 from tests.model.levels import (
     Change,
     Data,

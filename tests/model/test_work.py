@@ -5,10 +5,10 @@ from time import process_time
 
 import pytest
 
-from sandbox.model.rules import faults
+from sandbox.model.rules import level_validation
 from sandbox.model.rules.conditions import conditions
 from sandbox.model.rules.conditions.condition import Condition
-from sandbox.model.rules.faults import FEWEST, MAX_CORNERS, corners
+from sandbox.model.rules.level_validation import FEWEST, MAX_CORNERS, corners
 from tests.model.levels import Data, bare, level, mistakes, said
 
 MANY = {f"p{i}": {"value": 1, "min": 0.5, "max": 2} for i in range(8)}
@@ -62,12 +62,12 @@ def test_of_many_parts_fewer_combinations_are_tried(
         work += condition.work
 
     monkeypatch.setattr(Condition, "fault", counted)
-    assert faults.faults(made) == []
+    assert level_validation.faults(made) == []
 
     everything = sum(c.work * 2 ** len(c.names) for c in conditions(made))
     defaults = sum(c.work for c in conditions(made))
-    assert everything > 3 * faults.PATIENCE
-    assert work < (1 + FEWEST) * defaults + 1.5 * faults.PATIENCE
+    assert everything > 3 * level_validation.PATIENCE
+    assert work < (1 + FEWEST) * defaults + 1.5 * level_validation.PATIENCE
 
 
 def test_an_impossible_mass_is_found_at_the_end_of_a_range_however_many_bodies_there_are() -> None:

@@ -8,7 +8,7 @@ import pytest
 
 from sandbox.model.errors import LevelError, SandboxError
 from sandbox.model.loading import parse
-from sandbox.model.rules import faults
+from sandbox.model.rules import level_validation
 from sandbox.physics.advising import preflight as refusing
 from sandbox.physics.measuring import recording
 from sandbox.physics.run import build, simulate
@@ -47,7 +47,7 @@ def falling() -> world.World:
 def test_what_breaks_down_while_a_level_is_read_is_told(
     fail: Fail, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(faults, "faults", fail)
+    monkeypatch.setattr(level_validation, "faults", fail)
 
     with pytest.raises(LevelError, match="nothing can be computed with") as caught:
         parse(changed(bare()), "ball.json")

@@ -19,7 +19,7 @@ from sandbox.editing.edits.fields import make_parameter, parameter_name, set_fie
 from sandbox.editing.edits.tilting import slope_of, tilt
 from sandbox.editing.edits.titling import entitled
 from sandbox.editing.renaming import rename
-from sandbox.editing.suggested_checks.scene import Suggestion
+from sandbox.editing.suggested_checks.recognised_setup import Suggestion
 from sandbox.editing.text_patches import put, put_all, value_at
 from sandbox.model.body import Body
 from sandbox.model.effect_variants import DEFAULTS

@@ -5,7 +5,7 @@ from typing import Literal
 
 from sandbox.app.building.button_action import Act
 from sandbox.app.building.edited_level import Work
-from sandbox.app.words import level_words
+from sandbox.app.words import level_translation
 from sandbox.app.words.language import say
 from sandbox.editing.edits import events
 from sandbox.editing.edits.challenges import add_challenge, drop_challenge
@@ -33,10 +33,10 @@ def stated(work: Work) -> list[Act]:
         )
         for name in moving[:1]
     ]
-    words = level_words.of(level)
+    words = level_translation.of(level)
     checks = [
         Act(
-            f"− {_cut(level_words.title(check, words))}",
+            f"− {_cut(level_translation.title(check, words))}",
             say("take this check out"),
             partial(_drop, work, "checks", index),
         )

@@ -7,7 +7,7 @@ from typing import NamedTuple
 from sandbox.app.building.button_action import Act
 from sandbox.app.building.editor import Editor
 from sandbox.app.runs.session import Session
-from sandbox.app.words import level_words
+from sandbox.app.words import level_translation
 from sandbox.app.words.language import plural, say
 from sandbox.editing.draft import Draft
 from sandbox.editing.edits.titling import is_untitled
@@ -58,7 +58,7 @@ def _called(level: Level) -> str:
     """Return the name of a level; without a title, it is named after its latest body."""
     if is_untitled({"title": level.title}):
         return say("Untitled, with {body}", body=list(level.bodies)[-1])
-    return level_words.of(level)(level.title)
+    return level_translation.of(level)(level.title)
 
 
 def _recovering(left: Recoverable, editor: Editor, session: Session) -> Offer:

@@ -11,7 +11,7 @@ from sandbox.app.drawing.theme import Color
 from sandbox.app.observing.running_checks import Reading
 from sandbox.app.words import formatting
 from sandbox.app.words.language import later, say
-from sandbox.app.words.level_words import Say, title
+from sandbox.app.words.level_translation import Say, title
 from sandbox.model.level import Check
 from sandbox.physics.accuracy.accuracy_study import Split
 

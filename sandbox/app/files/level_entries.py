@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from sandbox.app.drawing.text import legible
-from sandbox.app.words import level_words
+from sandbox.app.words import level_translation
 from sandbox.app.words.language import say
 from sandbox.model import loading
 from sandbox.model.errors import LevelError
@@ -59,7 +59,7 @@ def _text(data: dict[str, Any], name: str) -> str:
 
 
 def _entry(path: Path, chapter: str, texts: Texts) -> Entry:
-    shown = Texts(*map(level_words.shown(texts, str(path)), texts))
+    shown = Texts(*map(level_translation.shown(texts, str(path)), texts))
     called = chapter, say(chapter.capitalize()), path.stem.replace("-", " ")
     words = " ".join(dict.fromkeys((*called, *shown, *texts))).casefold()
     return Entry(path, chapter, texts, shown.title, shown.summary, words)

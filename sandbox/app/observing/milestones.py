@@ -4,7 +4,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
 from sandbox.app.words import formatting
-from sandbox.app.words.level_words import Say, title
+from sandbox.app.words.level_translation import Say, title
 from sandbox.model.level import (
     ApexEvent,
     Check,

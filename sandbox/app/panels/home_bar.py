@@ -7,7 +7,7 @@ from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.panels.button_bar import MARGIN, Bar
 from sandbox.app.runs.session import Session
-from sandbox.app.words import level_words
+from sandbox.app.words import level_translation
 from sandbox.app.words.language import later, say
 
 TITLE = 260  # px, the largest width of the title on the button that leads back
@@ -33,7 +33,7 @@ class HomeBar(Bar):
             self._button(command, say(text), self._right, width)
             self._right -= px(MARGIN)
         if session is not None:
-            title = level_words.of(session.original)(session.original.title)
+            title = level_translation.of(session.original)(session.original.title)
             back = say("Go to {title}", title=pen.shorten(title, px(TITLE)))
             self._left = self._button(
                 "home", back, self._left, self._room(back, main=True), main=True

@@ -21,7 +21,7 @@ from sandbox.model.effects.force import Force
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level
 from sandbox.model.level_parts import names_in
-from sandbox.model.rules.faults import corners
+from sandbox.model.rules.level_validation import corners
 from sandbox.model.shapes import XY, evaluate
 from sandbox.physics.stepping.world import World
 

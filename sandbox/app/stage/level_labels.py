@@ -7,7 +7,7 @@ import pygame
 from sandbox.app.drawing import lines
 from sandbox.app.stage.observer import CENTER
 from sandbox.app.stage.view import View
-from sandbox.app.words import level_words
+from sandbox.app.words import level_translation
 from sandbox.app.words.formatting import name_in_words
 from sandbox.app.words.language import say
 from sandbox.model.expressions import Values
@@ -20,7 +20,7 @@ MARGIN = 8  # px, from the corner to the name of the observer
 
 def draw_texts(surface: pygame.Surface, view: View) -> None:
     """Draw the labels of a level, and reserve their places among other labels."""
-    world, words = view.world, level_words.of(view.world.level)
+    world, words = view.world, level_translation.of(view.world.level)
     rows = {name: row for row, name in enumerate(world.level.bodies)}
     for label in view.world.level.view.labels:
         place, _ = _anchor(label.at, rows, world.values).find(world.snapshot)

@@ -15,7 +15,7 @@ from sandbox.app.observing.milestones import Milestone
 from sandbox.app.stage.body_outlines import Outline
 from sandbox.app.stage.label_placement import Labels
 from sandbox.app.words.formatting import name_in_words, nice, number
-from sandbox.app.words.level_words import Say
+from sandbox.app.words.level_translation import Say
 from sandbox.model.arithmetic import ExpressionError
 from sandbox.model.expressions import Array, Values
 from sandbox.model.formulas import Formula

@@ -32,7 +32,7 @@ from sandbox.app.stage.observer import Observer
 from sandbox.app.stage.overlays.overlay import Overlay
 from sandbox.app.stage.overlays.register import OVERLAYS, at_first
 from sandbox.app.stage.view import View
-from sandbox.app.words import level_words
+from sandbox.app.words import level_translation
 from sandbox.model.joints import Wire
 from sandbox.model.shapes import XY, evaluate
 from sandbox.physics.stepping.world import World
@@ -152,7 +152,7 @@ class Stage:
 
     def _write(self, surface: pygame.Surface, milestones: Sequence[Milestone]) -> None:
         """Write the measured values, after the arrows, which cannot move out of the way."""
-        view, words = self.view, level_words.of(self.view.world.level)
+        view, words = self.view, level_translation.of(self.view.world.level)
         placed = [(each, *view.state(each)) for each in view.moving]
         avoid = motion_marks.boxes(self.camera, placed)
         motion_marks.mark_large(self.camera, placed, view.labels)

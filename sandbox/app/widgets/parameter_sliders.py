@@ -11,7 +11,7 @@ from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.widgets.text_field import Field
 from sandbox.app.words import formatting
-from sandbox.app.words.level_words import Say
+from sandbox.app.words.level_translation import Say
 from sandbox.app.words.slider_steps import rounded, step
 from sandbox.app.words.typed_numbers import read
 from sandbox.model.arithmetic import ExpressionError

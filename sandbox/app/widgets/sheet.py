@@ -10,7 +10,7 @@ from pygame_gui.elements import UIButton, UIImage, UIScrollingContainer, UISelec
 
 from sandbox.app.drawing.text import Pen
 from sandbox.app.widgets.parameter_sliders import Parameters
-from sandbox.app.words.level_words import Say
+from sandbox.app.words.level_translation import Say
 from sandbox.model.expressions import Values
 from sandbox.model.level import Parameter
 

@@ -5,7 +5,7 @@ from functools import partial
 from math import ceil, degrees, floor, inf, isclose, isfinite, log10
 
 from sandbox.app.words.language import later, plural, say
-from sandbox.app.words.level_words import Say
+from sandbox.app.words.level_translation import Say
 from sandbox.model.effect_variants import Variation, shown
 from sandbox.model.level import (
     ApexEvent,

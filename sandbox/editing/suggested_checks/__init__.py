@@ -23,7 +23,7 @@ from sandbox.editing.suggested_checks import (
     pulleys,
     spring_pendulum,
 )
-from sandbox.editing.suggested_checks.scene import Scene, Suggestion
+from sandbox.editing.suggested_checks.recognised_setup import Scene, Suggestion
 from sandbox.editing.text_patches import Changes, put, remove
 from sandbox.model.errors import LevelError
 from sandbox.model.level import Level

@@ -3,7 +3,13 @@
 from collections.abc import Iterator
 from itertools import combinations
 
-from sandbox.editing.suggested_checks.scene import TOUCHING, Scene, Suggestion, check, said
+from sandbox.editing.suggested_checks.recognised_setup import (
+    TOUCHING,
+    Scene,
+    Suggestion,
+    check,
+    said,
+)
 from sandbox.model.shapes import Disc
 
 EXACT = 1e-10

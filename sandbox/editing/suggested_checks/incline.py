@@ -9,7 +9,7 @@ import numpy as np
 from sandbox.editing.formulas import negative
 from sandbox.editing.json_layout import plain
 from sandbox.editing.placement import Core, Placed
-from sandbox.editing.suggested_checks.scene import (
+from sandbox.editing.suggested_checks.recognised_setup import (
     SAFE,
     SAMPLES,
     TOUCHING,

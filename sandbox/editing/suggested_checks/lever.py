@@ -11,7 +11,7 @@ from typing import NamedTuple
 from sandbox.editing.json_layout import plain
 from sandbox.editing.placement import Placed
 from sandbox.editing.suggested_checks.incline import friction, side
-from sandbox.editing.suggested_checks.scene import (
+from sandbox.editing.suggested_checks.recognised_setup import (
     TOUCHING,
     Scene,
     Suggestion,

@@ -9,7 +9,14 @@ from math import pi, sqrt
 import numpy as np
 
 from sandbox.editing.json_layout import plain
-from sandbox.editing.suggested_checks.scene import TOUCHING, Scene, Suggestion, check, rate_of, said
+from sandbox.editing.suggested_checks.recognised_setup import (
+    TOUCHING,
+    Scene,
+    Suggestion,
+    check,
+    rate_of,
+    said,
+)
 from sandbox.model.expressions import Expression
 from sandbox.model.formulas import Formula
 from sandbox.model.joint_ends_at_start import place

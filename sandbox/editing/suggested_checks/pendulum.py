@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from sandbox.editing.json_layout import plain
-from sandbox.editing.suggested_checks.scene import (
+from sandbox.editing.suggested_checks.recognised_setup import (
     TOUCHING,
     Scene,
     Suggestion,

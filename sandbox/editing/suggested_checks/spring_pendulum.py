@@ -4,7 +4,14 @@ from collections.abc import Iterator
 from math import pi, sqrt
 
 from sandbox.editing.suggested_checks.oscillator import held_by
-from sandbox.editing.suggested_checks.scene import Scene, Suggestion, check, opposite, rate_of, said
+from sandbox.editing.suggested_checks.recognised_setup import (
+    Scene,
+    Suggestion,
+    check,
+    opposite,
+    rate_of,
+    said,
+)
 from sandbox.model.joint_ends_at_start import place
 from sandbox.model.joints import Spring, body_of
 

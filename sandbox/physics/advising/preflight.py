@@ -6,7 +6,7 @@ import numpy as np
 
 from sandbox.model.expressions import Values
 from sandbox.model.level import HIGHEST_RATE, Level
-from sandbox.model.rules.faults import FEWEST, MAX_CORNERS, corners
+from sandbox.model.rules.level_validation import FEWEST, MAX_CORNERS, corners
 from sandbox.model.schemes import bounds_the_rate
 from sandbox.model.traversal import expressions
 from sandbox.physics.scene.scene import make_scene

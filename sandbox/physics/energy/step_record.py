@@ -7,8 +7,8 @@ from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level, Stepping
 from sandbox.model.shapes import XY
 from sandbox.physics.engine.batch import Contacts
+from sandbox.physics.scene.drift_and_kick import Substep
 from sandbox.physics.scene.scene import Scene
-from sandbox.physics.scene.substeps import Substep
 from sandbox.physics.state.motion import Reading
 from sandbox.physics.state.snapshot import Snapshot
 

@@ -12,7 +12,7 @@ import numpy as np
 
 from sandbox.model.wires import Points
 from sandbox.physics.geometry.outline_distance import dot
-from sandbox.physics.geometry.quintics import Quintics
+from sandbox.physics.geometry.quintic_interpolation import Quintics
 
 KNOT = 16
 """The number of pieces between two knots, the points that a search tries first."""

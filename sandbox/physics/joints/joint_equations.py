@@ -27,7 +27,7 @@ from sandbox.model.joints import (
 )
 from sandbox.model.shapes import evaluate
 from sandbox.model.wires import along
-from sandbox.physics.geometry.quintics import course
+from sandbox.physics.geometry.quintic_interpolation import course
 from sandbox.physics.joints.exact.angles import (
     angle_stops,
     geared,

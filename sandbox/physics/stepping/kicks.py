@@ -14,8 +14,8 @@ import pymunk
 
 from sandbox.model.expressions import Array
 from sandbox.physics.engine.private_handles import stepper
+from sandbox.physics.scene.drift_and_kick import Substep, once
 from sandbox.physics.scene.scene import Scene
-from sandbox.physics.scene.substeps import Substep, once
 from sandbox.physics.state.kick import Clock, Kick, Work
 from sandbox.physics.stepping.applied_forces import Forces
 from sandbox.physics.stepping.held_kicks import HeldKicks

@@ -15,7 +15,7 @@ from sandbox.model.expressions import Expression
 from sandbox.model.json_positions import Path
 from sandbox.model.level_parts import expressions
 from sandbox.model.loading import parse, read
-from sandbox.model.rules.faults import corners
+from sandbox.model.rules.level_validation import corners
 
 MASS: Path = ("bodies", "box1", "mass")
 

@@ -4,8 +4,8 @@ from sandbox.app.building.tools.deleting import DeleteTool
 from sandbox.app.building.tools.discs_and_boxes import BoxTool, DiscTool
 from sandbox.app.building.tools.joining import JoinTool
 from sandbox.app.building.tools.selecting import SelectTool
+from sandbox.app.building.tools.surfaces_and_polygons import CurveTool, PolygonTool, SurfaceTool
 from sandbox.app.building.tools.tool import Kind
-from sandbox.app.building.tools.tracing import CurveTool, PolygonTool, SurfaceTool
 
 TOOLS: tuple[Kind, ...] = (
     Kind("select", "Select", "1", "select, move, turn and resize", SelectTool),

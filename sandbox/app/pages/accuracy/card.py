@@ -8,9 +8,9 @@ from sandbox.app.cards.card import GAP, Card
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
-from sandbox.app.words import formatting, level_words
+from sandbox.app.words import formatting, level_translation
 from sandbox.app.words.language import later, say
-from sandbox.app.words.level_words import Say, title
+from sandbox.app.words.level_translation import Say, title
 from sandbox.model.level import Check, Level, Stepping
 from sandbox.physics.accuracy.accuracy_study import Here, Progress, Split
 from sandbox.physics.accuracy.trusted_digits import Trust
@@ -82,7 +82,7 @@ def rest(
     splits: Mapping[int, Split],
 ) -> pygame.Surface:  # fmt: skip
     """Draw the parts of a frame's time, and the parts of the checks' errors."""
-    card, words = Card(pen, width), level_words.of(level)
+    card, words = Card(pen, width), level_translation.of(level)
     _frame(card, shares)
     if splits:
         card.y += 8

@@ -9,7 +9,7 @@ from sandbox.app.drawing import lines, theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
 from sandbox.app.runs.session import Session
-from sandbox.app.words import formatting, level_words
+from sandbox.app.words import formatting, level_translation
 from sandbox.app.words.language import later, say
 from sandbox.model.challenge import Challenge
 from sandbox.physics.measuring.goals import Attempt, Outcome, Standing
@@ -34,7 +34,7 @@ def challenge(pen: Pen, width: int, session: Session) -> pygame.Surface:
 def task(pen: Pen, width: int, session: Session) -> pygame.Surface:
     """Draw the title of the level and the task."""
     asked = session.level.challenge
-    card, words = Card(pen, width), level_words.of(session.original)
+    card, words = Card(pen, width), level_translation.of(session.original)
     card.text(words(session.original.title), 20, bold=True)
     card.y += 4
     card.text(words(asked.task) if asked else say(NONE), 15 if asked else 14)
@@ -53,7 +53,7 @@ def standing(pen: Pen, width: int, session: Session, best: int) -> pygame.Surfac
         card.text(say("Restart (R) to try again."), 13, theme.DIM)
         return card.drawn()
     _stars(card, found, best)
-    before, words = "", level_words.of(session.original)
+    before, words = "", level_translation.of(session.original)
     for index, outcome in enumerate(found.outcomes):
         rank = _rank(index, asked)
         if rank != before:

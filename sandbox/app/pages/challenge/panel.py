@@ -8,7 +8,7 @@ from sandbox.app.pages.challenge.judge import Judge
 from sandbox.app.pages.page import Desk
 from sandbox.app.widgets.sheet import Sheet, below
 from sandbox.app.widgets.widget_helpers import show
-from sandbox.app.words import level_words
+from sandbox.app.words import level_translation
 from sandbox.app.words.language import later, say
 
 FIRST, ANOTHER = later("A hint"), later("Another hint")
@@ -30,7 +30,7 @@ class ChallengePage:
         y = below(sheet.image(task(sheet.pen, sheet.width, desk.session), sheet.margin // 2)) + 12
         asked, level = desk.session.level.challenge, desk.session.original
         free = {name: level.parameters[name] for name in (asked.free if asked else ())}
-        y += sheet.ask(y, free, desk.session.chosen, level_words.of(level)).height
+        y += sheet.ask(y, free, desk.session.chosen, level_translation.of(level)).height
         self._standing = sheet.image(self._draw_standing(), y + 4)
         self._hints = sheet.image(self._draw_hints(), below(self._standing) + 8)
         self.button = sheet.button(
@@ -80,7 +80,7 @@ class ChallengePage:
 
     @property
     def _shown_hints(self) -> tuple[str, ...]:
-        words = level_words.of(self._session.original)
+        words = level_translation.of(self._session.original)
         shown = self._judge.hints.get(self._session.original.title, 0)
         return tuple(map(words, self._all_hints[:shown]))
 

@@ -9,9 +9,9 @@ from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.pages.effects import whatif
 from sandbox.app.runs.session import Session
-from sandbox.app.words import formatting, level_words
+from sandbox.app.words import formatting, level_translation
 from sandbox.app.words.language import later, say
-from sandbox.app.words.level_words import Say
+from sandbox.app.words.level_translation import Say
 from sandbox.physics.measuring.comparison import Difference
 
 TOUCHED_ONE = later("Only this run was changed by hand: the two can no longer be compared.")
@@ -54,7 +54,7 @@ def changed(pen: Pen, width: int, session: Session) -> pygame.Surface:
     """Draw the differences between a session and its level as declared."""
     if not session.changes:
         return unchanged(pen, width)
-    words = level_words.of(session.original)
+    words = level_translation.of(session.original)
     return compared(pen, width, session.changes.label, whatif.compared(session), words)
 
 

@@ -15,7 +15,7 @@ from sandbox.app.pages.page import Desk
 from sandbox.app.runs.companions import NONE
 from sandbox.app.widgets.sheet import Sheet, below, in_rows
 from sandbox.app.widgets.widget_helpers import allow, press
-from sandbox.app.words import formatting, level_words
+from sandbox.app.words import formatting, level_translation
 from sandbox.app.words.language import later, say
 from sandbox.model.effect_variants import DEFAULTS
 
@@ -123,5 +123,5 @@ class EffectsPage:
             self._ration = Ration(lambda: whatif.compared(session), ())
         found = self._ration(session.world.steps + 1, hurried=session.playing)
         cost = whatif.cost(session)
-        words, disturbed = level_words.of(session.original), session.world.disturbed
+        words, disturbed = level_translation.of(session.original), session.world.disturbed
         return compared(pen, width, session.changes.label, found, words, cost, disturbed=disturbed)

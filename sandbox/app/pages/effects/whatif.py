@@ -6,7 +6,7 @@ from dataclasses import replace
 from sandbox.app.drawing.theme import Color
 from sandbox.app.runs.companions import NONE, Changes, Variant
 from sandbox.app.runs.session import Session
-from sandbox.app.words import formatting, level_words
+from sandbox.app.words import formatting, level_translation
 from sandbox.app.words.language import later, say
 from sandbox.model.effect_variants import DEFAULTS, vary
 from sandbox.model.effects.contract import Settings
@@ -155,7 +155,7 @@ def cost(session: Session) -> float | None:
 
 def summary(session: Session, found: Sequence[Difference]) -> str:
     """Return a sentence about the differences by the change, and its cost."""
-    said = list(formatting.summary(found, level_words.of(session.original)))
+    said = list(formatting.summary(found, level_translation.of(session.original)))
     seconds = cost(session)
     if seconds is not None:
         said.append(formatting.step_cost(seconds))

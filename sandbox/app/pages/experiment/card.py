@@ -13,7 +13,7 @@ from sandbox.app.pages.experiment.sampling import Point
 from sandbox.app.runs.session import Session
 from sandbox.app.widgets import plot
 from sandbox.app.widgets.plot import Scale, Series
-from sandbox.app.words import formatting, level_words
+from sandbox.app.words import formatting, level_translation
 from sandbox.app.words.language import later, plural, say
 from sandbox.experiments.measures import MeasureError, parse
 from sandbox.experiments.suggested_measures import of_check
@@ -66,7 +66,7 @@ def unit_of(level: Level, chosen: Chosen) -> str:
 
 def shown_as(level: Level, measure: str) -> str:
     """Return the label of the check that measures the same; else the measure itself."""
-    labels = {of_check(each): level_words.of(level)(each.label) for each in level.checks}
+    labels = {of_check(each): level_translation.of(level)(each.label) for each in level.checks}
     return labels.get(measure) or measure
 
 
@@ -112,7 +112,7 @@ def _point_text(card: Card, level: Level, chosen: Chosen, point: Point | None) -
 def named(level: Level, name: str, unit: str = "") -> str:
     """Return a parameter with its label, and a unit in brackets."""
     parameter = level.parameters[name]
-    label = level_words.of(level)(parameter.label)
+    label = level_translation.of(level)(parameter.label)
     shown = f"{name} [{unit}]" if unit else name
     return f"{shown}, {label}" if label and label != name else shown
 

@@ -7,7 +7,7 @@ from typing import Literal, NamedTuple
 from sandbox.app.pages.graph.card import closed_forms, measured, so_far
 from sandbox.app.pages.graph.zoom import Graph, Interval
 from sandbox.app.runs.session import Session
-from sandbox.app.words import level_words
+from sandbox.app.words import level_translation
 from sandbox.app.words.formatting import with_unit_in_brackets
 from sandbox.app.words.language import say
 from sandbox.model.errors import SandboxError
@@ -71,7 +71,7 @@ def figure(
         fields.append(Field(graph.unit, curves, (graph.up.low, graph.up.high)))
     span = graphs[0].across
     label = with_unit_in_brackets(across, units[across])
-    title = level_words.of(session.original)(session.original.title)
+    title = level_translation.of(session.original)(session.original.title)
     return Figure(title, label, (span.low, span.high), fields)
 
 

@@ -5,7 +5,7 @@ import pygame
 from sandbox.app.cards.card import Card
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
-from sandbox.app.words import formatting, level_words
+from sandbox.app.words import formatting, level_translation
 from sandbox.app.words.language import say
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level
@@ -13,7 +13,7 @@ from sandbox.model.level import Level
 
 def header(pen: Pen, width: int, level: Level) -> pygame.Surface:
     """Draw a level's title, summary and reference."""
-    card, words = Card(pen, width), level_words.of(level)
+    card, words = Card(pen, width), level_translation.of(level)
     card.text(words(level.title), 20, bold=True)
     card.y += 4
     if level.summary:
@@ -33,7 +33,7 @@ def clock(pen: Pen, width: int, text: str) -> pygame.Surface:
 
 def settings(pen: Pen, width: int, level: Level, values: Values) -> pygame.Surface:
     """Draw the parameters with their values."""
-    card, words = Card(pen, width), level_words.of(level)
+    card, words = Card(pen, width), level_translation.of(level)
     card.heading(say("Parameters"))
     for name, parameter in level.parameters.items():
         value = formatting.with_unit(formatting.setting(values[name]), parameter.unit)

@@ -13,7 +13,7 @@ from sandbox.app.pages.page import Desk
 from sandbox.app.runs.session import Session
 from sandbox.app.widgets.sheet import Sheet, below
 from sandbox.app.widgets.widget_helpers import press
-from sandbox.app.words import level_words
+from sandbox.app.words import level_translation
 from sandbox.app.words.language import later, say
 
 if TYPE_CHECKING:
@@ -35,7 +35,7 @@ class LevelPage:
         y = below(sheet.image(header(pen, width, level), sheet.margin // 2)) + 8
         if level.parameters:
             y = below(sheet.image(heading(pen, width, say("Parameters")), y))
-        y += sheet.ask(y, level.parameters, desk.session.chosen, level_words.of(level)).height
+        y += sheet.ask(y, level.parameters, desk.session.chosen, level_translation.of(level)).height
         self.onwards: UIButton | None = None
         if level.parameters:
             place = pygame.Rect(0, y + 4, width, sheet.px(SWITCH))
@@ -66,7 +66,7 @@ class LevelPage:
             sheet.pen,
             sheet.width,
             session.readings(),
-            level_words.of(session.original),
+            level_translation.of(session.original),
             disturbed=session.world.disturbed,
             splits=self._studying.splits(session),
         )

@@ -12,7 +12,7 @@ from sandbox.app.pages.predict.questions import questions, unit_of, when
 from sandbox.app.widgets.sheet import Sheet, below
 from sandbox.app.widgets.text_field import Field
 from sandbox.app.widgets.widget_helpers import show
-from sandbox.app.words import level_words
+from sandbox.app.words import level_translation
 from sandbox.app.words.language import later, say
 from sandbox.model.level import Check
 
@@ -97,8 +97,8 @@ class PredictPage:
 
     def _names(self) -> list[str]:
         """Return distinct names of the questions."""
-        words = level_words.of(self._session.original)
-        titles = [level_words.title(question, words) for question in self._questions]
+        words = level_translation.of(self._session.original)
+        titles = [level_translation.title(question, words) for question in self._questions]
         pairs = zip(titles, self._questions, strict=True)
         names = [
             name if titles.count(name) == 1 else f"{name} {when(each.at)}" for name, each in pairs
@@ -167,7 +167,7 @@ class PredictPage:
         if question is None:
             return card.intro(pen, width, self._session, possible=bool(self._questions))
         unit = unit_of(question, self._session.level)
-        name = level_words.title(question, level_words.of(self._session.original))
+        name = level_translation.title(question, level_translation.of(self._session.original))
         since = self._session.t if self._open else None
         return card.asked(pen, width, question, name, unit, since)
 

@@ -13,7 +13,7 @@ from collections.abc import Iterator, Mapping
 import pymunk
 
 from sandbox.model.expressions import Array
-from sandbox.physics.contacts.shapes.enclosures import Enclosures
+from sandbox.physics.contacts.shapes.hoop_collision_filter import Enclosures
 from sandbox.physics.engine.batch import Contacts
 from sandbox.physics.engine.pre_solve_contact import Meeting, address
 from sandbox.physics.geometry.arcs import Piece, Placed, Touch, Verdict, way_along

@@ -23,8 +23,8 @@ from sandbox.physics.contacts.shapes.corner_feelers import (
     half_of,
     make_feeler,
 )
-from sandbox.physics.contacts.shapes.enclosures import Enclosures
 from sandbox.physics.contacts.shapes.hollow_contacts import Hollows
+from sandbox.physics.contacts.shapes.hoop_collision_filter import Enclosures
 from sandbox.physics.contacts.shapes.line_ends import make_ends
 from sandbox.physics.engine.bodies import center_of, local_points
 from sandbox.physics.geometry.arcs import Arc, Piece

@@ -10,7 +10,7 @@ import numpy as np
 
 from sandbox.model.message import Message
 from sandbox.model.wires import Points
-from sandbox.physics.geometry.quintics import Quintics
+from sandbox.physics.geometry.quintic_interpolation import Quintics
 from sandbox.physics.joints.exact.constraint_interface import Coordinates, Share
 from sandbox.physics.state.anchor import Anchor
 from sandbox.physics.state.errors import JointFailure

@@ -14,7 +14,7 @@ from sandbox.editing.placement import Core, Placed, distance
 from sandbox.model.expressions import Expression, Values
 from sandbox.model.joints import Rod, Rope, Spring, bodies_of, body_of
 from sandbox.model.level import Level
-from sandbox.model.rules.faults import corners
+from sandbox.model.rules.level_validation import corners
 
 Check = Mapping[str, Any]
 """A check, as in a level's file."""

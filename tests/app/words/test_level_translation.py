@@ -8,7 +8,7 @@ import pygame
 import pytest
 
 from sandbox.app.drawing.text import Pen
-from sandbox.app.words import language, level_words
+from sandbox.app.words import language, level_translation
 from sandbox.model import level_catalog
 from sandbox.model.loading import load
 from sandbox.model.prose_fields import prose
@@ -47,10 +47,10 @@ def speak(person: Person, name: language.Name) -> None:
 @pytest.mark.usefixtures("german")
 def test_what_a_level_says_that_comes_with_the_project_is_translated() -> None:
     level = load(FALL)
-    words = level_words.of(level)
+    words = level_translation.of(level)
 
     assert words(level.title) == "Freier Fall"
-    assert level_words.title(level.checks[0], words) == "nach einer Sekunde gefallen: g/2"
+    assert level_translation.title(level.checks[0], words) == "nach einer Sekunde gefallen: g/2"
 
 
 @pytest.mark.usefixtures("german")
@@ -59,13 +59,13 @@ def test_a_copy_of_it_stays_in_the_language_of_its_author(tmp_path: Path) -> Non
     copy.write_bytes(FALL.read_bytes())
     level = load(copy)
 
-    assert level_words.of(level)(level.title) == "Free fall"
+    assert level_translation.of(level)(level.title) == "Free fall"
 
 
 @pytest.mark.usefixtures("german")
 def test_where_some_words_of_it_are_edited_none_is_translated() -> None:
     level = load(FALL).model_copy(update={"title": "My fall"})
-    words = level_words.of(level)
+    words = level_translation.of(level)
 
     assert [words(text) for _, text in prose(level)] == [text for _, text in prose(level)]
 
@@ -75,13 +75,13 @@ def test_where_its_numbers_are_edited_its_words_stay_translated() -> None:
     level = load(FALL)
     other = level.model_copy(update={"checks": level.checks[:1]})
 
-    assert level_words.of(other)(level.title) == "Freier Fall"
+    assert level_translation.of(other)(level.title) == "Freier Fall"
 
 
 def test_in_english_a_level_says_what_its_file_says() -> None:
     level = load(FALL)
 
-    assert level_words.of(level)(level.title) == "Free fall"
+    assert level_translation.of(level)(level.title) == "Free fall"
 
 
 def test_the_page_of_a_level_says_it_in_german_after_a_switch_while_it_runs(
