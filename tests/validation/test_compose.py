@@ -411,6 +411,7 @@ def test_a_second_corner_that_comes_down_is_an_impact_of_its_own_and_a_deeper_fi
 
 
 MENDED = {
+    2286519262: "boxes stopped on a belt within the first step, whose loss was booked twice",
     2707768698: "no rate was told at which a bead holds",
     4268392387: "welded boxes on a belt shared their friction by the axes",
     1831363507: "a slack rope held two wagons that overlapped",

@@ -22,7 +22,7 @@ class Entries:
         self.works = dict.fromkeys((*ledger_accounts.works(level), "hand"), 0.0)
         self.losses = dict.fromkeys(ledger_accounts.losses(level), 0.0)
         self.impulses = {name: np.zeros(3) for name in ledger_accounts.outside(level)}
-        self._lost: dict[str, float] = {}  # in the kick or impact so far [J]
+        self._lost: dict[str, float] | None = None  # in the kick or impact so far [J]
 
     def begin(self) -> None:
         """Begin a kick, or an impact: within it, a gain may cancel earlier losses, and no more."""
@@ -56,7 +56,13 @@ class Entries:
             self.losses["friction"] += work
 
     def lose(self, name: str, work: float) -> float:
-        """Book a loss, and return the booked part; a net gain in a kick stays unexplained."""
+        """Book a loss, and return the booked part; a net gain in a kick stays unexplained.
+
+        Before the first kick, what is booked takes back a part of the kick that opened the books.
+        """
+        if self._lost is None:
+            self.losses[name] += work
+            return work
         before = self._lost.get(name, 0.0)
         self._lost[name] = before + work
         booked = min(before + work, 0.0) - min(before, 0.0)

@@ -526,3 +526,23 @@ def test_what_friction_takes_from_a_rebound_is_booked_once(
 
     assert world.snapshot.velocity[2] != pytest.approx((comes.real, comes.imag))
     assert rest(books) <= 1e-12
+
+
+@pytest.mark.parametrize("rate", [30, 60, 97, 240])
+@pytest.mark.parametrize("belt", [0.0, 0.05])
+def test_the_books_close_where_friction_ends_within_the_first_step(
+    rate: float, belt: float
+) -> None:
+    """After 10 ms; the half kick before the books were opened is taken back in part."""
+    effects = {**GRAVITY, "contact": {"solver": "direct"}, "friction": {}, "rotation": {}}
+    if belt:
+        effects["belt"] = [{"body": "floor", "velocity": [-belt, 0]}]
+    velocity = [0, 0] if belt else [0.05, 0]
+    bodies = {"floor": floor(friction=1), "box": box((0, 0.25), friction=0.5, velocity=velocity)}
+    world = build(level(bodies, effects, stepping={"rate": rate}))
+    ledger = Ledger(world)
+    for _ in range(10):
+        world.advance()
+        ledger.note()
+
+    assert ledger.balance.unexplained == pytest.approx(0, abs=1e-14)
