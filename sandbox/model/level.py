@@ -25,6 +25,7 @@ from sandbox.model.body import MAX_BODIES, Body
 from sandbox.model.challenge import Challenge
 from sandbox.model.constants import define
 from sandbox.model.effects import Effects
+from sandbox.model.effects.contact import Contact
 from sandbox.model.expressions import Expression, Positive, Values
 from sandbox.model.formulas import Formula
 from sandbox.model.joints import Held, Joint, Own, Pulley, bodies_of, body_of, is_exact, points
@@ -236,15 +237,14 @@ def is_direct(level: Level, stepping: Stepping | None = None) -> bool:
         return False
     if contact.solver is not None:
         return contact.solver == "direct"
-    joined = any(map(is_exact, level.joints.values())) or _is_sprung(level)
+    joined = any(map(is_exact, level.joints.values())) or _is_sprung(level, contact)
     sticks = contact.located and level.effects.sticking
     return bool(joined or sticks or (stepping or level.stepping).solver) and may_be_direct(level)
 
 
-def _is_sprung(level: Level) -> bool:
+def _is_sprung(level: Level, contact: Contact) -> bool:
     """Whether springs hold bodies, at most `MOST_SPRUNG` move, and pymunk finds the impacts."""
-    contact = level.effects.contact
-    if not level.joints or (contact and contact.located) or level.effects.in_sequence:
+    if not level.joints or contact.located or level.effects.in_sequence:
         return False
     return sum(body.type == "dynamic" for body in level.bodies.values()) <= MOST_SPRUNG
 

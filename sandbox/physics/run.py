@@ -23,7 +23,7 @@ from sandbox.physics.stepping.make_world import make_world
 from sandbox.physics.stepping.time_limit import Patience
 from sandbox.physics.stepping.world import World
 
-MOST_PAIRS = 100
+MOST_UNSETTLED = 100
 """The most pairs in contact that are solved directly because sweeps did not settle them."""
 
 
@@ -39,7 +39,7 @@ def build(level: Level, values: Values | None = None, stepping: Stepping | None 
     values = level.defaults if values is None else values
     chosen = resolved(level, values, stepping or level.stepping)
     world = make_world(level, values, chosen)
-    if not leans(world) or not may_be_direct(level) or len(world.contacts.bodies) > MOST_PAIRS:
+    if not leans(world) or not may_be_direct(level) or len(world.contacts.bodies) > MOST_UNSETTLED:
         return world
     try:
         return make_world(level, values, chosen.model_copy(update={"solver": "direct"}))

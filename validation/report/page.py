@@ -92,10 +92,8 @@ def _add_hard_cases(found: Report, content: measurements.Content) -> None:
 
 
 def _add_effects(found: Report, content: measurements.Content) -> None:
-    found.levels, found.effects = (
-        measurements.level_costs(content),
-        measurements.effect_costs(content),
-    )
+    found.levels = measurements.level_costs(content)
+    found.effects = measurements.effect_costs(content)
     found.growths = measurements.growths(content)
     if found.effects:
         found.figures["effects"] = effects_figure.diagram(found.effects)

@@ -19,7 +19,7 @@ from sandbox.model.level import HIGHEST_RATE, Level, Stepping, is_direct
 from sandbox.model.message import NOTHING, Message, both, joined
 from sandbox.physics.guarding.rate_limits import needed
 from sandbox.physics.measuring.recording import count_steps
-from sandbox.physics.run import MOST_PAIRS, build
+from sandbox.physics.run import build
 from sandbox.physics.scene.stability_limits import MARGIN
 from sandbox.physics.state.errors import BreakdownError, SimulationError
 from sandbox.physics.stepping.world import World
@@ -35,6 +35,9 @@ STEPS = 50_000
 
 FINER = 4
 """The rate of a trial where no rate is known, as a multiple of the present one."""
+
+MOST_BODIES = 100
+"""The most bodies of a pile whose forces are found directly, to see whether that helps."""
 
 PAST = 1.5
 """The time that a trial must reach to count as success, as a multiple of the failed run's."""
@@ -160,7 +163,7 @@ def _found(failed: list[_Trial], trial: _Trial) -> Message:
 def leaning(level: Level, values: Values, stepping: Stepping) -> str:
     """Return the warning that a pile may lean because its contact forces were not settled."""
     text = "sweeps of the solver did not settle what rests at the start, so it may lean or fall"
-    if len(level.bodies) > MOST_PAIRS:
+    if len(level.bodies) > MOST_BODIES:
         return text
     try:
         build(solved_directly(level), values, stepping)

@@ -136,6 +136,12 @@ def leans(world: World) -> bool:
     return bool(settling and settling.unsettled and not world.scene.direct)
 
 
+def _steps_see_impacts(world: World) -> bool:
+    """Return whether impacts are found only at steps, but for bodies whose own are located."""
+    scene = world.scene
+    return bool(world.level.effects.contact and not (scene.direct or scene.sequence))
+
+
 class Recorder:
     """Records quantities of a world, step by step; keeps a ledger if a quantity needs one."""
 
@@ -158,7 +164,7 @@ class Recorder:
         self._measured: list[tuple[Array, dict[str, Array]]] = []
         self._count = 0
         self._leans = leans(world)
-        self._speeds = np.zeros(len(self._names))  # the highest, [m/s]
+        self._speeds = np.zeros(len(self._names))  # the highest where steps see impacts [m/s]
         self._meetings: dict[Pair, list[Meeting]] = {}
         self._partings: dict[Pair, list[int]] = {}
         self._touching: set[int] = set()  # pairs that touch now, as numbers
@@ -246,8 +252,9 @@ class Recorder:
                     columns[name] = columns[name] + self._measured[-1][1][name][-1]
             fresh = {name: column[known:] for name, column in columns.items()}
             self._measured.append((stack.t[known:], fresh))
-            speeds = np.hypot(stack.velocity[..., 0], stack.velocity[..., 1])
-            self._speeds = np.maximum(self._speeds, speeds.max(axis=0))
+            if _steps_see_impacts(self._world):
+                speeds = np.hypot(stack.velocity[..., 0], stack.velocity[..., 1])
+                self._speeds = np.maximum(self._speeds, speeds.max(axis=0))
             self._last = self._fresh[-1:]
             self._fresh.clear()
 
@@ -285,7 +292,7 @@ class Recorder:
     def _unseen(self) -> "tuple[Need, ...]":
         """Return what moved further than its own width in a step, where only steps see impacts."""
         world, contact = self._world, self._world.level.effects.contact
-        if contact is None or world.scene.direct or world.scene.sequence:
+        if not (contact and _steps_see_impacts(world)):
             return ()
         from sandbox.physics.guarding.rate_limits import fast
 

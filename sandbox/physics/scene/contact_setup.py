@@ -7,7 +7,6 @@ import pymunk
 from sandbox.model.collision_filter import apart
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level, Stepping, is_direct
-from sandbox.model.shapes import Arc, Curve, Hoop
 from sandbox.physics.contacts.coefficients.solver_coefficients import (
     correct_contacts,
     give_coefficients,
@@ -20,7 +19,7 @@ from sandbox.physics.contacts.detection.pair_limit import (
     refuse_crowd,
 )
 from sandbox.physics.contacts.shapes.corner_gaps import reach_out
-from sandbox.physics.contacts.shapes.hollow_shapes import make_hollow
+from sandbox.physics.contacts.shapes.hollow_shapes import HollowShape, make_hollow
 from sandbox.physics.contacts.shapes.pymunk_shapes import (
     DIRECT_SKIN,
     SKIN,
@@ -38,9 +37,6 @@ if TYPE_CHECKING:
     from sandbox.physics.contacts.direct.solver import Direct
     from sandbox.physics.contacts.impacts.sequential_impacts import Sequence as Sequential
     from sandbox.physics.contacts.shapes.one_way import Gates
-
-HOLLOW = Arc | Hoop | Curve
-"""Shapes that may be touched from inside."""
 
 
 def make_contacts(
@@ -98,7 +94,7 @@ def _make_shapes(
 
         keep_apart(space, bodies, pairs_apart)
     refuse_crowd(shapes, most)
-    hollow = {n: s for n, s in shapes.items() if isinstance(level.bodies[n].shape, HOLLOW)}
+    hollow = {n: s for n, s in shapes.items() if isinstance(level.bodies[n].shape, HollowShape)}
     refuse_crowd(hollow, MOST_HOLLOW)
     for made in shapes.values():  # last, as pymunk looks for pairs at once
         space.add(*made)

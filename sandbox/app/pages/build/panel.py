@@ -165,10 +165,8 @@ class BuildPage:
             self._refused.clear()
             self._offered.clear()
         self.palette.update()
-        rows, numbers = (
-            inspected_fields.rows(self._editor.bench),
-            inspected_fields.numbers(self._editor.bench),
-        )
+        rows = inspected_fields.rows(self._editor.bench)
+        numbers = inspected_fields.numbers(self._editor.bench)
         blocks = self._blocks()
         shape = (
             selected, self._editor.saving.naming,

@@ -33,6 +33,9 @@ from sandbox.physics.geometry.curves import course_of
 from sandbox.physics.geometry.plane_curve import Course, Side
 from sandbox.physics.state.errors import SimulationError
 
+HollowShape = ArcShape | Hoop | CurveShape
+"""Shapes that may be touched from inside."""
+
 
 def make_hollow(
     space: pymunk.Space,
@@ -49,8 +52,7 @@ def make_hollow(
     `Hollows`. Raises `SimulationError` if a body starts in a hoop that can only be touched from
     outside, or if hoops separate too many bodies.
     """
-    hollow = ArcShape | Hoop | CurveShape
-    if not any(isinstance(body.shape, hollow) for body in level.bodies.values()):
+    if not any(isinstance(body.shape, HollowShape) for body in level.bodies.values()):
         return None
     made = {
         name: _made(row, level.bodies[name], values, own)
@@ -101,7 +103,7 @@ def _pairs(level: Level, values: Values, made: Mapping[str, Made]) -> list[tuple
     moving = {name: body for name, body in made.items() if body.moves}
     widths = {name: _width(body) for name, body in made.items()}
     for name, hollow in made.items():
-        if not isinstance(hollow.spec.shape, ArcShape | Hoop | CurveShape):
+        if not isinstance(hollow.spec.shape, HollowShape):
             continue
         for other, body in (made if hollow.moves else moving).items():
             if other == name:

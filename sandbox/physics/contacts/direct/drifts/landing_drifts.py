@@ -54,9 +54,8 @@ SHORT = 0.1
 a short part follow from small differences of positions, and their rounding is traced far back."""
 
 BRIEF = 1e-3
-"""The share of a drift for which the forces of the whole one will do, where none are found for so
-short a part: rounding of the gaps, over so short a time, may ask for velocities that exclude each
-other."""
+"""The share of a drift for which the forces of the whole one will do where none are found: rounding
+of gaps, over so short a time, may ask for velocities that exclude each other."""
 
 LEAST = 0.06
 """The share of a drift below which it is not divided where contacts do not keep their gaps: bodies
@@ -165,8 +164,7 @@ class Landings:
             longer = self._solved(last, drift, drift / 2)
         except (JointFailure, NoForces):
             return last
-        same = longer.active.equals(last.active)
-        return last._replace(lasting=longer.forces) if same else last
+        return last._replace(lasting=longer.forces) if longer.active.equals(last.active) else last
 
     def _cut(self, part: Part) -> tuple[Part, Part] | None:
         """Return a part up to its first landing, and the rest of it; None if nothing lands."""
@@ -242,8 +240,11 @@ class Landings:
         lasts = part.lasts - (part.drift - drift) / 2
         if drift >= SOON * part.drift:
             similar = part._replace(forces=near.forces, active=near.active)
-            with suppress(*(() if drift > BRIEF * part.drift else (NoForces,))):
+            try:
                 return self._solved(similar, drift, lasts)
+            except NoForces:
+                if drift > BRIEF * part.drift:
+                    raise
         moved = part.begun + lasts * (self._laws + part.pulls)
         return part._replace(drift=drift, lasts=lasts, moved=moved)
 

@@ -132,9 +132,11 @@ class WarmStart:
         if known:
             old_force, old_on = known.force, known.active.on[known.layout.gaps]
             old_along = known.forces[known.layout.slips]
-            for gap, old in self._same(kick):
+            before = known.layout.touching
+            keys, old_keys = _keys(touching), _keys(before)
+            for gap, old in _same(keys, old_keys):
                 force[gap], on[gap] = old_force[old], old_on[old]
-            for place, old in _same(_rubbing(touching), _rubbing(known.layout.touching)):
+            for place, old in _same(_rubbing(touching, keys), _rubbing(before, old_keys)):
                 along[place], slip[place] = old_along[old], known.active.slip[old]
         return force, along, on, slip
 
@@ -161,9 +163,8 @@ def _same(new: list[Key], old: list[Key]) -> list[tuple[int, int]]:
     return [(place, places[key]) for place, key in enumerate(new) if key in places]
 
 
-def _rubbing(touching: Touching) -> list[Key]:
-    """Return the keys by which friction is recognised in the next step, at either point."""
-    keys = _keys(touching)
+def _rubbing(touching: Touching, keys: list[Key]) -> list[Key]:
+    """Return the keys of friction, at either point, from those of all gaps."""
     return [(*keys[gap][:3], 0) for gap in touching.rubs.tolist()]
 
 
