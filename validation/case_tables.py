@@ -4,6 +4,7 @@ Each phenomenon has a file of tables, `validation/cases/<phenomenon>.toml`;
 docs/how-to/add-a-case.md describes their content.
 """
 
+import ast
 import builtins
 import json
 import math
@@ -12,8 +13,6 @@ from cmath import rect
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cache
-from importlib import import_module
-from importlib.util import find_spec
 from pathlib import Path
 from types import CodeType
 from typing import Any
@@ -21,6 +20,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 from pydantic import TypeAdapter
+from scipy.integrate import quad
 
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Array, Values
@@ -52,9 +52,10 @@ NAMES: Mapping[str, object] = {
     **{name: value for name, value in vars(math).items() if not name.startswith("_")},
     **{module.__name__.rpartition(".")[2]: module for module in MODULES},
     "np": np,
+    "quad": quad,
     "rect": rect,
 }
-"""The names that a closed form may use, besides Python's built-ins and `own`."""
+"""The names that a closed form may use, besides Python's built-ins and the table's definitions."""
 
 ORDERS = {2: SECOND_ORDER, 4: FOURTH_ORDER}
 
@@ -70,29 +71,45 @@ class TableError(SandboxError):
 
 
 @dataclass(frozen=True, slots=True)
-class ClosedForm:
-    """A formula in a table, of a level's parameters and of the sampled times, `t` [s].
-
-    `p` is the mapping of all parameters, for functions of `own` that take it.
-    """
+class Formula:
+    """An expression in a file of tables."""
 
     source: str
-    names: Mapping[str, object] = field(repr=False)
     code: CodeType = field(init=False, repr=False, compare=False)
+    names: frozenset[str] = field(init=False, repr=False, compare=False)
+    """The names that it takes from outside; not the arguments of its own functions."""
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "code", compile(self.source, "formula", "eval"))
+        tree = ast.parse(self.source.strip(), "formula", "eval")
+        parts = list(ast.walk(tree))
+        named = [part for part in parts if isinstance(part, ast.Name)]
+        own = {part.arg for part in parts if isinstance(part, ast.arg)}
+        own |= {name.id for name in named if isinstance(name.ctx, ast.Store)}
+        object.__setattr__(self, "code", compile(tree, "formula", "eval"))
+        object.__setattr__(self, "names", frozenset(name.id for name in named) - own)
+
+
+@dataclass(frozen=True, slots=True)
+class ClosedForm:
+    """A formula in a table, of a level's parameters and of the sampled times, `t` [s]."""
+
+    formula: Formula
+    defined: Mapping[str, Formula] = field(repr=False)
+    """The definitions that it uses, each after those that it uses itself."""
 
     def __call__(self, values: Values, t: Array) -> ArrayLike:
         """Return the expected values."""
-        scope = {**self.names, **values, "p": values, "t": t}
-        found: ArrayLike = eval(self.code, scope)  # written here, not by authors of levels
+        scope = {**NAMES, **values, "t": t}
+        for name, formula in self.defined.items():
+            scope[name] = eval(formula.code, scope)  # written here, not by authors of levels
+        found: ArrayLike = eval(self.formula.code, scope)
         return found
 
     def unknown(self, parameters: Sequence[str]) -> list[str]:
-        """Return the unknown names in it."""
-        local = set(self.code.co_names) - {"p", "t", *self.names, *parameters, *vars(builtins)}
-        return sorted(name for name in local if f".{name}" not in self.source)
+        """Return the unknown names in it, and in the definitions that it uses."""
+        used = self.formula.names.union(*(each.names for each in self.defined.values()))
+        known = {"t", *NAMES, *self.defined, *parameters, *vars(builtins)}
+        return sorted(used - known)
 
 
 @cache
@@ -100,22 +117,16 @@ def read(phenomenon: str) -> tuple[Case, ...]:
     """Return the cases of a phenomenon; raise `TableError` if its file has a mistake."""
     path = FOLDER / f"{phenomenon}.toml"
     try:
-        tables = tomllib.loads(path.read_text(encoding="utf-8")).get("table", ())
+        said = tomllib.loads(path.read_text(encoding="utf-8"))
     except tomllib.TOMLDecodeError as error:
         raise TableError(f"{path}: is not TOML: {error}") from error
-    if not tables:
+    if not (tables := said.get("table", ())):
         raise TableError(f"{path}: has no [[table]]")
-    return tuple(case for table in tables for case in _expanded(path, table))
+    let = {name: Formula(source) for name, source in said.get("let", {}).items()}
+    return tuple(case for table in tables for case in _expanded(path, let, table))
 
 
-@cache
-def _names(phenomenon: str) -> Mapping[str, object]:
-    """Return the names for the formulas of a phenomenon, including its own module."""
-    name = f"validation.cases.functions.{phenomenon}"
-    return {**NAMES, "own": import_module(name)} if find_spec(name) else NAMES
-
-
-def _expanded(path: Path, table: Mapping[str, Any]) -> Iterator[Case]:
+def _expanded(path: Path, let: Mapping[str, Formula], table: Mapping[str, Any]) -> Iterator[Case]:
     """Yield a case for each row of a table, each choice of parameters, and each of `each`."""
     if odd := set(table) - TABLE - {*NEEDED, *FREE}:
         raise TableError(f"{path}: unknown key in a table: {', '.join(sorted(odd))}")
@@ -128,7 +139,7 @@ def _expanded(path: Path, table: Mapping[str, Any]) -> Iterator[Case]:
             for row in table.get("case", ()):
                 given = {**defaults, **row}
                 said = {name: _filled(value, item) for name, value in given.items()}
-                yield _case(path, table["level"], parameters, said)
+                yield _case(path, let, table["level"], parameters, said)
 
 
 def _choices(level: str, over: Sequence[Mapping[str, Any]]) -> Iterator[Parameters]:
@@ -152,15 +163,23 @@ def _filled(said: object, item: Mapping[str, object]) -> object:
             return said
 
 
-def _case(path: Path, level: str, parameters: Parameters, said: Mapping[str, Any]) -> Case:
+def _case(
+    path: Path,
+    let: Mapping[str, Formula],
+    level: str,
+    parameters: Parameters,
+    said: Mapping[str, Any],
+) -> Case:
     where = f"{path}: case '{said.get('name', '?')}'"
     if missing := [name for name in NEEDED if name not in said]:
         raise TableError(f"{where} lacks {', '.join(missing)}")
     if odd := set(said) - {*NEEDED, *FREE}:
         raise TableError(f"{where}: unknown key: {', '.join(sorted(odd))}")
-    expected, unknown = _formula(path.stem, level, said["formula"])
-    if unknown:
+    expected = _closed_form(Formula(said["formula"]), let)
+    if unknown := expected.unknown(list(textbook(level).parameters)):
         raise TableError(f"{where}: its formula has an unknown name: {', '.join(unknown)}")
+    if twice := sorted(expected.defined.keys() & textbook(level).parameters):
+        raise TableError(f"{where}: also the name of a parameter: {', '.join(twice)}")
     at = _instant(json.dumps(said["at"])) if "at" in said else None
     if strange := names_in(at) - set(textbook(level).parameters):
         names = ", ".join(sorted(strange))
@@ -181,11 +200,12 @@ def _case(path: Path, level: str, parameters: Parameters, said: Mapping[str, Any
     )
 
 
-@cache
-def _formula(phenomenon: str, level: str, source: str) -> tuple[ClosedForm, list[str]]:
-    """Return a formula, and the unknown names in it."""
-    formula = ClosedForm(source, _names(phenomenon))
-    return formula, formula.unknown(list(textbook(level).parameters))
+def _closed_form(formula: Formula, let: Mapping[str, Formula]) -> ClosedForm:
+    """Return a formula with the definitions that it uses, in the order of the file."""
+    used = formula.names
+    while more := used.union(*(let[name].names for name in used & let.keys())) - used:
+        used |= more
+    return ClosedForm(formula, {name: let[name] for name in let if name in used})
 
 
 @cache

@@ -1,5 +1,7 @@
 """The tables of cases are read, and their mistakes are reported with their place."""
 
+import tomllib
+from collections.abc import Mapping
 from pathlib import Path
 
 import numpy as np
@@ -9,7 +11,7 @@ from typer.testing import CliRunner
 from sandbox.model.level import ContactEvent
 from validation import case_tables, cases, cli
 from validation.case import Case
-from validation.case_tables import TableError
+from validation.case_tables import ClosedForm, Formula, TableError
 from validation.cases import PHENOMENA
 
 TABLE = """
@@ -49,11 +51,17 @@ def test_every_file_of_tables_is_registered() -> None:
     assert not forgotten, f"name {forgotten} in PHENOMENA, validation/cases/__init__.py"
 
 
-def test_every_module_beside_the_tables_is_called_by_its_own() -> None:
-    folder = Path(cases.__file__).parent
-    modules = {path.stem for path in folder.glob("*.py")} - {"__init__"}
+@pytest.mark.parametrize("phenomenon", PHENOMENA)
+def test_some_formula_uses_every_definition(phenomenon: str) -> None:
+    said = tomllib.loads((case_tables.FOLDER / f"{phenomenon}.toml").read_text(encoding="utf-8"))
+    used = {name for case in case_tables.read(phenomenon) for name in defined(case)}
 
-    assert {name for name in modules if "own." in (folder / f"{name}.toml").read_text()} == modules
+    assert used == said.get("let", {}).keys()
+
+
+def defined(case: Case) -> Mapping[str, Formula]:
+    assert isinstance(case.expected, ClosedForm)
+    return case.expected.defined
 
 
 def test_a_row_is_a_case_for_each_choice_of_parameters_and_each_item(folder: Path) -> None:
@@ -75,9 +83,28 @@ def test_a_formula_is_that_of_the_parameters_and_of_the_times(folder: Path) -> N
     assert high.expected(values, t) == pytest.approx([0.0, 6.0])
 
 
+def test_a_definition_is_a_number_of_the_case_or_a_function_and_may_use_others(
+    folder: Path,
+) -> None:
+    let = """
+[let]
+slow = "speed / 2"
+unused = "mass_of_another_level"
+ways = "lambda times: times * kinematics.projectile_distance(slow, radians(angle), t)"
+"""
+    formula = '"{times} * kinematics.projectile_distance(speed, radians(angle), t)"'
+    low, high, *_ = written(folder, let + TABLE.replace(formula, '"ways({times})"'))
+
+    values = {"speed": 6.0, "angle": 60.0}
+    assert list(defined(low)) == ["slow", "ways"]
+    assert high.expected(values, np.array([0.0, 2.0])) == pytest.approx([0.0, 6.0])
+
+
 @pytest.mark.parametrize(
     ("said", "instead", "told"),
     [
+        ("\n[[table]]", "\n[let]\nspeed = '2'\n[[table]]", "also the name of a parameter: speed"),
+        ("speed,", "fast,", "formula has an unknown name: fast"),
         ("formula = ", "formla = ", "'range of the low ball' lacks formula"),
         ("order = 2", "ordr = 2", "'range of the low ball': unknown key: ordr"),
         ("over = ", "ovr = ", "unknown key in a table: ovr"),
@@ -95,7 +122,7 @@ def test_what_cannot_be_meant_is_told_with_its_file_and_case(
     folder: Path, said: str, instead: str, told: str
 ) -> None:
     with pytest.raises(TableError, match=told) as caught:
-        written(folder, TABLE.replace(said, instead))
+        written(folder, TABLE.replace(said, instead, 1))
 
     assert str(caught.value).startswith(f"{folder}/made_up.toml")
 

@@ -1,4 +1,4 @@
-"""The cases: a file of tables for each phenomenon; `functions` has what they name under `own`."""
+"""The cases: a file of tables for each phenomenon."""
 
 from collections.abc import Iterator
 from pathlib import Path
