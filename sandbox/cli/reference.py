@@ -15,8 +15,7 @@ import typer
 from sandbox.cli.commands import app
 from sandbox.model import joints, level_catalog, quantities
 from sandbox.model.effects import EFFECTS
-from sandbox.model.file_generation import generate
-from sandbox.model.file_writing import write_atomically
+from sandbox.model.file_writing import generate, write_atomically
 from sandbox.model.loading import parse
 from sandbox.model.schema import schema
 

@@ -18,10 +18,9 @@ import pydantic_core
 from sandbox.app.translatable_texts import has_words, shown_keys, words
 from sandbox.app.words import language
 from sandbox.model import level_catalog
-from sandbox.model.file_generation import generate
-from sandbox.model.file_writing import write_atomically
+from sandbox.model.field_marks import prose
+from sandbox.model.file_writing import generate, write_atomically
 from sandbox.model.loading import load
-from sandbox.model.prose_fields import prose
 from sandbox.optional_packages import needed_for
 
 if TYPE_CHECKING:

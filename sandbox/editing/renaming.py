@@ -9,13 +9,13 @@ from sandbox.editing.formulas import renamed
 from sandbox.editing.json_spans import Spans
 from sandbox.editing.text_patches import spliced
 from sandbox.model.arithmetic import RESERVED
+from sandbox.model.base import NAME
 from sandbox.model.comments import read_level
 from sandbox.model.errors import SandboxError, brief
 from sandbox.model.json_positions import Path
 from sandbox.model.level import Level
 from sandbox.model.level_parts import expressions
 from sandbox.model.loading import parse
-from sandbox.model.naming import NAME
 from sandbox.model.quantities import quantity
 from sandbox.model.rules.consistency.mentions import mentions
 

@@ -1,6 +1,8 @@
-"""The base class of every part of a level."""
+"""The base class of every part of a level, and the names of its parts."""
 
-from pydantic import BaseModel, ConfigDict, GetJsonSchemaHandler
+from typing import Annotated
+
+from pydantic import BaseModel, ConfigDict, Field, GetJsonSchemaHandler
 from pydantic.json_schema import JsonSchemaValue
 from pydantic_core import CoreSchema
 
@@ -22,3 +24,8 @@ class Model(BaseModel):
         for name, text in docs(cls).items():
             properties[cls.model_fields[name].alias or name].setdefault("description", text)
         return made
+
+
+NAME = r"[A-Za-z][A-Za-z0-9_]{0,30}"
+Name = Annotated[str, Field(pattern=f"^{NAME}$")]
+"""The name of a body, joint, parameter or event: a letter, then letters, digits or _."""

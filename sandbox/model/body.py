@@ -5,9 +5,8 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from sandbox.model.base import Model
+from sandbox.model.base import Model, Name
 from sandbox.model.expressions import Fraction
-from sandbox.model.naming import Name
 from sandbox.model.number_bounds import (
     Angle,
     AngleOverTime,

@@ -5,12 +5,11 @@ from typing import Annotated
 
 from pydantic import Field
 
-from sandbox.model.base import Model
+from sandbox.model.base import Model, Name
 from sandbox.model.expressions import Expression
+from sandbox.model.field_marks import Prose
 from sandbox.model.measuring_instants import Instant
-from sandbox.model.naming import Name
 from sandbox.model.number_bounds import Finite
-from sandbox.model.prose_fields import Prose
 from sandbox.model.reference_fields import ParameterName, QuantityName
 
 Sentence = Annotated[Prose, Field(min_length=1, max_length=200)]

@@ -1,10 +1,74 @@
-"""Suggestions for misspelt names."""
+"""Suggestions for misspelt names, and for words that the level format does not use."""
 
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable, Iterator
 from difflib import get_close_matches
 
 from sandbox.model.message import NOTHING, Message
-from sandbox.model.synonyms import called
+
+_WORDS = {
+    # shapes
+    "disc": "ball circle disk round sphere wheel",
+    "box": "block rect rectangle square",
+    "hoop": "ring",
+    "segment": "floor ground line wall",
+    "polyline": "path track",
+    "polygon": "triangle",
+    # joints
+    "rope": "cable chain cord string thread",
+    "rod": "bar distance link",
+    "pivot": "axis axle hinge joint pin revolute",
+    "weld": "fixed glue",
+    "rail": "prismatic slider",
+    # effects
+    "contact": "collide collision collisions",
+    "restitution": "bounce bounciness e elasticity",
+    "drag": "air air_resistance damping resistance wind",
+    "rotation": "rotate spin torques",
+    "magnetic": "b magnetism",
+    "field": "electric",
+    # quantities, before the keys of the same word
+    "position.x": "x",
+    "position.y": "height y",
+    "velocity.x": "vx",
+    "velocity.y": "vy",
+    "acceleration.x": "ax",
+    "acceleration.y": "ay",
+    # keys
+    "acceleration": "g gravity value",
+    "position": "location pos x y",
+    "velocity": "v vel vx vy speed",
+    "angular_velocity": "omega rotation spin",
+    "angle": "orientation theta turn",
+    "friction": "coefficient mu",
+    "moment": "inertia",
+    "width": "size w",
+    "height": "h size",
+    "radius": "diameter r",
+    "stiffness": "constant k spring_constant",
+    "damping": "b c d",
+    "length": "distance l natural_length rest_length",
+    "ends": "a anchors b between bodies body_a body_b from to",
+    "type": "dynamic fixed kinematic kind movable static",
+    "linear": "b coefficient",
+    "rate": "dt fps frequency hz step timestep",
+    "duration": "end time",
+    "summary": "description",
+    "title": "name",
+    "quantity": "measure what",
+    "formula": "equals expected value",
+    "tolerance": "accuracy eps epsilon error",
+    "label": "description name",
+    "bodies": "body objects",
+    "at": "condition time when",
+    "cut": "break release remove",
+    "dynamic": "free moving",
+    "static": "fixed",
+    "kinetic_energy": "ekin kinetic",
+    "potential_energy": "epot potential",
+    "tension": "force pull",
+}
+"""Names of the format, and what they are called elsewhere; in the order of preference."""
+
 
 LONGEST = 100  # characters; nothing longer resembles a name
 
@@ -40,3 +104,14 @@ def suggestion(name: str, known: Iterable[str], *, most: int = 8) -> Message:
         return Message("; there are none")
     shown = ", ".join(choices[:most]) + (", …" if len(choices) > most else "")
     return Message("; known: {shown}", shown=shown)
+
+
+def called(word: str, known: Collection[str]) -> Iterator[str]:
+    """Yield the known names that a word stands for, such as `disc` for `circle`.
+
+    Of a quantity, such as `ball.x`, the part after the last dot is the word.
+    """
+    owner, dot, what = word.casefold().rpartition(".")
+    for name, words in _WORDS.items():
+        if what in words.split() and (full := f"{owner}{dot}{name}") in known:
+            yield full

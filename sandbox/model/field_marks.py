@@ -5,6 +5,7 @@ those of any new field, effect or joint.
 """
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from functools import cache
 from types import NoneType, UnionType
 from typing import Annotated, Any, Union, get_args, get_origin, get_type_hints
@@ -117,3 +118,17 @@ def _of_mapping(of_key: Find | None, of_value: Find | None) -> Find | None:
                 yield from of_value(item, (*path, key))
 
     return find
+
+
+@dataclass(frozen=True, slots=True)
+class Words:
+    """Marks a text for people, which no formula or name uses."""
+
+
+Prose = Annotated[str, Words()]
+"""Text for people."""
+
+
+def prose(part: Model) -> Iterator[tuple[Path, str]]:
+    """Yield all texts in a part of a level that are not empty, with their paths."""
+    return ((path, text) for path, text, _ in marked(part, Words) if text)

@@ -5,7 +5,8 @@ import os
 import platform
 import re
 import stat
-from collections.abc import Iterator
+import sys
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager, suppress
 from hashlib import sha256
 from pathlib import Path
@@ -223,3 +224,14 @@ def _refusal(path: Path, reason: str) -> MisuseError:
 
 def _unwritable(path: Path, reason: str) -> Message:
     return Message("cannot write {path}: {reason}", path=path, reason=reason)
+
+
+def generate(write: Callable[[], Iterable[Path]]) -> int:
+    """Generate files, print their paths, and return the exit status."""
+    try:
+        for path in write():
+            sys.stdout.write(f"{path}\n")
+    except SandboxError as error:
+        sys.stderr.write(f"{error}\n")
+        return error.exit_status
+    return 0

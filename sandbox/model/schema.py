@@ -13,8 +13,7 @@ from sandbox.model import level_catalog
 from sandbox.model.base import Model
 from sandbox.model.comments import SIGN
 from sandbox.model.expressions import Expression
-from sandbox.model.file_generation import generate
-from sandbox.model.file_writing import write_atomically
+from sandbox.model.file_writing import generate, write_atomically
 from sandbox.model.level import Level
 from sandbox.model.loading import read
 from sandbox.model.reference_fields import NAMES

@@ -11,7 +11,7 @@ from pygame_gui.core import UIElement
 from sandbox.app import main, window_timing
 from sandbox.app.pages.graph.panel import GraphPage
 from sandbox.app.panels.verdicts_and_energies import Foot
-from sandbox.app.widgets.list_button import Row
+from sandbox.app.widgets.widget_helpers import Row
 from sandbox.app.window import Window
 from sandbox.model.level import Level
 from sandbox.model.level_catalog import find

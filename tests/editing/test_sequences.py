@@ -20,7 +20,6 @@ from sandbox.editing.edits import (
     pendulum_angle,
     resizing,
     rope_wrapping,
-    round_shape_kinds,
     tilting,
     transforms,
 )
@@ -186,10 +185,10 @@ def challenged(text: str, hand: Hand) -> str:
 
 def made_round(text: str, hand: Hand) -> str:
     name = hand.body()
-    if hand.level.bodies[name].shape.type not in round_shape_kinds.ROUND:
+    if hand.level.bodies[name].shape.type not in resizing.ROUND:
         return text
-    kind = hand.word(round_shape_kinds.ROUND)
-    return round_shape_kinds.rounded(text, hand.level, name, kind).text
+    kind = hand.word(resizing.ROUND)
+    return resizing.rounded(text, hand.level, name, kind).text
 
 
 FAMILIES: tuple[Callable[[str, Hand], str], ...] = (

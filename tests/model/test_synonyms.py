@@ -5,9 +5,9 @@ from typing import Any
 
 import pytest
 
+from sandbox.model.did_you_mean import _WORDS
 from sandbox.model.errors import LevelError
 from sandbox.model.loading import parse
-from sandbox.model.synonyms import _WORDS
 
 
 def told(*path: str, value: object) -> str:

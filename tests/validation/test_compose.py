@@ -13,9 +13,9 @@ from hypothesis import strategies as st
 from sandbox.model.expressions import Array
 from sandbox.physics.run import build
 from validation.compose import property_checks
+from validation.compose.command import judge_scene, judged
 from validation.compose.families import FAMILIES
 from validation.compose.joint_constraints import Keeping, Places
-from validation.compose.outcome import judge_scene, judged
 from validation.compose.property_checks import MARGIN, Case, Judge, Judgement, judge
 from validation.compose.recorded_run import Course, Refused, led, run, start
 from validation.compose.scene_builder import Draft

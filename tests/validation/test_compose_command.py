@@ -11,9 +11,8 @@ from typer.testing import CliRunner
 from sandbox.model.loading import load
 from tests.validation.test_compose import FIELDS, course, of
 from validation import cli
-from validation.compose import outcome
-from validation.compose.command import complaints
-from validation.compose.outcome import Outcome, judged
+from validation.compose import command
+from validation.compose.command import Outcome, complaints, judged
 from validation.compose.property_checks import Case, Judgement
 from validation.compose.scenes import scene, seeds
 
@@ -66,7 +65,7 @@ def test_a_scene_is_judged_by_its_seed_alone() -> None:
     first, second = judged(seed), judged(seed)
 
     assert first.judgements == second.judgements
-    assert outcome.playable(first)["stepping"]["rate"] == first.rate
+    assert command.playable(first)["stepping"]["rate"] == first.rate
 
 
 def test_a_case_knows_how_far_its_bodies_reach() -> None:

@@ -24,7 +24,7 @@ from tests.elsewhere import python
 from tests.model.levels import bare, hanging
 from validation.cli import app
 from validation.fuzz import command, isolated_trial
-from validation.fuzz.command import Findings, made
+from validation.fuzz.command import Findings, made, shrunk
 from validation.fuzz.explorer import Choices
 from validation.fuzz.grammar import Grammar
 from validation.fuzz.guided import guided
@@ -43,7 +43,6 @@ from validation.fuzz.isolated_trial import (
 )
 from validation.fuzz.mutation import places
 from validation.fuzz.repair import mended
-from validation.fuzz.shrinking import shrunk
 
 JOINTS = [kind.model_fields["type"].annotation for kind in get_args(get_args(Joint)[0])]
 

@@ -2,8 +2,9 @@
 
 import json
 from collections import Counter
-from collections.abc import Generator
+from collections.abc import Callable, Generator
 from contextlib import closing
+from copy import deepcopy
 from dataclasses import dataclass, field
 from hashlib import sha256
 from itertools import count
@@ -19,9 +20,12 @@ from validation import output
 from validation.environment import environment
 from validation.fuzz.guided import available, guided
 from validation.fuzz.isolated_trial import Trial, Tried
+from validation.fuzz.mutation import places
 from validation.fuzz.repair import answered
 from validation.fuzz.shorthand import drawn_level
-from validation.fuzz.shrinking import shrunk
+
+TRIES = 120
+
 
 SAMPLES = Path("out") / "fuzz"
 """The default folder of levels that fail."""
@@ -110,3 +114,24 @@ def _note(tried: Tried, trial: Trial, found: Findings, samples: Path) -> None:
     write_atomically(sample, text)
     message = f"{outcome.kind}: {outcome.what}"
     found.failures.append({"number": number, "what": message, "sample": str(sample)})
+
+
+def shrunk(data: dict[str, Any], wrong: Callable[[dict[str, Any]], bool]) -> dict[str, Any]:
+    """Return a failing level without everything that the failure does not need.
+
+    `wrong` tells whether another level fails in the same way.
+    """
+    tries, number = 0, 0
+    while tries < TRIES:
+        smaller = deepcopy(data)
+        found = list(places(smaller))
+        if number >= len(found):
+            return data
+        part, key = found[number]
+        del part[key]
+        tries += 1
+        if wrong(smaller):
+            data = smaller
+        else:
+            number += 1
+    return data

@@ -1,16 +1,36 @@
-"""The processor time of a level's step."""
+"""The processor time of a level's step.
+
+A core is half as fast while its twin is busy, and machines differ by more. Loads are therefore also
+given for a reference machine: the measured time, divided by the time of the yardstick beside it,
+times the yardstick's time on that machine.
+"""
 
 from dataclasses import dataclass
 from functools import partial
 from math import inf
 from time import process_time
 
+import numpy as np
+
 from sandbox.model.level_catalog import find
 from sandbox.model.loading import load
 from sandbox.physics.measuring.recording import count_steps
 from sandbox.physics.run import build
 from sandbox.physics.stepping.world import World
-from validation.pace.machine_speed import REFERENCE, yardstick
+
+REFERENCE = 3.05e-3
+"""The time of the yardstick on an idle core of the reference machine [s]: a slow one, two cores of
+a shared server."""
+
+ROUNDS = 60
+"""The repetitions of the yardstick's work."""
+
+SIZE = 12
+"""The rows of its matrices: about as many as a linkage has."""
+
+_MATRIX = np.eye(SIZE) * SIZE + np.cos(np.arange(SIZE**2)).reshape(SIZE, SIZE)
+_VECTOR = np.sin(np.arange(SIZE))
+
 
 REPEATS = 3
 """The most timings of a run; the fastest counts, since disturbances only add time."""
@@ -89,3 +109,20 @@ def _slice(world: World, left: int) -> tuple[int, float]:
         world.advance(min(look, left - steps))
         steps += min(look, left - steps)
     return steps, process_time() - begun
+
+
+def yardstick() -> float:
+    """Return the present processor time of the yardstick [s].
+
+    Its work resembles that of steps: arithmetic in Python, numpy on small arrays, small systems.
+    """
+    begun = process_time()
+    found, place = _VECTOR, 1.0
+    for _ in range(ROUNDS):
+        found = np.linalg.solve(_MATRIX, _VECTOR + found)
+        found = np.where(found > 0, np.abs(found), found * 0.5)
+        found = np.concatenate((found[1:], found[:1])) + _MATRIX.dot(_VECTOR).take(0)
+        for turn in range(100):
+            place = 0.5 * place + abs(place - turn) / (1.0 + place * place)
+        found = np.clip(found, -1.0, place)
+    return process_time() - begun

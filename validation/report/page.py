@@ -23,10 +23,8 @@ from validation.effects.tables import rows
 from validation.report import measurements
 from validation.report.digest.chapters import by_chapter
 from validation.report.digest.claims import Cases, cases, chosen, share
-from validation.report.digest.costs import Costs, costs
+from validation.report.digest.costs import Costs, Requests, costs, hooks
 from validation.report.digest.hard_cases import HardCases, hard_cases
-from validation.report.digest.python_cost import hooks
-from validation.report.digest.requests import Requests
 from validation.stability import report as stability_report
 
 SHOWN = 4

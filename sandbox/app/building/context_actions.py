@@ -11,7 +11,7 @@ from sandbox.app.words.language import later, say
 from sandbox.editing.edits import events
 from sandbox.editing.edits.checks import flight, set_ghost
 from sandbox.editing.edits.pendulum_angle import peg_of, swing
-from sandbox.editing.edits.round_shape_kinds import ROUND, rounded
+from sandbox.editing.edits.resizing import ROUND, rounded
 from sandbox.editing.edits.tilting import slope_of
 from sandbox.model.level import Level
 

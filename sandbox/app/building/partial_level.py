@@ -5,18 +5,17 @@ five hundred bodies takes little longer than a change to one of two.
 """
 
 import json
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from itertools import pairwise
 from math import dist
-from typing import Any
+from typing import Any, Generic, TypeVar
 
 import numpy as np
 import pygame
 from pydantic import ConfigDict, TypeAdapter, ValidationError
 
-from sandbox.app.building.part_cache import Readings
 from sandbox.app.drawing import lines, shading
 from sandbox.app.drawing.camera import Camera
 from sandbox.app.drawing.text import Pen
@@ -32,6 +31,41 @@ from sandbox.model.level import Level
 from sandbox.model.shapes import XY, evaluate
 from sandbox.model.view import View
 from sandbox.model.wires import along
+
+Part = TypeVar("Part")
+
+
+class Readings(Generic[Part]):
+    """Reads parts, and reuses those that are unchanged in the next scene.
+
+    `read` makes a part from its JSON text, or raises a `ValidationError`.
+    """
+
+    def __init__(self, read: Callable[[str], Part]) -> None:
+        self._read = read
+        self._now: dict[str, Part | None] = {}
+        self._before: dict[str, Part | None] = {}
+
+    def __len__(self) -> int:
+        return len(self._now.keys() | self._before.keys())
+
+    def begin(self) -> None:
+        """Begin the next scene, after which parts that are not in it are dropped."""
+        self._before, self._now = self._now, {}
+
+    def __call__(self, text: str) -> Part | None:
+        """Return the part; None if it cannot be read."""
+        if text not in self._now:
+            known = text in self._before
+            self._now[text] = self._before[text] if known else self._made(text)
+        return self._now[text]
+
+    def _made(self, text: str) -> Part | None:
+        try:
+            return self._read(text)
+        except ValidationError:
+            return None
+
 
 SIDEWAYS = 2000.0
 """m, the drawn length of a rail on each side."""

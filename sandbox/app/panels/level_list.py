@@ -18,9 +18,8 @@ from sandbox.app.drawing.text import Pen
 from sandbox.app.files.level_entries import Entry, entry
 from sandbox.app.files.progress import Progress
 from sandbox.app.keymap import tip
-from sandbox.app.widgets.list_button import Row
 from sandbox.app.widgets.text_field import LONGEST, Field
-from sandbox.app.widgets.widget_helpers import press, scroll, scrolled
+from sandbox.app.widgets.widget_helpers import Row, press, scroll, scrolled
 from sandbox.app.words.language import plural, say
 from sandbox.model import level_catalog
 

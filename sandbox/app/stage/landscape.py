@@ -11,8 +11,8 @@ from sandbox.app.drawing.camera import Camera
 from sandbox.app.drawing.text import Pen
 from sandbox.app.words.formatting import nice, number, quantity
 from sandbox.model.expressions import Array
-from sandbox.model.landscape import Landscape
 from sandbox.model.shapes import XY, evaluate
+from sandbox.model.view import Landscape
 from sandbox.physics.quantities.meter import Meter
 from sandbox.physics.stepping.world import World
 

@@ -1,17 +1,23 @@
-"""Resizing bodies by the handles of their shapes.
+"""Resizing bodies by the handles of their shapes, and making one round shape another.
 
 A disc has a handle on its rim; a box has one at each corner and in the middle of each side, and the
 opposite corner or side stays; lines and polygons have one at each corner. A body that still has the
 mass with which it was drawn keeps its density; any other keeps its mass.
 """
 
-from collections.abc import Sequence
+import re
+from collections.abc import Mapping, Sequence
 
 from sandbox.editing.attached_bodies import attached, shifted_point
+from sandbox.editing.cleanup import without_meaning
 from sandbox.editing.edits.bodies import SMALLEST, drawn_mass
+from sandbox.editing.edits.edit_result import Made, new_name
+from sandbox.editing.edits.fields import set_field
 from sandbox.editing.formulas import scaled, towards
+from sandbox.editing.json_layout import Json
 from sandbox.editing.placement import Placed, placed, xy
-from sandbox.editing.text_patches import Changes, put_all
+from sandbox.editing.renaming import rename
+from sandbox.editing.text_patches import Changes, put, put_all, value_at
 from sandbox.model.comments import read_level
 from sandbox.model.errors import SandboxError
 from sandbox.model.json_positions import Path
@@ -28,6 +34,13 @@ from sandbox.model.shapes import (
     Segment,
     points_of,
 )
+
+ROUND = ("disc", "hoop", "arc")
+"""The shapes that are round."""
+
+HALF_PIPE: Mapping[str, Json] = {"start": "180*deg", "end": "360*deg"}
+"""The angles of a new arc, which is open at its top."""
+
 
 _SIDES = (-1 - 1j, 0 - 1j, 1 - 1j, 1 + 0j, 1 + 1j, 0 + 1j, -1 + 1j, -1 + 0j)
 """A box's handles in halves of its sides, counter-clockwise from the lower left."""
@@ -179,3 +192,26 @@ def _settled(text: str, before: Level, body: Placed, fixed: int | None) -> str:
     if mass is not None and body.area and mass.source == drawn_mass(body.area):
         changes["bodies", body.name, "mass"] = drawn_mass(other.area)
     return attached(put_all(text, changes), before, [body.name])
+
+
+def rounded(text: str, level: Level, name: str, kind: str) -> Made:
+    """Return a level in which a round body is a disc, a hoop or an arc, of the same radius.
+
+    A new arc is the lower half of the circle, and static. An arc that becomes a disc or hoop is
+    made dynamic, with the mass of a drawn body. An automatic name, such as `disc1`, is replaced by
+    one for the new shape. Raises `LevelError` if the loader refuses it.
+    """
+    path, before = ("bodies", name), level.bodies[name]
+    if before.shape.type == kind:
+        return Made(text, (name,))
+    radius = value_at(text, (*path, "shape", "radius"))
+    shape = {"type": kind, "radius": radius, **(HALF_PIPE if kind == "arc" else {})}
+    changed = without_meaning(put(text, (*path, "shape"), shape))
+    if kind == "arc" and before.type == "dynamic":
+        changed = set_field(changed, (*path, "type"), "static")
+    elif before.shape.type == "arc" and before.type == "static":
+        changed = set_field(changed, (*path, "type"), "dynamic")
+    if re.fullmatch(rf"{before.shape.type}\d+", name):
+        called = new_name(kind, level)
+        return Made(rename(changed, path, called), (called,))
+    return Made(changed, (name,))

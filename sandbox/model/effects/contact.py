@@ -8,7 +8,14 @@ from sandbox.model.base import Model
 from sandbox.model.effects.contract import Effect
 from sandbox.model.expressions import Fraction
 from sandbox.model.number_bounds import MOST_PAIRS, Width
-from sandbox.model.reference_fields import ActedOnBodies, BodyNames
+from sandbox.model.reference_fields import ActedOnBodies, BodyNames, Couple
+
+
+class Pair(Model):
+    """A pair of bodies that can touch."""
+
+    bodies: Couple
+    """the names of the bodies, in any order"""
 
 
 class Contact(Model):

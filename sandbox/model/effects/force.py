@@ -2,9 +2,8 @@
 
 from typing import ClassVar, Literal
 
-from sandbox.model.base import Model
+from sandbox.model.base import Model, Name
 from sandbox.model.effects.contract import Effect
-from sandbox.model.naming import Name
 from sandbox.model.number_bounds import Coordinate, ForceOverTime
 from sandbox.model.reference_fields import ActedOn
 from sandbox.model.shapes import Point

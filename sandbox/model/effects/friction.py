@@ -5,8 +5,8 @@ from typing import Annotated, ClassVar
 from pydantic import Field
 
 from sandbox.model.base import Model
+from sandbox.model.effects.contact import Pair
 from sandbox.model.effects.contract import Effect
-from sandbox.model.effects.pair import Pair
 from sandbox.model.number_bounds import MOST_PAIRS, Coefficient
 from sandbox.model.reference_fields import ActedOnBodies
 

@@ -2,9 +2,8 @@
 
 from typing import ClassVar
 
-from sandbox.model.base import Model
+from sandbox.model.base import Model, Name
 from sandbox.model.effects.contract import Effect
-from sandbox.model.naming import Name
 from sandbox.model.number_bounds import TorqueOfTurning
 from sandbox.model.reference_fields import ActedOn, BodyName
 

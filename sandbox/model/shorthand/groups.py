@@ -14,14 +14,13 @@ from typing import Annotated, Any, NamedTuple
 
 from pydantic import Field
 
-from sandbox.model.base import Model
+from sandbox.model.base import Model, Name
 from sandbox.model.body import MAX_BODIES, Body
 from sandbox.model.did_you_mean import suggestion
 from sandbox.model.errors import brief
 from sandbox.model.joints import Joint
 from sandbox.model.json_positions import Path
 from sandbox.model.message import Message
-from sandbox.model.naming import Name
 from sandbox.model.number_bounds import Angle, Coordinate
 from sandbox.model.shapes import Point
 from sandbox.model.shorthand.expansion_notes import Notes, followed

@@ -5,10 +5,9 @@ from typing import Annotated, Any
 
 from pydantic import Field, create_model
 
-from sandbox.model.base import Model
+from sandbox.model.base import Model, Name
 from sandbox.model.body import Body
 from sandbox.model.level import Level
-from sandbox.model.naming import Name
 from sandbox.model.shorthand.groups import Copy, Group
 from sandbox.model.shorthand.indices import MOST_TIMES
 from sandbox.model.shorthand.repeating import GROUPS, REPEAT, order

@@ -7,6 +7,7 @@ exact.
 
 from collections.abc import Mapping
 from math import fsum
+from typing import cast
 
 import numpy as np
 import pymunk
@@ -32,8 +33,9 @@ from sandbox.model.joints import (
 )
 from sandbox.model.level import Level, is_alone
 from sandbox.model.message import Message
-from sandbox.model.shapes import evaluate
+from sandbox.model.shapes import XY, Point, evaluate
 from sandbox.physics.engine.batch import Batch
+from sandbox.physics.forces.spring import Law, SpringForce
 from sandbox.physics.joints.exact.angles import where
 from sandbox.physics.joints.exact.constraint_interface import Coordinates, Equation
 from sandbox.physics.joints.exact.distances import Row
@@ -43,8 +45,8 @@ from sandbox.physics.joints.exact.shake import ExactJoints
 from sandbox.physics.joints.joint_equations import JointEquations, Solved, counted_from, not_made
 from sandbox.physics.joints.joints import Joints
 from sandbox.physics.joints.latches import Latches
+from sandbox.physics.joints.pulley import PulleyString
 from sandbox.physics.joints.pymunk_joints import OwnJoint
-from sandbox.physics.joints.springs_and_strings import make_spring, make_string
 from sandbox.physics.joints.welded_bodies import Solids, Touches
 from sandbox.physics.state.anchor import Anchor
 from sandbox.physics.state.errors import JointFailure
@@ -248,3 +250,38 @@ def _coordinates(bodies: Mapping[str, pymunk.Body], origin: complex) -> Coordina
     places = [complex(*body.position) - origin for body in bodies.values()]
     angles = [body.angle for body in bodies.values()]
     return Coordinates.of(np.array([*places, 0j]), np.array([*angles, 0.0]))
+
+
+def make_string(
+    name: str, spec: Pulley, bodies: Mapping[str, pymunk.Body], path: float, values: Values
+) -> PulleyString:
+    """Return a plain string over pegs; its length is that of its path [m] unless given."""
+    first, second = (_holder(end, bodies, values) for end in spec.ends)
+    pegs: tuple[XY, ...] = tuple(evaluate(cast("Point", peg), values) for peg in spec.over)
+    length = spec.length(values) if spec.length else path
+    return PulleyString(name, (first, second), pegs, length)
+
+
+def _holder(end: End, bodies: Mapping[str, pymunk.Body], values: Values) -> pymunk.Body:
+    if isinstance(end, str):
+        return bodies[end]
+    nail = pymunk.Body(body_type=pymunk.Body.STATIC)
+    nail.position = evaluate(cast("Point", end), values)
+    return nail
+
+
+def make_spring(
+    spec: Spring, path: tuple[Anchor, ...], distance: float, values: Values
+) -> SpringForce:
+    """Return the force law of a spring; its length is the distance of its ends [m] unless given."""
+    length = distance if spec.length is None else spec.length(values)
+    law = Law(spec.law, values) if spec.law else None
+    return SpringForce(
+        (path[0], path[-1]),
+        spec.stiffness(values),
+        length,
+        spec.damping(values),
+        spec.pushes_only,
+        law,
+        law.slope(distance - length) if law else 0.0,
+    )

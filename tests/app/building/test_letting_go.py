@@ -5,8 +5,7 @@ import json
 import pytest
 
 from sandbox.app.building.drafts import Drafts
-from sandbox.app.building.part_cache import Readings
-from sandbox.app.building.partial_level import Sketch, _body
+from sandbox.app.building.partial_level import Readings, Sketch, _body
 from sandbox.editing.draft import Draft
 from sandbox.model import level_catalog
 from sandbox.model.body import Body

@@ -28,9 +28,9 @@ from sandbox.app.words import language
 from sandbox.model import level_catalog
 from sandbox.model.base import Model
 from sandbox.model.effects import EFFECTS
+from sandbox.model.field_marks import Words, prose
 from sandbox.model.level import Level
 from sandbox.model.loading import parse
-from sandbox.model.prose_fields import Words, prose
 from sandbox.physics.energy.balance import Balance
 from tests.app.building.builder import Builder
 from tests.app.person import Person, until

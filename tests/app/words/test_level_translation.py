@@ -10,8 +10,8 @@ import pytest
 from sandbox.app.drawing.text import Pen
 from sandbox.app.words import language, level_translation
 from sandbox.model import level_catalog
+from sandbox.model.field_marks import prose
 from sandbox.model.loading import load
-from sandbox.model.prose_fields import prose
 from tests.app.person import Person
 from tests.app.scenes import falling
 

@@ -9,8 +9,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from pymunk.batch import ArbiterFields, Buffer, get_space_arbiters
 
+from sandbox.physics.engine.arbiters import ArbiterTable
 from sandbox.physics.engine.batch import Batch
-from sandbox.physics.engine.contact_handles import ArbiterTable
 from sandbox.physics.run import build
 from tests.elsewhere import python
 from tests.physics.scenes import GRAVITY, box, disc, fixed, floor, level

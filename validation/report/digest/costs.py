@@ -1,13 +1,82 @@
-"""The cost of accuracy compared with stock pymunk, over all levels."""
+"""The cost of accuracy compared with stock pymunk, of requests for it, and of Python in a step."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from math import isfinite
 from statistics import median
 
+from validation.cost.requests import EXPENSIVE, Request
 from validation.cost.summary import ROUNDING, Headline, headline, order
 from validation.cost.sweep import NAIVE, OURS, Sweep
+from validation.effects.costs import LevelCost
 from validation.report.digest.chapters import by_chapter
+
+
+@dataclass(frozen=True, slots=True)
+class Requests:
+    """Requests for an accuracy, and their results."""
+
+    asked: tuple[Request, ...]
+    """All of them."""
+    expensive: float = EXPENSIVE
+    """The highest cost allowed, as a multiple of that of the cheapest setting."""
+
+    @property
+    def met(self) -> int:
+        """The number of requests that are met at no higher cost than that."""
+        return sum(request.honoured for request in self.asked)
+
+    @property
+    def beyond(self) -> int:
+        """The number of requests that are refused, and that the sweep does not reach either."""
+        return sum(request.beyond for request in self.asked)
+
+    @property
+    def unmet(self) -> tuple[Request, ...]:
+        """The other requests."""
+        return tuple(r for r in self.asked if not (r.honoured or r.beyond))
+
+    @property
+    def too_expensive(self) -> int:
+        """The number of requests that are met at a higher cost."""
+        return sum(r.delivered <= r.target and not r.honoured for r in self.asked)
+
+    @property
+    def cost_ratio(self) -> float:
+        """The median ratio of a request's cost to that of the cheapest setting in the sweep."""
+        ratios = [r.cost / r.cheapest for r in self.asked if r.honoured and isfinite(r.cheapest)]
+        return median(ratios) if ratios else float("nan")
+
+    @property
+    def targets(self) -> "list[tuple[float, Requests]]":
+        """The requests, grouped by accuracy."""
+        targets = dict.fromkeys(request.target for request in self.asked)
+        return [(t, Requests(tuple(r for r in self.asked if r.target == t))) for t in targets]
+
+    @property
+    def chapters(self) -> "list[tuple[str, Requests]]":
+        """The requests, grouped by chapter."""
+        groups = by_chapter(self.asked, lambda request: request)
+        return [(title, Requests(tuple(group))) for title, group in groups]
+
+    @property
+    def levels(self) -> list[tuple[str, list[Request]]]:
+        """The requests of each level."""
+        groups: dict[str, list[Request]] = {}
+        for request in self.asked:
+            groups.setdefault(request.level, []).append(request)
+        return list(groups.items())
+
+
+@dataclass(frozen=True, slots=True)
+class Hooks:
+    """The median costs of Python in the steps of levels."""
+
+    without: int
+    ratio_without: float
+    having: int
+    added: float
+
 
 Row = tuple[Sweep, Headline, float | None]
 """A sweep, its headline, and the order of the sandbox's scheme."""
@@ -78,3 +147,16 @@ def _step_ratios(sweep: Sweep) -> Iterator[float]:
             ratio = point.seconds_per_second / other.seconds_per_second
             if isfinite(ratio):
                 yield ratio
+
+
+def hooks(levels: Sequence[LevelCost]) -> Hooks:
+    """Return the costs for levels without hooks, and with one, relative to the bare engine."""
+    bare = [cost for cost in levels if not cost.hooks]
+    having = [cost for cost in levels if cost.hooks]
+    nothing = float("nan")
+    return Hooks(
+        len(bare),
+        median([cost.ratio for cost in bare]) if bare else nothing,
+        len(having),
+        median([c.step_seconds - c.bare_step_seconds for c in having]) if having else nothing,
+    )

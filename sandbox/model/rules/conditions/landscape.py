@@ -8,12 +8,12 @@ import numpy as np
 from sandbox.model.arithmetic import ExpressionError
 from sandbox.model.errors import brief
 from sandbox.model.expressions import Values
-from sandbox.model.landscape import Landscape
 from sandbox.model.level import Level
 from sandbox.model.level_parts import names_in
 from sandbox.model.message import Message
 from sandbox.model.rules.conditions.condition import Condition
 from sandbox.model.shapes import Point, evaluate
+from sandbox.model.view import Landscape
 
 
 def conditions(level: Level) -> Iterator[Condition]:

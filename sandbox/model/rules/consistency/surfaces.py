@@ -4,7 +4,7 @@ from collections.abc import Iterator, Sequence
 
 from sandbox.model.body import Body
 from sandbox.model.collision_filter import apart
-from sandbox.model.effects.pair import Pair
+from sandbox.model.effects.contact import Pair
 from sandbox.model.errors import brief
 from sandbox.model.joints import Own, bodies_of, is_exact
 from sandbox.model.json_positions import Path
