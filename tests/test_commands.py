@@ -1,6 +1,6 @@
 """Every registered command, of the sandbox and of its validation."""
 
-from pathlib import Path
+from inspect import getmembers, isfunction
 from types import ModuleType
 
 import pytest
@@ -8,19 +8,25 @@ import typer
 from typer.testing import CliRunner
 
 from sandbox.cli import commands as playing
+from sandbox.cli.commands import levels, pictures, runs
 from validation import cli as validating
 
 REGISTERS = [playing, validating]
-COMMANDS = [(register, module) for register in REGISTERS for module in register.COMMANDS]
-NOT_COMMANDS = {"__init__", "options"}
+COMMANDS = {
+    (register, str(command.name)): command.callback
+    for register in REGISTERS
+    for command in register.app.registered_commands
+}
+NOT_COMMANDS = {"uncollected", "of_levels", "command", "validation"}
 
 every_command = pytest.mark.parametrize(
-    ("register", "module"), COMMANDS, ids=[module.__name__ for _, module in COMMANDS]
+    ("register", "name"), COMMANDS, ids=[name for _, name in COMMANDS]
 )
 
 
-def called(module: ModuleType) -> str:
-    return module.__name__.rpartition(".")[2]
+def purpose(register: ModuleType, name: str) -> str:
+    """Return the first line of a command's docstring."""
+    return (COMMANDS[register, name].__doc__ or "").splitlines()[0]
 
 
 def invoke(register: ModuleType, *arguments: str) -> tuple[int, str]:
@@ -31,43 +37,40 @@ def invoke(register: ModuleType, *arguments: str) -> tuple[int, str]:
     return result.exit_code, result.output
 
 
-@pytest.mark.parametrize("register", REGISTERS, ids=lambda register: register.__name__)
-def test_every_module_of_commands_is_registered(register: ModuleType) -> None:
-    assert register.__file__ is not None
-    modules = {path.stem for path in Path(register.__file__).parent.glob("*.py")} - NOT_COMMANDS
+@pytest.mark.parametrize("module", [levels, pictures, runs, validating])
+def test_every_function_that_declares_a_command_is_registered(module: ModuleType) -> None:
+    functions = getmembers(module, isfunction)
+    own = {name for name, function in functions if function.__module__ == module.__name__}
 
-    forgotten = modules - {called(module) for module in register.COMMANDS}
-    assert not forgotten, f"name {forgotten} in COMMANDS, {register.__file__}"
+    register = validating if module is validating else playing
+    known = {name for where, name in COMMANDS if where is register}
+    forgotten = {name.rstrip("_") for name in own - NOT_COMMANDS} - known
+    assert not forgotten, f"register {forgotten}, {module.__file__}"
 
 
 @every_command
-def test_a_command_is_listed_in_the_help_with_what_it_does(
-    register: ModuleType, module: ModuleType
-) -> None:
+def test_a_command_is_listed_in_the_help_with_what_it_does(register: ModuleType, name: str) -> None:
     status, said = invoke(register, "--help")
 
     assert status == 0
-    first = module.command.__doc__.splitlines()[0]
-    (line,) = (line for line in said.splitlines() if line.startswith(f"  {called(module)} "))
-    assert first.startswith(line.split(maxsplit=1)[1].removesuffix("..."))
+    (line,) = (line for line in said.splitlines() if line.startswith(f"  {name} "))
+    assert purpose(register, name).startswith(line.split(maxsplit=1)[1].removesuffix("..."))
 
 
 @every_command
-def test_a_command_explains_itself(register: ModuleType, module: ModuleType) -> None:
-    status, said = invoke(register, called(module), "--help")
+def test_a_command_explains_itself(register: ModuleType, name: str) -> None:
+    status, said = invoke(register, name, "--help")
 
     assert status == 0
     assert "Usage:" in said
-    assert " ".join(module.command.__doc__.splitlines()[0].split()) in " ".join(said.split())
+    assert " ".join(purpose(register, name).split()) in " ".join(said.split())
     undocumented = [line for line in said.splitlines() if line.strip().startswith("--")]
     assert all(len(line.split()) > 1 for line in undocumented)
 
 
 @every_command
-def test_an_option_that_does_not_exist_is_wrong_usage(
-    register: ModuleType, module: ModuleType
-) -> None:
-    status, said = invoke(register, called(module), "--no-such-option")
+def test_an_option_that_does_not_exist_is_wrong_usage(register: ModuleType, name: str) -> None:
+    status, said = invoke(register, name, "--no-such-option")
 
     assert status == 2
     assert "--no-such-option" in said

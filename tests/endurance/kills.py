@@ -108,7 +108,7 @@ def _cache(turn: int) -> None:
 
 def _run(_turn: int) -> None:
     few = list(islice(cases.all_cases(), 40))
-    with patch("validation.cli.run.all_cases", lambda: few):
+    with patch("validation.cli.all_cases", lambda: few):
         Path("made").mkdir(exist_ok=True)
         _validation("run", "--jobs", "2", "--json", "made/run.json")
 

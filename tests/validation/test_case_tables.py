@@ -140,7 +140,7 @@ def test_a_mistake_in_a_table_is_told_without_a_traceback(
     folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     unknown = TABLE.replace("radians(angle)", "math.radians(angle)")
-    monkeypatch.setattr(cli.run, "all_cases", lambda: written(folder, unknown))
+    monkeypatch.setattr(cli, "all_cases", lambda: written(folder, unknown))
 
     result = CliRunner().invoke(cli.app, ["run"])
 

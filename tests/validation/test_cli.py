@@ -25,7 +25,7 @@ def few() -> Iterator[Case]:
 
 @pytest.fixture(autouse=True)
 def _few_cases(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(cli.run, "all_cases", few)
+    monkeypatch.setattr(cli, "all_cases", few)
 
 
 def test_the_json_has_the_fields_that_scripts_rely_on(tmp_path: Path) -> None:
@@ -74,7 +74,7 @@ def test_a_missed_bound_is_exit_status_1(monkeypatch: pytest.MonkeyPatch) -> Non
             because="it cannot hold",
         )
 
-    monkeypatch.setattr(cli.run, "all_cases", wrong)
+    monkeypatch.setattr(cli, "all_cases", wrong)
 
     result = CliRunner().invoke(cli.app, ["run"])
 

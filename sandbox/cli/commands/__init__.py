@@ -1,47 +1,20 @@
-"""The commands: one module each, which says its arguments and its help, and one list of them.
+"""The commands: what they are called, their arguments and their help, and one list of them.
 
-A module has one function, `command`. What that does is imported when it is called: the help of all
-commands has to be there at once.
+What a command does is in the module of its name beside this package, which is imported when it is
+called: the help of all commands has to be there at once.
 """
 
 import typer
 
-from sandbox.cli.commands import (
-    bench,
-    check,
-    describe,
-    effects,
-    experiment,
-    generate,
-    migrate,
-    new,
-    play,
-    render,
-    replay,
-    simulate,
-    tour,
-)
-from sandbox.cli.commands import format as formatting
-from sandbox.cli.commands import list as listing
+from sandbox.cli.commands.levels import check, describe, format_, generate, list_, migrate, new
+from sandbox.cli.commands.pictures import bench, play, render, tour, uncollected
+from sandbox.cli.commands.runs import effects, experiment, replay, simulate
 
 COMMANDS = (
-    play,
-    listing,
-    new,
-    check,
-    formatting,
-    migrate,
-    simulate,
-    describe,
-    effects,
-    experiment,
-    render,
-    replay,
-    generate,
-    tour,
-    bench,
-)
-"""All commands in the order of the help; each is named after its module."""
+    play, list_, new, check, format_, migrate, simulate, describe, effects, experiment, render,
+    replay, generate, tour, bench,
+)  # fmt: skip
+"""All commands in the order of the help."""
 
 app = typer.Typer(
     name="sandbox",
@@ -51,8 +24,8 @@ app = typer.Typer(
     context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
 )
 
-for _module in COMMANDS:
-    app.command(_module.__name__.rpartition(".")[2])(_module.command)
+for _command in COMMANDS:
+    app.command(_command.__name__.rstrip("_"))(_command)
 
 
 @app.callback(invoke_without_command=True)
@@ -65,7 +38,7 @@ def start(context: typer.Context) -> None:
     wrong usage.
     """
     if context.invoked_subcommand is None:
-        with play.uncollected():
+        with uncollected():
             from sandbox.cli.play import open_sandbox
 
             raise typer.Exit(open_sandbox())

@@ -1,16 +1,78 @@
-"""The command `experiment`."""
+"""The commands that run levels, and write what they measured."""
 
 from pathlib import Path
 from typing import Annotated
 
+import typer
+
 from sandbox.cli.commands.options import (
+    AccuracyOption,
     DurationOption,
+    IterationsOption,
+    LevelArgument,
     RateOption,
+    RecordOption,
     SchemeOption,
     SetOption,
+    SolverOption,
+    WithOption,
+    WithoutOption,
     argument,
     option,
 )
+
+
+def simulate(
+    level: LevelArgument,
+    output: Annotated[Path, option("FILE.csv", "The file to write.")],
+    set_: SetOption = None,
+    duration: DurationOption = None,
+    rate: RateOption = None,
+    scheme: SchemeOption = None,
+    iterations: IterationsOption = None,
+    solver: SolverOption = None,
+    accuracy: AccuracyOption = None,
+    record: RecordOption = None,
+    without: WithoutOption = None,
+    with_: WithOption = None,
+) -> None:
+    """Run a level and write it as a CSV file.
+
+    No window opens. The comments at the top of the file say all that is needed to repeat the run.
+    The results of the level's checks are printed, and the exit status is 1 if one failed.
+
+    With --without or --with, the changed run is written instead. The printed table then shows how
+    it differs from the unchanged level, in the quantities of its checks and in computing time.
+    """
+    from sandbox.cli.accuracy_option import Choice
+    from sandbox.cli.simulate import simulate
+
+    raise typer.Exit(
+        simulate(
+            level,
+            output,
+            set_ or [],
+            duration,
+            Choice(rate, scheme, iterations, solver),
+            record or [],
+            without or [],
+            with_ or [],
+            accuracy,
+        )
+    )
+
+
+def effects(level: LevelArgument, set_: SetOption = None) -> None:
+    """Switch each effect of a level off in turn, and rank them by what they change.
+
+    For each effect, the table shows which quantity it changes most, among those of the checks and
+    the positions of the bodies, and what it costs in each step. Effects that change nothing are
+    listed, too.
+    """
+    from sandbox.cli.effects import weigh
+
+    weigh(level, set_ or [])
+
 
 SubjectArgument = Annotated[
     str,
@@ -72,7 +134,7 @@ DataOption = Annotated[
 ]
 
 
-def command(
+def experiment(
     subject: SubjectArgument,
     output: OutputOption,
     vary: VaryOption = None,
@@ -108,3 +170,14 @@ def command(
         fit(asked, fit_ or [], data, output)
     else:
         experiment(asked, output, jobs, cluster)
+
+
+def replay(file: Annotated[Path, argument("FILE", "The saved run.")]) -> None:
+    """Repeat a run that was saved in the window, without a window.
+
+    The level, the parameters and all actions are the same, each action at its own step. The exit
+    status is 1 if a single bit of the final state differs.
+    """
+    from sandbox.cli.replay import replay
+
+    raise typer.Exit(replay(file))
