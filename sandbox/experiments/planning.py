@@ -18,7 +18,7 @@ from sandbox.model.level import Level, Scheme
 from sandbox.model.level_parts import Fault
 from sandbox.model.loading import choose
 from sandbox.model.message import Message, joined
-from sandbox.model.rules.conditions.numbers import MAX_STEPS
+from sandbox.model.rules.conditions.scene import MAX_STEPS
 
 MOST_RUNS = 10**9
 """The most runs in an experiment; at 10,000 runs a second they take a day."""

@@ -16,7 +16,7 @@ from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level, Stepping
 from sandbox.model.message import NOTHING
-from sandbox.model.rules.conditions.numbers import MAX_STEPS
+from sandbox.model.rules.conditions.scene import MAX_STEPS
 from sandbox.physics.ensemble.batched_runs import Flight, accepts, suits
 from sandbox.physics.measuring.recording import Trace, count_steps
 from sandbox.physics.quantities.meter import Meter

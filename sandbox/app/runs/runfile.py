@@ -19,7 +19,7 @@ from sandbox.model.level import Level
 from sandbox.model.level_parts import names_in
 from sandbox.model.loading import choose, parse
 from sandbox.model.message import Message
-from sandbox.model.rules.conditions.numbers import MAX_STEPS
+from sandbox.model.rules.conditions.scene import MAX_STEPS
 from sandbox.physics.state.snapshot import Snapshot
 
 SUFFIX = ".run.json"

@@ -1,37 +1,26 @@
-"""Conditions on a level over the whole ranges of its parameters; a module for each topic."""
+"""Conditions on a level over the whole ranges of its parameters."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from itertools import chain
 
 from sandbox.model.level import Level
-from sandbox.model.rules.conditions import (
-    fields,
-    friction,
-    gravitation,
-    joints,
-    landscape,
-    massflow,
-    numbers,
-    shapes,
-    whole_duration,
-    wires,
-)
+from sandbox.model.rules.conditions import effects, joints, scene, whole_duration, wires
 from sandbox.model.rules.conditions.condition import Condition
 
-_TOPICS = (
-    numbers,
-    shapes,
-    joints,
-    landscape,
-    fields,
-    friction,
-    gravitation,
-    massflow,
-    whole_duration,
-    wires,
+_TOPICS: tuple[Callable[[Level], Iterator[Condition]], ...] = (
+    scene.numbers,
+    scene.shapes,
+    joints.conditions,
+    scene.landscape,
+    effects.fields,
+    effects.friction,
+    effects.singular_forces,
+    effects.rockets,
+    whole_duration.conditions,
+    wires.conditions,
 )
 
 
 def conditions(level: Level) -> Iterator[Condition]:
     """Yield all conditions on a level's parameters."""
-    yield from chain.from_iterable(topic.conditions(level) for topic in _TOPICS)
+    yield from chain.from_iterable(topic(level) for topic in _TOPICS)

@@ -1,0 +1,190 @@
+"""Conditions on the effects of a level."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from functools import partial
+from math import dist
+
+import numpy as np
+
+from sandbox.model.arithmetic import ExpressionError
+from sandbox.model.body import Body
+from sandbox.model.effects.attraction import Attraction
+from sandbox.model.effects.contract import Effect
+from sandbox.model.effects.field import Field
+from sandbox.model.effects.potential import Potential
+from sandbox.model.errors import brief
+from sandbox.model.expressions import Expression, NonNegative, Positive, Values
+from sandbox.model.formulas import Function
+from sandbox.model.json_positions import Path
+from sandbox.model.level import Level
+from sandbox.model.level_parts import names_in
+from sandbox.model.message import Message
+from sandbox.model.rules.conditions.condition import Condition
+from sandbox.model.rules.consistency.mentions import bodies_of_effect
+from sandbox.model.shapes import Point, evaluate
+
+NEAR = 1e-9
+"""The distance below which positions count as equal [m]."""
+
+
+def fields(level: Level) -> Iterator[Condition]:
+    """Yield the conditions that fields and potentials have a value where their bodies start."""
+    for effect, place, said in level.effects.said:
+        if effect.name not in ("field", "potential"):
+            continue
+        dynamic = [name for name, body in level.bodies.items() if body.type == "dynamic"]
+        names = dynamic if said.bodies is None else said.bodies
+        bodies = {name: level.bodies[name] for name in names}
+        starts = names_in(tuple((b.position, b.velocity) for b in bodies.values()))
+        for path, formula in _formulas(said, place):
+            needed = frozenset((formula.names | starts) & level.parameters.keys())
+            yield Condition(path, needed, partial(_lost, formula, bodies), 20 * len(bodies))
+
+
+def _formulas(said: Field | Potential, place: Path) -> Iterator[tuple[Path, Function]]:
+    """Yield the formulas that must have a value, including the gradient of a potential."""
+    if isinstance(said, Field):
+        yield from (((*place, "force", axis), part) for axis, part in enumerate(said.force))
+    else:
+        energy = said.energy
+        slopes = (energy.slope("x"), energy.slope("y"))
+        yield from (((*place, "energy"), formula) for formula in (energy, *slopes))
+
+
+def _lost(formula: Function, bodies: dict[str, Body], values: Values) -> Message | None:
+    """Name the body at which it has no value, or too large a value."""
+    for name, body in bodies.items():
+        (x, y), (vx, vy) = evaluate(body.position, values), evaluate(body.velocity, values)
+        start = {"x": x, "y": y, "vx": vx, "vy": vy, "t": 0.0}
+        try:
+            found = float(formula.at(values, {n: np.asarray(v) for n, v in start.items()}))
+        except ExpressionError as error:
+            return error.message
+        shown = brief(str(formula.source))
+        if not np.isfinite(found):
+            return Message(
+                "'{shown}' has no finite value where '{name}' starts", shown=shown, name=brief(name)
+            )
+        if beyond := formula.beyond(found):
+            return Message(
+                "'{shown}' is {found:g} where '{name}' starts, {beyond}",
+                shown=shown,
+                found=found,
+                name=brief(name),
+                beyond=beyond,
+            )
+    return None
+
+
+def friction(level: Level) -> Iterator[Condition]:
+    """Yield the conditions that static friction is at least as strong as kinetic friction."""
+    for path, kinetic, static in _coefficients(level):
+        wrong = partial(_friction_fault, kinetic, static)
+        yield Condition(path, kinetic.names | static.names, wrong)
+
+
+def _coefficients(level: Level) -> Iterator[tuple[Path, NonNegative, NonNegative]]:
+    """Yield each pair of a kinetic and a static coefficient of friction, with its path."""
+    for name, body in level.bodies.items():
+        if body.friction is not None and body.static_friction is not None:
+            yield ("bodies", name, "static_friction"), body.friction, body.static_friction
+    for index, pair in enumerate(level.effects.friction.pairs if level.effects.friction else ()):
+        if pair.static is not None:
+            yield ("effects", "friction", "pairs", index, "static"), pair.coefficient, pair.static
+
+
+def _friction_fault(kinetic: NonNegative, static: NonNegative, values: Values) -> Message | None:
+    sticks, slips = static(values), kinetic(values)
+    if sticks < slips:
+        return Message(
+            "is {sticks:g}, less than the kinetic coefficient of {slips:g}",
+            sticks=sticks,
+            slips=slips,
+        )
+    return None
+
+
+def singular_forces(level: Level) -> Iterator[Condition]:
+    """Yield the conditions that bodies start away from those that act on them, and from centres."""
+    dynamic = [name for name, body in level.bodies.items() if body.type == "dynamic"]
+    for index, center in enumerate(level.effects.attraction or ()):
+        places = {name: level.bodies[name].position for name in dynamic}
+        names = names_in((center.center, center.power, *places.values()))
+        wrong = partial(_centre_fault, center, places)
+        yield Condition(
+            ("effects", "attraction", index, "center"), names, wrong, 10 + 5 * len(places)
+        )
+    for effect, place, said in level.effects.said:
+        if effect.singular:
+            soft = getattr(said, effect.softening) if effect.softening else None
+            places = {n: level.bodies[n].position for n in bodies_of_effect(level, said)}
+            names = names_in((soft, *places.values()))
+            wrong = partial(_meeting_fault, effect, soft, places)
+            yield Condition(place, names, wrong, 10 + 5 * len(places))
+
+
+def _meeting_fault(
+    effect: Effect, soft: Expression | None, places: Mapping[str, Point], values: Values
+) -> Message | None:
+    """Without softening, no force is defined between bodies at the same position."""
+    found: dict[tuple[float, float], str] = {}
+    if soft is not None and soft(values):
+        return None
+    for name, point in places.items():
+        x, y = evaluate(point, values)
+        other = found.setdefault((round(x, 9), round(y, 9)), name)
+        if other != name:
+            return Message(
+                "'{effect}' acts between '{other}' and '{name}', which start at the same position;"
+                " {advice}",
+                effect=effect.name,
+                other=brief(other),
+                name=brief(name),
+                advice=_advice(effect),
+            )
+    return None
+
+
+def _advice(effect: Effect) -> Message:
+    if effect.softening:
+        return Message("move one, or add a '{softening}'", softening=effect.softening)
+    return Message("move one of them")
+
+
+def _centre_fault(pull: Attraction, places: Mapping[str, Point], values: Values) -> Message | None:
+    """No force is defined at a centre, unless it grows with the distance."""
+    if pull.power(values) <= -1:
+        return None
+    x, y = evaluate(pull.center, values)
+    for name, point in places.items():
+        if dist(evaluate(point, values), (x, y)) <= NEAR:
+            return Message(
+                "'{name}' starts at the centre, where the attraction has no direction",
+                name=brief(name),
+            )
+    return None
+
+
+def rockets(level: Level) -> Iterator[Condition]:
+    """Yield the conditions that no rocket burns all of its mass."""
+    thrusts = level.effects.thrust or ()
+    for index, thrust in enumerate(thrusts):
+        if mass := level.bodies[thrust.body].mass:
+            burns = [other.propellant for other in thrusts if other.body == thrust.body]
+            wrong = partial(_burnt_fault, thrust.body, mass, burns)
+            path = ("effects", "thrust", index, "propellant")
+            yield Condition(path, names_in((mass, *burns)), wrong)
+
+
+def _burnt_fault(
+    body: str, mass: Positive, burns: Sequence[Positive], values: Values
+) -> Message | None:
+    whole, burnt = mass(values), sum(propellant(values) for propellant in burns)
+    if burnt >= whole:
+        return Message(
+            "'{body}' burns {burnt:g} kg, but its whole mass is {whole:g} kg",
+            body=brief(body),
+            burnt=burnt,
+            whole=whole,
+        )
+    return None
