@@ -1,4 +1,4 @@
-"""The impacts of a run, with their strength relative to the scene, for flashes and tones.
+"""The impacts of a run, with their strength relative to the scene, for flashes, tones and marks.
 
 They are recorded step by step, so a repeated run has the same impacts at the same steps. The
 strength of an impact is its impulse over the largest momentum of a body so far. That momentum is at
@@ -21,6 +21,14 @@ FAINTEST = 0.04
 """The least strength of an impact that is recorded."""
 MOST = 256
 """The largest number of impacts that are kept, the latest."""
+
+MOST_MARKS = 60
+"""The largest number of marks; with more, the right one would be hard to find."""
+HARD = 0.1
+"""The least strength of a marked impact, as `Blow.share`."""
+
+ALIKE = 6
+"""Decimals in comparisons of strengths, so that rounding errors do not order impacts."""
 
 
 class Blow(NamedTuple):
@@ -91,3 +99,25 @@ class ImpactLog:
         now, lasting = self._world.t, max(lasting, self._world.dt / 2)
         recent = takewhile(lambda blow: now - blow.t < lasting, reversed(self._last))
         return [Flash(blow, 1 - (now - blow.t) / lasting) for blow in recent]
+
+
+class ImpactMarks:
+    """The impacts that the time bar marks: the hardest of each step, if at least `HARD`."""
+
+    def __init__(self) -> None:
+        self._at: dict[int, Blow] = {}
+
+    def note(self, blows: Sequence[Blow]) -> None:
+        """Add the impacts of a step, the latest first; the earliest of the hardest is kept."""
+        hardest = max(reversed(blows), key=lambda blow: round(blow.share, ALIKE), default=None)
+        if hardest and hardest.share >= HARD and len(self._at) <= MOST_MARKS:
+            self._at[hardest.steps] = hardest
+
+    def forget_after(self, steps: int) -> None:
+        """Remove impacts after some step, from which the run takes another course."""
+        self._at = {step: blow for step, blow in self._at.items() if step <= steps}
+
+    @property
+    def shown(self) -> Sequence[Blow]:
+        """The impacts to mark; none if there are more than `MOST_MARKS`."""
+        return list(self._at.values()) if len(self._at) <= MOST_MARKS else ()

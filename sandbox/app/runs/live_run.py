@@ -8,8 +8,7 @@ from sandbox.app.observing import milestones
 from sandbox.app.observing.earlier_runs import Earlier, Observed, kept
 from sandbox.app.observing.energy_books import Books
 from sandbox.app.observing.first_contacts import FirstContacts
-from sandbox.app.observing.impact_marks import ImpactMarks
-from sandbox.app.observing.impacts import ImpactLog
+from sandbox.app.observing.impacts import ImpactLog, ImpactMarks
 from sandbox.app.observing.milestones import Milestone
 from sandbox.app.observing.running_checks import Grading, Ration, Reading
 from sandbox.app.observing.state_history import History
