@@ -29,15 +29,15 @@ from sandbox.model.shapes import evaluate
 from sandbox.model.wires import along
 from sandbox.physics.geometry.quintic_interpolation import course
 from sandbox.physics.joints.exact.angles import (
+    Meshed,
+    Turn,
     angle_stops,
-    geared,
-    meshed,
     number,
     pin,
     starting,
     stops,
     turn,
-    weld,
+    where,
     winding,
 )
 from sandbox.physics.joints.exact.bead_on_wire import WireEquation
@@ -109,11 +109,13 @@ class JointEquations:
                 return [], limits if self.can_turn(a, b) else ()
             case Gear(ratio=ratio, carrier=carrier):
                 arm = Anchor(None if carrier is None else self._index[carrier])
-                held = geared(name, a, b, ratio(values), number(arm))
+                bodies, other = (number(a), number(b)), number(arm)
+                held = Turn(name, *bodies, 0.0, ratio=ratio(values), carrier=other)
                 return [], (starting(held, start),) if self.can_turn(a, b, arm) else ()
             case Rack(radius=radius, direction=direction):
                 along = complex(*evaluate(direction, values))
-                return [], (starting(meshed(name, a, b, radius(values), along), start),)
+                bar = Meshed(name, a, number(b), radius(values), along / abs(along))
+                return [], (starting(bar, start),)
             case Winding(radius=radius, unwinds=way):
                 radii[name] = radius(values)
                 sense = 1 if way == "counterclockwise" else -1
@@ -123,8 +125,8 @@ class JointEquations:
 
     def weld(self, name: str, a: Anchor, b: Anchor, start: Coordinates) -> Made:
         """Return the equations that weld two bodies at their positions `start`."""
-        rows, others = weld(name, a, b, start)
-        return rows, others if self.can_turn(a, b) else ()
+        rows = pin(name, Anchor(a.body, where(a, b, start)), b)
+        return rows, [turn(name, a, b, start)] if self.can_turn(a, b) else ()
 
     def can_turn(self, *anchors: Anchor) -> bool:
         """Return whether any of the bodies can turn."""

@@ -9,7 +9,7 @@ from typing import TypeVar
 import numpy as np
 
 from sandbox.model.message import Message
-from sandbox.physics.joints.exact.constraint_interface import Coordinates, Equation, Share
+from sandbox.physics.joints.exact.constraint_interface import Coordinates, Share
 from sandbox.physics.joints.exact.distances import Row
 from sandbox.physics.state.anchor import Anchor
 from sandbox.physics.state.errors import JointFailure
@@ -125,11 +125,6 @@ def pin(name: str, a: Anchor, b: Anchor) -> list[Row]:
     return [Row(name, [(a, b)], 0.0, along=direction) for direction in (1 + 0j, 1j)]
 
 
-def weld(name: str, a: Anchor, b: Anchor, start: Coordinates) -> tuple[list[Row], list[Equation]]:
-    """Return the equations that keep the position and angle of b relative to a."""
-    return pin(name, Anchor(a.body, where(a, b, start)), b), [turn(name, a, b, start)]
-
-
 def where(a: Anchor, b: Anchor, start: Coordinates) -> complex:
     """Return the position of the point b in the axes of the body of a [m]."""
     first, second = number(a), number(b)
@@ -137,19 +132,9 @@ def where(a: Anchor, b: Anchor, start: Coordinates) -> complex:
     return complex((point - start.plane[first]) * exp(-1j * start.angle[first]))
 
 
-def meshed(name: str, end: Anchor, wheel: Anchor, radius: float, way: complex) -> Meshed:
-    """Return the equation of a bar that a wheel moves; `starting` sets its value."""
-    return Meshed(name, end, number(wheel), radius, way / abs(way))
-
-
 def starting(equation: Gearing, start: Coordinates) -> Gearing:
     """Return the equation that keeps the value at the start."""
     return replace(equation, length=equation.look(start)[0])
-
-
-def geared(name: str, a: Anchor, b: Anchor, ratio: float, carrier: int) -> Turn:
-    """Return the equation by which b turns with a; `starting` sets its value."""
-    return Turn(name, number(a), number(b), 0.0, ratio=ratio, carrier=carrier)
 
 
 def angle_stops(name: str, a: Anchor, b: Anchor, least: float, most: float) -> list[Turn]:
