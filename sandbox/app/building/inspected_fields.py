@@ -3,14 +3,13 @@
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
-from typing import Any, get_args, get_origin
-
-from pydantic.fields import FieldInfo
+from typing import Any
 
 from sandbox.app.building import editable_fields
 from sandbox.app.building.button_action import Act
-from sandbox.app.building.editable_fields import Entry, Row, bare
+from sandbox.app.building.editable_fields import Entry, Row
 from sandbox.app.building.edited_level import Work
+from sandbox.app.building.effect_examples import example
 from sandbox.app.words.language import later, plural, say
 from sandbox.editing import suggested_checks
 from sandbox.editing.cleanup import accepted
@@ -19,25 +18,16 @@ from sandbox.editing.edits.checks import complete
 from sandbox.editing.edits.fields import make_parameter, parameter_name, set_field
 from sandbox.editing.edits.tilting import slope_of, tilt
 from sandbox.editing.edits.titling import entitled
-from sandbox.editing.json_layout import Json
 from sandbox.editing.renaming import rename
 from sandbox.editing.suggested_checks.recognised_setup import Suggestion
 from sandbox.editing.text_patches import put, put_all, value_at
-from sandbox.model.base import Model
 from sandbox.model.body import Body
 from sandbox.model.effect_variants import DEFAULTS
-from sandbox.model.effects import Effects
 from sandbox.model.errors import LevelError, SandboxError
-from sandbox.model.expressions import Expression, Positive
 from sandbox.model.joints import Joint
 from sandbox.model.json_positions import Path
 from sandbox.model.level import Level
 from sandbox.model.level_parts import expressions
-from sandbox.model.reference_fields import Mention
-
-LITTLE = 0.1
-"""The example value of a field that must be positive and may have an upper bound."""
-
 
 NAMED = later("its name: a letter, then letters, digits or _; every mention of it changes, too")
 
@@ -230,38 +220,3 @@ def _take(work: Work, one: Suggestion) -> None:
 
     if work.change(say(one.setup), edit):
         work.tell(say("Its checks are on the level's page (O); they are tested while it runs"))
-
-
-def example(effect: str, moving: Sequence[str], others: Sequence[str]) -> dict[str, Json]:
-    """Return example settings of an effect, given the names of moving and other bodies."""
-    kind = bare(Effects.model_fields[effect].annotation)
-    model = bare(get_args(kind)[0]) if get_origin(kind) is tuple else kind
-    return _of(model, moving, others)
-
-
-def _of(model: type[Model], moving: Sequence[str], others: Sequence[str]) -> dict[str, Json]:
-    fields = model.model_fields.items()
-    return {name: _value(field, moving, others) for name, field in fields if field.is_required()}
-
-
-def _value(field: FieldInfo, moving: Sequence[str], others: Sequence[str]) -> Json:
-    kind = bare(field.annotation)
-    mention = next((each for each in field.metadata if isinstance(each, Mention)), None)
-    if mention is not None:
-        bodies = moving if mention.acted_on else [*others, *moving]
-        return list(moving[:2]) if mention.of in ("couple", "bodies") else "".join(bodies[:1])
-    if get_origin(kind) is tuple:
-        return _several(get_args(kind), moving, others)
-    return LITTLE if _is(kind, Positive) else 1
-
-
-def _several(kinds: tuple[Any, ...], moving: Sequence[str], others: Sequence[str]) -> Json:
-    """Return a point on the first axis, or a list of one part."""
-    if _is(kinds[0], Expression):
-        return [1, 0]
-    part = bare(kinds[0])
-    return [_of(part, moving, others)] if _is(part, Model) else []
-
-
-def _is(kind: Any, of: type) -> bool:  # noqa: ANN401 (a type is any object)
-    return isinstance(kind, type) and issubclass(kind, of)

@@ -13,7 +13,7 @@ from sandbox.app.pages import register
 from sandbox.app.pages.page import Desk, Page, Row
 from sandbox.app.pages.register import PAGES
 from sandbox.app.pages.workers import Workers
-from sandbox.app.panels import side_panel
+from sandbox.app.panels import tabs
 from sandbox.app.runs.session import Session
 from sandbox.app.widgets.sheet import Panel, Sheet
 from tests.app import scenes
@@ -123,7 +123,7 @@ def test_no_caption_of_a_tab_is_cut(
     more = [fake(name.lower(), caption=name) for name in names]
     pages = (*PAGES, *more)
     monkeypatch.setattr(register, "PAGES", pages)
-    monkeypatch.setattr(side_panel, "tip", lambda command: command)
+    monkeypatch.setattr(tabs, "tip", lambda command: command)
     person.window.open_level(LEVELS[0])
 
     person.resize(size)
@@ -132,7 +132,7 @@ def test_no_caption_of_a_tab_is_cut(
     across = person.window.panels.layout.side
     pen = Pen()
     for page, rect in zip(pages, rects, strict=True):
-        assert pen.write(page.caption, side_panel.SIZE).width + 8 <= rect.width, page.caption
+        assert pen.write(page.caption, tabs.SIZE).width + 8 <= rect.width, page.caption
         assert across.contains(rect)
         assert len(rect.collidelistall(rects)) == 1
     assert person.side._sheet.container.rect.height >= 240  # the energies fold to make room
@@ -143,7 +143,7 @@ def test_a_page_that_is_a_card_needs_no_panel(
     person: Person, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(register, "PAGES", (*PAGES, fake("forces")))
-    monkeypatch.setattr(side_panel, "tip", lambda command: command)
+    monkeypatch.setattr(tabs, "tip", lambda command: command)
     person.window.open_level(LEVELS[0])
 
     person.window.commands.turn_to("forces page")
