@@ -50,13 +50,16 @@ def validation() -> None:
 def command(function: Callable[Given, bool | None]) -> Callable[Given, bool | None]:
     """Register a command, in the order of the help.
 
-    The command exits with 1 if it returns false, and tells errors like `sandbox`.
+    It exits with 1 if it returns false, and tells errors like `sandbox`. A `json_file` that could
+    not be written is refused before anything is measured.
     """
 
     @app.command(function.__name__)
     @wraps(function)
     def status(*given: Given.args, **options: Given.kwargs) -> None:
         try:
+            if isinstance(file := options.get("json_file"), Path):
+                check_writable(file)
             passed = function(*given, **options)
         except SandboxError as error:
             typer.echo(error, err=True)
@@ -80,8 +83,6 @@ def run(
 
     Exit status 1 if a case misses its bound, or if stock pymunk meets one that it should miss.
     """
-    if json_file:
-        check_writable(json_file)
     cases = of_levels(levels or [])
     outcomes = suite.outcomes(cases, jobs)
     with output.written(suite.content(outcomes), json_file):

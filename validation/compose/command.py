@@ -12,7 +12,7 @@ import typer
 from rich.table import Table
 
 from sandbox.model.errors import SandboxError
-from sandbox.model.file_writing import check_writable, folder_of_files, write_atomically
+from sandbox.model.file_writing import folder_of_files, write_atomically
 from sandbox.model.level_writing import text
 from sandbox.processes import spread
 from validation import output
@@ -71,8 +71,6 @@ def measure(
     The outcomes go to the JSON file, and the levels of failed scenes to the folder, if any. By
     default there are as many processes as cores. Raises `SandboxError` if a file cannot be written.
     """
-    if json_file:
-        check_writable(json_file)
     with folder_of_files(folder) if folder else nullcontext():
         found = outcomes(chosen, jobs)
         with output.written(content(found), json_file):

@@ -10,7 +10,7 @@ from pathlib import Path
 import typer
 
 from sandbox.model import level_catalog
-from sandbox.model.file_writing import check_writable, folder_of_files
+from sandbox.model.file_writing import folder_of_files
 from sandbox.optional_packages import needed_for
 from sandbox.processes import spread
 from validation import output
@@ -31,8 +31,6 @@ def measure(
     Without names it sweeps all levels or, if `quick`, a sample of them. Raises `SandboxError` if
     there is no such level, or a file cannot be written.
     """
-    if json_file:
-        check_writable(json_file)
     with folder_of_files(folder) if folder else nullcontext():
         draw = _drawer() if folder else None
         for name in names:

@@ -4,7 +4,6 @@ from collections.abc import Sequence
 from dataclasses import asdict
 from pathlib import Path
 
-from sandbox.model.file_writing import check_writable
 from validation import output
 from validation.effects import costs, growth
 from validation.effects.costs import EffectCost, LevelCost
@@ -18,8 +17,6 @@ def measure(json_file: Path | None, *, quick: bool) -> None:
 
     Raises `SandboxError` if a level cannot be measured, or the file cannot be written.
     """
-    if json_file:
-        check_writable(json_file)
     levels, effects, growths = measured(quick=quick)
     with output.written(content(levels, effects, growths), json_file):
         output.show(level_table(levels), effect_table(effects), growth_table(growths))

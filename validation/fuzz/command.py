@@ -15,7 +15,7 @@ from typing import Any
 
 import typer
 
-from sandbox.model.file_writing import check_writable, folder_of_files, write_atomically
+from sandbox.model.file_writing import folder_of_files, write_atomically
 from validation import output
 from validation.environment import environment
 from validation.fuzz.guided import available, guided
@@ -66,8 +66,6 @@ def fuzz(
     any, and the reduced forms of levels that fail to the folder of samples, made if missing. Raises
     `SandboxError` if a file cannot be written.
     """
-    if json_file:
-        check_writable(json_file)
     start = monotonic()
     found, trial = Findings(guided=available()), Trial()
     try:

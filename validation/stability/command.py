@@ -6,7 +6,6 @@ from pathlib import Path
 
 import typer
 
-from sandbox.model.file_writing import check_writable
 from validation import output
 from validation.environment import environment
 from validation.output import finite
@@ -21,8 +20,6 @@ def measure(json_file: Path | None, *, quick: bool, update: bool) -> list[str]:
 
     Raises `SandboxError` if the outcome cannot be written.
     """
-    if json_file:
-        check_writable(json_file)
     found = measured(quick=quick)
     with output.written(content(found), json_file):
         output.show(*tables(found))
