@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from typer.testing import CliRunner
 
-from validation import cli, suite
+from validation import cli, output, suite
 from validation.case import Case, Outcome, run
 from validation.case_tables import read
 
@@ -113,3 +113,17 @@ def test_processes_that_share_the_cases_find_what_one_finds(
 
 def untimed(outcome: Outcome) -> Outcome:
     return replace(outcome, step_seconds=0.0, naive_step_seconds=0.0)
+
+
+@pytest.mark.parametrize(
+    "asked", [["run"], ["compose", "--count", "1"], ["pace", "kinematics/free-fall"]]
+)
+def test_a_file_that_cannot_be_written_is_refused_before_anything_is_measured(
+    asked: list[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(output, "written", pytest.fail)
+
+    result = CliRunner().invoke(cli.app, [*asked, "--json", str(tmp_path / "missing" / "x.json")])
+
+    assert result.exit_code == 2
+    assert "there is no folder" in result.stderr
