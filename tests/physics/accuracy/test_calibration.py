@@ -1,13 +1,12 @@
 """A requested accuracy is delivered, or the answer says why it cannot be."""
 
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
 from functools import partial
 from itertools import count
 from math import cos, pi, sin, sqrt
 from random import Random
-from typing import Any
 
 import numpy as np
 import pytest
@@ -24,6 +23,7 @@ from sandbox.physics.accuracy import calibration, candidates, cheapest_setting, 
 from sandbox.physics.accuracy.calibration import calibrate
 from sandbox.physics.accuracy.chaos import chaotic
 from sandbox.physics.accuracy.compared_runs import (
+    Stop,
     Watched,
     apart,
     never,
@@ -522,9 +522,11 @@ def test_no_run_of_a_search_is_taken_twice(monkeypatch: pytest.MonkeyPatch) -> N
     """The run for the scales is one of the sequence, and the direct solver takes no sweeps."""
     taken: list[Stepping] = []
 
-    def noted(level: Level, values: Values, stepping: Stepping, *rest: Any) -> Trace:
+    def noted(
+        level: Level, values: Values, stepping: Stepping, wanted: Sequence[Watched], stop: Stop
+    ) -> Trace:
         taken.append(stepping.model_copy(update={"iterations": 1}))
-        return record(level, values, stepping, *rest)
+        return record(level, values, stepping, wanted, stop)
 
     for module in (cheapest_setting, refinement_search):
         monkeypatch.setattr(module, "record", noted)
