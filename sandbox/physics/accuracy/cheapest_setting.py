@@ -9,6 +9,7 @@ at that rate and one at twice the rate confirm it, unless they are too much work
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
+from math import log2
 from time import thread_time
 from typing import Literal
 
@@ -169,19 +170,24 @@ class Seeker:
         """Return a setting that is as accurate where forces set in or end, if there is one.
 
         These steps may not be among those that were compared, nor the first ones, in which stock
-        pymunk lets bodies fall that rest. If no rate is sufficient, the setting is returned with
-        its error there.
+        pymunk lets bodies fall that rest. Lower rates than the one that certainly suffices may do,
+        and are tried first. If no rate is sufficient, the setting is returned with its error there.
         """
         found = onsets(best, wanted, chosen.stepping.rate, self.target)
         if chosen.stepping.is_stock:
             found = Onsets([0.0, *found.times], velocities(best, wanted), found.rate)
         here = self._around(chosen, found)
-        if here.error > self.target and 0 < found.rate <= HIGHEST_RATE:
-            rate = in_step(found.rate, chosen.stepping.rate)
-            times = rate / chosen.stepping.rate
-            finer = chosen._replace(stepping=chosen.stepping.at(rate), work=times * chosen.work)
-            there = self._around(finer, found)
-            return there if there.error <= self.target else here
+        if here.error <= self.target or not 0 < found.rate <= HIGHEST_RATE:
+            return here
+        own = chosen.stepping.rate
+        for halvings in range(max(int(log2(found.rate / own)), 0), -1, -1):
+            rate = in_step(found.rate / 2**halvings, own)
+            work = rate / own * chosen.work
+            there = self._around(
+                chosen._replace(stepping=chosen.stepping.at(rate), work=work), found
+            )
+            if there.error <= self.target:
+                return there
         return here
 
     def _around(self, chosen: Candidate, onsets: Onsets) -> Candidate:

@@ -32,6 +32,14 @@ def stepper(space: pymunk.Space) -> Callable[[float], None]:
     return partial(lib.cpSpaceStep, space._space)  # noqa: SLF001
 
 
+def gravity_setter(space: pymunk.Space) -> Callable[[tuple[float, float]], None]:
+    """Return a function that sets the gravity [m/s²].
+
+    Setting `Space.gravity` takes 1.2 µs, this takes a fifth of it.
+    """
+    return partial(lib.cpSpaceSetGravity, space._space)  # noqa: SLF001
+
+
 class Memory:
     """An array that pymunk reads or writes, `values` (count,), and the arguments of the `call`.
 
