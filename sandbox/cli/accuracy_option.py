@@ -49,6 +49,10 @@ def settled(level: Level, values: Values, choice: Choice, also: Sequence[str] = 
     return _stepping({**own.at(own.rate).model_dump(), **choice.given})
 
 
+FINDING = "Finding the cheapest setting ..."
+"""What is shown during the search, before the run that it is about to take."""
+
+
 def _stepping(given: Mapping[str, float | str]) -> Stepping:
     try:
         return Stepping.model_validate(given)
@@ -72,13 +76,14 @@ def find_out(level: Level, values: Values, also: Sequence[str] = ()) -> Stepping
 
     from sandbox.physics.accuracy.calibration_cache import calibrated
 
-    with Console(stderr=True).status("Finding the cheapest setting ..."):
+    with Console(stderr=True).status(FINDING) as status:
         setting = calibrated(
             level,
             values,
             level.stepping.accuracy,
             tell=lambda why: typer.echo(why, err=True),
             also=also,
+            progress=lambda _, now: status.update(f"{FINDING} {now}"),
         )
     typer.echo(setting)
     return setting.chosen.stepping

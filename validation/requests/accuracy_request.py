@@ -6,7 +6,8 @@ A setting is compared with a run at a much smaller step, and with cheaper settin
 from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import dataclass
-from math import inf, isnan, nan
+from itertools import count
+from math import floor, inf, isnan, log2, nan
 from random import Random
 
 from sandbox.model import level_catalog
@@ -39,8 +40,8 @@ BETTER = 2.0
 ROUNDING = 1e-12
 """The difference below which errors count as equal."""
 
-SWEPT = tuple(15.0 * 2**i for i in range(13))
-"""The rates of the sweep [Hz]."""
+LOWEST = 15.0
+"""The lowest rate of the sweep, or up to twice this [Hz]."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -91,7 +92,7 @@ def trial(seed: int) -> Trial:
         return Trial(seed, name, values, target, str(error), refused=True)
     delivered, cheaper = nan, ""
     with suppress(SimulationError):
-        delivered, cheaper = _looked_at(level, values, setting)
+        delivered, cheaper = looked_at(level, values, setting)
     text = str(setting)
     return Trial(
         seed, name, values, target, text,
@@ -99,8 +100,11 @@ def trial(seed: int) -> Trial:
     )  # fmt: skip
 
 
-def _looked_at(level: Level, values: Values, setting: Setting) -> tuple[float, str]:
-    """Return the error of a setting, and a cheaper setting."""
+def looked_at(level: Level, values: Values, setting: Setting) -> tuple[float, str]:
+    """Return the error of a setting, NaN if verifying it takes too long, and a cheaper setting.
+
+    The cheaper one is in words; empty if there is none. Raises `SimulationError` if a run stops.
+    """
     chosen = setting.chosen.stepping
     finer = _finer(level, values, chosen)
     if finer is None:
@@ -150,13 +154,15 @@ def _cheaper(
     """Return the setting of the sweep that is as accurate at far less work; empty if none is."""
     chosen = setting.chosen.stepping
     enough = _work(level, values, chosen) / EXPENSIVE
+    lowest = chosen.rate / 2 ** floor(log2(chosen.rate / LOWEST))  # they must share instants
     for scheme in usable(level):
-        for rate in SWEPT:
+        for doublings in count():
+            rate = lowest * 2**doublings
             tried = chosen.model_copy(update={"scheme": scheme, "rate": rate})
             if _work(level, values, tried) >= enough:
                 break
             with suppress(SimulationError):
-                run = record(level, values, tried, wanted)
+                run = record(level, values, tried, wanted, seen=inf)
                 if furthest(run, best, wanted)[0] <= setting.target:
                     return f"{scheme} at {rate:g} Hz"
     return ""

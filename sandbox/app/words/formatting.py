@@ -18,7 +18,7 @@ from sandbox.model.level import (
 )
 from sandbox.physics.accuracy.calibration import Setting
 from sandbox.physics.accuracy.candidates import Offer
-from sandbox.physics.accuracy.trusted_digits import Trust, surviving
+from sandbox.physics.accuracy.trusted_digits import MOST_DIGITS, Trust, surviving
 from sandbox.physics.measuring.comparison import Difference
 from sandbox.physics.measuring.goals import Outcome
 
@@ -289,6 +289,15 @@ def trusted(found: Trust) -> str:
     if found.until is None:
         return message
     return say("{digits}; predictable until t = {t}", digits=message, t=seconds(found.until))
+
+
+def next_digit(found: Trust) -> str:
+    """Describe what another digit of a quantity takes; empty if all that are shown hold."""
+    if found.digits >= MOST_DIGITS or not found.off:
+        return ""
+    if found.next_digit is None:
+        return say("a smaller step does not give the next digit")
+    return say("the next digit takes {times:.2g} times the computing", times=found.next_digit)
 
 
 def certain(value: float, off: float, unit: str) -> str:

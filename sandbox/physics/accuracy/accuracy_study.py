@@ -4,20 +4,22 @@ A study yields findings as soon as they are known, so that they can be shown liv
 """
 
 from collections.abc import Iterable, Iterator, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
 from dataclasses import dataclass
 from functools import partial
 from itertools import islice
 from math import isfinite
+from queue import SimpleQueue
 from typing import Literal
 
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level, Scheme, Stepping
-from sandbox.model.message import Message
+from sandbox.model.message import NOTHING, Message
 from sandbox.model.quantities import momentary
 from sandbox.physics.accuracy.calibration import Setting, calibrate
-from sandbox.physics.accuracy.cheapest_setting import with_scales
+from sandbox.physics.accuracy.cheapest_setting import own_run
 from sandbox.physics.accuracy.compared_runs import Watched, by_check, never, record, scaled, watched
 from sandbox.physics.accuracy.refinement import (
     Refinement,
@@ -64,6 +66,8 @@ class Progress:
     share: float
     stage: Stage
     scheme: str = ""
+    now: Message = NOTHING
+    """The stage in more detail, if there is any: the run that is about to be taken."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -129,9 +133,19 @@ def split(level: Level, values: Values) -> Iterator[Finding]:
 
 def seek(level: Level, values: Values, target: float, seconds: float = SEARCH) -> Iterator[Finding]:
     """Yield the cheapest setting that reaches an accuracy, within a work of about [s]."""
+    stage: Stage = "looking for the cheapest setting"
+    told: SimpleQueue[Progress | None] = SimpleQueue()
+
+    def tell(share: float, now: Message) -> None:
+        told.put(Progress(share, stage, now=now))
+
+    yield Progress(0.0, stage)
+    with ThreadPoolExecutor(1) as thread:
+        found = thread.submit(calibrate, level, values, target, seconds, tell)
+        found.add_done_callback(lambda _: told.put(None))
+        yield from iter(told.get, None)
     try:
-        yield Progress(0.1, "looking for the cheapest setting")
-        yield calibrate(level, values, target, seconds)
+        yield found.result()
     except SandboxError as error:
         yield Failed(error.message)
 
@@ -201,11 +215,13 @@ def _split(
 def _others(level: Level, values: Values) -> Iterator[Finding]:
     """Refine the step of each scheme, and compare all with the best."""
     starts = list(_starts(level))
-    wanted = with_scales(level, values, watched(level, values))
+    wanted: Sequence[Watched] = watched(level, values)
+    if own := own_run(level, values, wanted):
+        wanted = scaled(wanted, own)
     refinements: list[Refinement] = []
     for index, start in enumerate(starts):
         yield Progress((1 + index) / (2 + len(starts)), "{scheme} at many rates", start.scheme)
-        refiner = Refiner(level, values, start, wanted, FINEST)
+        refiner = Refiner(level, values, start, wanted, FINEST, known=own)
         refine([refiner], REFINING, never)
         refinements += [refiner.refinement] if refiner.refinement else []
     if not refinements:

@@ -80,7 +80,7 @@ def calibrate(
     if found.chosen.error <= target:
         return _setting(found, judged_by)
     until = _predictable(found, target)
-    if chaos := chaotic(level, values, found.offers.fine, stop):
+    if chaos := chaotic(found.offers.fine, stop):
         judged_by = _judged_by_energy(chaos, until)
         found = seeker.found((_ENERGY,))
     if found.chosen.error > target:

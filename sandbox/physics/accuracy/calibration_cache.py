@@ -25,6 +25,7 @@ from sandbox.model.level import Level, Stepping
 from sandbox.model.loading import digest
 from sandbox.physics.accuracy.calibration import Setting, calibrate
 from sandbox.physics.accuracy.compared_runs import Stop, never
+from sandbox.physics.accuracy.refinement_search import Progress
 from sandbox.physics.scene.schemes import require
 from sandbox.physics.state.errors import SchemeError
 
@@ -46,6 +47,7 @@ def calibrated(
     stop: Stop = never,
     tell: Callable[[str], None] | None = None,
     also: Sequence[str] = (),
+    progress: Progress | None = None,
 ) -> Setting:
     """Return the cheapest setting that reaches an accuracy, from the cache if it is there.
 
@@ -55,7 +57,7 @@ def calibrated(
     values = level.defaults if values is None else values
     if found := recalled(level, values, target, also):
         return found
-    setting = calibrate(level, values, target, stop=stop, also=also)
+    setting = calibrate(level, values, target, progress=progress, stop=stop, also=also)
     keep(level, values, setting, tell, also)
     return setting
 

@@ -10,6 +10,7 @@ from sandbox.model.message import Message
 from sandbox.physics.accuracy.compared_runs import Watched
 from sandbox.physics.accuracy.event_timing_errors import hidden
 from sandbox.physics.accuracy.refinement import PARTS, SLOWEST, Refinement, furthest, in_step
+from sandbox.physics.accuracy.refinement_search import at_rate
 from sandbox.physics.measuring.recording import Trace
 
 REAL_TIME = 0.5
@@ -40,7 +41,7 @@ class Offer:
     def told(self) -> Message:
         """The setting and its cost, in words."""
         s = self.stepping
-        setting = Message("{scheme} at {rate:g} Hz", scheme=s.scheme, rate=s.rate)
+        setting = at_rate(s.scheme, s.rate)
         if s.solver:
             setting = Message(
                 "{scheme} at {rate:g} Hz, contacts solved directly", scheme=s.scheme, rate=s.rate
@@ -89,9 +90,9 @@ class Offers:
         return Offers(*zip(*left, strict=True))
 
     @property
-    def fine(self) -> Stepping:
-        """A setting nearly as accurate as the best run, at half its cost."""
-        return self.refinements[0].traces[-2].stepping
+    def fine(self) -> Trace:
+        """A run nearly as accurate as the best, at half its cost."""
+        return self.refinements[0].traces[-2]
 
     def best(self, target: float) -> Candidate:
         """Return the cheapest setting that reaches a target, or else the most accurate."""

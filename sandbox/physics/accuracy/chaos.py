@@ -8,17 +8,14 @@ from math import log
 
 import numpy as np
 
-from sandbox.model.expressions import Array, Values
-from sandbox.model.level import Level, Stepping
 from sandbox.model.message import NOTHING, Message
 from sandbox.physics.accuracy.compared_runs import BLOCK, Stop, Watched, departure
 from sandbox.physics.accuracy.event_timing_errors import timely
 from sandbox.physics.accuracy.exceptions import Cancelled
 from sandbox.physics.accuracy.refinement import Refinement
-from sandbox.physics.measuring.recording import count_steps
+from sandbox.physics.measuring.recording import Trace
 from sandbox.physics.state.errors import SimulationError
 from sandbox.physics.stepping.make_world import make_world
-from sandbox.physics.stepping.world import World
 
 NUDGE = 1e-9
 """The initial displacement of one body [m]."""
@@ -32,50 +29,53 @@ exponential. A first contact loses more of them at once; linear growth loses har
 second half."""
 
 
-def chaotic(level: Level, values: Values, stepping: Stepping, stop: Stop) -> Message:
+def chaotic(run: Trace, stop: Stop) -> Message:
     """Describe how a small change grows, if it grows repeatedly; return an empty message if not.
 
-    The run is taken twice. Raises `Cancelled` if `stop` returned true.
+    The run has recorded the motion. It is taken once more with a body displaced, until that change
+    has grown far enough. Raises `Cancelled` if `stop` returned true.
     """
-    t, times = _growth(level, values, stepping, stop)
-    chaotic = np.flatnonzero(times >= CHAOTIC)
-    if not len(chaotic):
+    times = _growth(run, stop)
+    at = len(times) - 1
+    if at < 0 or not times[at] >= CHAOTIC:
         return NOTHING
-    at = int(chaotic[0])
-    half = float(times[: at // 2 + 1].max())
-    if log(max(half, 1.0)) > STEADY * log(times[at]):
+    if log(max(1.0, *times[: at // 2 + 1])) > STEADY * log(times[at]):
         return NOTHING
-    return Message("a small change grows {times:.0e} times in {t:.3g} s", times=times[at], t=t[at])
+    t = float(run.t[1 + at])
+    return Message("a small change grows {times:.0e} times in {t:.3g} s", times=times[at], t=t)
 
 
-def _growth(level: Level, values: Values, stepping: Stepping, stop: Stop) -> tuple[Array, Array]:
-    """Return times [s], and the growth factor of a small displacement until then: (T,) each."""
-    name = next((n for n, body in level.bodies.items() if body.type == "dynamic"), None)
-    nothing = np.zeros(0), np.zeros(0)
-    if name is None:
-        return nothing
+def _growth(run: Trace, stop: Stop) -> list[float]:
+    """Return the growth factor of a small displacement at each time of a run but the first.
+
+    They end where it has grown far enough to be examined, or where the other run has to stop.
+    """
+    grown: list[float] = []
+    places = [
+        ((row, axis), column)
+        for row, name in enumerate(run.level.bodies)
+        for axis, letter in enumerate("xy")
+        if (column := run.columns.get(f"{name}.position.{letter}")) is not None
+    ]
+    name = next((n for n, body in run.level.bodies.items() if body.type == "dynamic"), None)
+    if name is None or not places:
+        return grown
+    rows, axes = np.transpose([place for place, _ in places])
+    recorded = np.array([column for _, column in places]).T
     try:
-        first, other = make_world(level, values, stepping), make_world(level, values, stepping)
-        x, y = other.snapshot.position[list(level.bodies).index(name)]
+        other = make_world(run.level, run.values, run.stepping)
+        x, y = other.snapshot.position[list(run.level.bodies).index(name)]
         other.place({name: (float(x) + NUDGE, float(y) + NUDGE)})
-        return _parting(first, other, stop)
+        for look, steps in enumerate(np.rint(np.diff(run.t) * run.stepping.rate)):
+            if look % BLOCK == 0 and stop():
+                raise Cancelled
+            now = other.advance(int(steps)).position[rows, axes]
+            grown.append(float(np.abs(now - recorded[1 + look]).max()) / NUDGE)
+            if grown[-1] >= CHAOTIC:
+                break
     except SimulationError:
-        return nothing
-
-
-def _parting(first: World, other: World, stop: Stop) -> tuple[Array, Array]:
-    """Return times [s], and the distance of two worlds relative to the initial one: (T,) each."""
-    left, t, apart = count_steps(first), [], []
-    block = max(min(BLOCK, left // BLOCK), 1)
-    while left:
-        if stop():
-            raise Cancelled
-        steps = min(left, block)
-        now = [world.advance(steps).position for world in (first, other)]
-        t.append(first.t)
-        apart.append(float(np.abs(now[0] - now[1]).max()) / NUDGE)
-        left -= steps
-    return np.array(t), np.array(apart)
+        return []
+    return grown
 
 
 def foretold(refinements: Sequence[Refinement], wanted: Sequence[Watched], error: float) -> float:

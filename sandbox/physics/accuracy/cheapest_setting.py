@@ -9,6 +9,8 @@ at that rate and one at twice the rate confirm it, unless they are too much work
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
+from math import log2
+from time import thread_time
 from typing import Literal
 
 from sandbox.model.expressions import Values
@@ -27,7 +29,14 @@ from sandbox.physics.accuracy.compared_runs import (
 from sandbox.physics.accuracy.event_timing_errors import Onsets, onsets, velocities
 from sandbox.physics.accuracy.exceptions import AccuracyError
 from sandbox.physics.accuracy.refinement import NEARLY, foot, furthest, in_step, step_durations
-from sandbox.physics.accuracy.refinement_search import FEWEST, Progress, Refiner, cost, refine
+from sandbox.physics.accuracy.refinement_search import (
+    FEWEST,
+    Progress,
+    Refiner,
+    at_rate,
+    cost,
+    refine,
+)
 from sandbox.physics.accuracy.richardson import ORDERS
 from sandbox.physics.guarding.rate_limits import needed
 from sandbox.physics.measuring.recording import Trace
@@ -93,12 +102,16 @@ class Seeker:
         Raises `AccuracyError` if the level takes too long to run, `Cancelled` if `stop` returned
         true, and `SimulationError` if the level does not run at all.
         """
-        wanted = with_scales(self.level, self.values, wanted, self.stop)
+        begun = thread_time()
+        if self.progress:
+            self.progress(0.0, at_rate("leapfrog", self.level.stepping.rate))
+        own = own_run(self.level, self.values, wanted, self.stop)
+        wanted = scaled(wanted, own) if own else wanted
         refiners = [
-            Refiner(self.level, self.values, start, wanted, self.target)
+            Refiner(self.level, self.values, start, wanted, self.target, known=own)
             for start in _candidates(self.level, self.values)
         ]
-        refinements = refine(refiners, self.budget, self.stop, self.progress)
+        refinements = refine(refiners, self.budget, self.stop, self.progress, begun)
         if not refinements and (failure := refiners[-1].failure):
             raise failure
         if not refinements:
@@ -157,19 +170,24 @@ class Seeker:
         """Return a setting that is as accurate where forces set in or end, if there is one.
 
         These steps may not be among those that were compared, nor the first ones, in which stock
-        pymunk lets bodies fall that rest. If no rate is sufficient, the setting is returned with
-        its error there.
+        pymunk lets bodies fall that rest. Lower rates than the one that certainly suffices may do,
+        and are tried first. If no rate is sufficient, the setting is returned with its error there.
         """
         found = onsets(best, wanted, chosen.stepping.rate, self.target)
         if chosen.stepping.is_stock:
             found = Onsets([0.0, *found.times], velocities(best, wanted), found.rate)
         here = self._around(chosen, found)
-        if here.error > self.target and 0 < found.rate <= HIGHEST_RATE:
-            rate = in_step(found.rate, chosen.stepping.rate)
-            times = rate / chosen.stepping.rate
-            finer = chosen._replace(stepping=chosen.stepping.at(rate), work=times * chosen.work)
-            there = self._around(finer, found)
-            return there if there.error <= self.target else here
+        if here.error <= self.target or not 0 < found.rate <= HIGHEST_RATE:
+            return here
+        own = chosen.stepping.rate
+        for halvings in range(max(int(log2(found.rate / own)), 0), -1, -1):
+            rate = in_step(found.rate / 2**halvings, own)
+            work = rate / own * chosen.work
+            there = self._around(
+                chosen._replace(stepping=chosen.stepping.at(rate), work=work), found
+            )
+            if there.error <= self.target:
+                return there
         return here
 
     def _around(self, chosen: Candidate, onsets: Onsets) -> Candidate:
@@ -194,21 +212,22 @@ class Seeker:
         return chosen._replace(error=worst, decided_by=item.quantity)
 
 
-def with_scales(
+def own_run(
     level: Level, values: Values, wanted: Sequence[Watched], stop: Stop = never
-) -> Sequence[Watched]:
-    """Return the watched quantities with scales from a run at the level's own rate.
+) -> Trace | None:
+    """Return a run at the level's own rate, from which motion gets its scales.
 
-    Only motion is scaled: without any, nothing is run. Raises `Cancelled` if `stop` returned true.
+    None if no motion is watched, so that nothing is run for it, or if it has to stop. Raises
+    `Cancelled` if `stop` returned true.
     """
     if not any(item.motion for item in wanted):
-        return wanted
+        return None
     solver: Literal["direct"] | None = "direct" if _may_pile(level) else level.stepping.solver
     said = level.stepping
     own = Stepping(rate=said.rate, iterations=said.iterations, solver=solver)
     with suppress(SimulationError):
-        return scaled(wanted, record(level, values, own, wanted, stop))
-    return wanted
+        return record(level, values, own, wanted, stop)
+    return None
 
 
 def _candidates(level: Level, values: Values) -> Iterator[Stepping]:
@@ -229,8 +248,11 @@ def _candidates(level: Level, values: Values) -> Iterator[Stepping]:
     elif contact := level.effects.contact:
         if _may_pile(level):
             yield start.model_copy(update={"solver": "direct"})
-        judge = start.model_copy(update={"iterations": min(MORE_SWEEPS * start.iterations, 1000)})
-        yield judge
+        judge = start  # the direct solver takes no sweeps
+        if not is_direct(level):
+            more = min(MORE_SWEEPS * start.iterations, 1000)
+            judge = start.model_copy(update={"iterations": more})
+            yield judge
         if contact.located or level.effects.in_sequence:  # locating and sequences cost time
             naive = judge if level.effects.in_sequence else start  # rows together need more sweeps
             yield naive.model_copy(update={"scheme": "symplectic-euler", "rate": lowest})

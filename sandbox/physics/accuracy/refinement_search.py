@@ -10,16 +10,27 @@ from dataclasses import dataclass, field
 from math import inf
 from time import thread_time
 
+import numpy as np
+
 from sandbox.model.expressions import Values
-from sandbox.model.level import HIGHEST_RATE, Level, Stepping
+from sandbox.model.level import HIGHEST_RATE, Level, Scheme, Stepping
+from sandbox.model.message import Message
+from sandbox.physics.accuracy.chaos import foretold
 from sandbox.physics.accuracy.compared_runs import SEEN, Stop, Watched, record
-from sandbox.physics.accuracy.refinement import SLOWEST, Refinement, held_against, judged
+from sandbox.physics.accuracy.refinement import (
+    SLOWEST,
+    WITNESSES,
+    Refinement,
+    held_against,
+    judged,
+)
 from sandbox.physics.accuracy.step_cost import LOOK, counted_cost
 from sandbox.physics.measuring.recording import Trace
 from sandbox.physics.state.errors import SimulationError
 
-Progress = Callable[[float, str], None]
-"""A callback with the share of the time that is spent, and a description of the next step."""
+Progress = Callable[[float, Message], None]
+"""A callback with the share of the work that is done, and the next run with what is known so far.
+"""
 
 FEWEST = 3
 """The number of runs of a scheme before its remaining work is estimated."""
@@ -28,7 +39,8 @@ DEARER = 2.0
 """The ratio of work to that of another scheme from which a scheme is dropped."""
 
 PATIENCE = 6.0
-"""The longest time that the runs may actually take, as a multiple of the counted work."""
+"""The longest time that the runs may actually take, as a multiple of the counted work; two runs to
+compare are always taken."""
 
 
 @dataclass(slots=True)
@@ -48,6 +60,8 @@ class Refiner:
     """The watched quantities, and the largest error allowed."""
     refinement: Refinement | None = None
     """The runs so far; None if there are fewer than two."""
+    known: Trace | None = None
+    """A run that was taken before, and is not taken again."""
     failure: SimulationError | None = None
     """Why the last run had to stop; None if it did not."""
     step: float = 0.0
@@ -61,17 +75,28 @@ class Refiner:
         """Take the next run; raise `Cancelled` if `stop` returned true."""
         self.failure = None
         try:
-            self._traces.append(record(self.level, self.values, self.stepping, self.wanted, stop))
+            self._traces.append(self._next(stop))
         except SimulationError as error:
             self._traces, self.refinement, self.failure = [], None, error
         if len(self._traces) > 1:
             self.refinement = judged(self._traces, self.wanted)
         self.stepping = self.stepping.model_copy(update={"rate": 2 * self.stepping.rate})
 
+    def _next(self, stop: Stop) -> Trace:
+        if self.known and self.known.stepping == self.stepping:
+            return self.known
+        return record(self.level, self.values, self.stepping, self.wanted, stop)
+
     def work(self, rate: float) -> float:
-        """Return the counted work of a run at a rate [s]."""
+        """Return the counted work of a run at a rate, even if it is known already [s]."""
         looks = min(rate, 2 * SEEN)
         return self.level.duration(self.values) * (rate * self.step + looks * LOOK)
+
+    def repeats(self, other: "Refiner") -> bool:
+        """Whether its last two runs are those of another, bit by bit: sweeps make no difference."""
+        rates = {trace.stepping.rate: trace for trace in other._traces}  # noqa: SLF001 (its own)
+        pairs = [(trace, rates.get(trace.stepping.rate)) for trace in self._traces[-WITNESSES:]]
+        return len(pairs) == WITNESSES and all(b is not None and _alike(a, b) for a, b in pairs)
 
     @property
     def over(self) -> bool:
@@ -98,27 +123,51 @@ class Refiner:
 
 
 def refine(
-    refiners: Sequence[Refiner], seconds: float, stop: Stop, progress: Progress | None = None
+    refiners: Sequence[Refiner],
+    seconds: float,
+    stop: Stop,
+    progress: Progress | None = None,
+    begun: float | None = None,
 ) -> list[Refinement]:
     """Run the schemes in turn until the cheapest sufficient run is known, or the work is spent.
 
-    For a level with contacts, the first refiner is the reference for the others. Return the
-    refinements, each with errors relative to the best, which comes first. Raises `Cancelled` if
-    `stop` returned true.
+    `begun` is the `thread_time` at which the search began, if that was earlier [s]. For a level
+    with contacts, the first refiner is the reference for the others. Return the refinements, each
+    with errors relative to the best, which comes first. Raises `Cancelled` if `stop` returned true.
     """
-    spent, begun = 0.0, thread_time()
+    spent, begun = 0.0, thread_time() if begun is None else begun
     refinements: list[Refinement] = []
     while left := _worthwhile(refiners, refinements):
         next_ = min(left, key=lambda refiner: refiner.work(refiner.stepping.rate))
         work = next_.work(next_.stepping.rate)
-        if spent + work > seconds or thread_time() - begun > PATIENCE * seconds:
+        late = thread_time() - begun > PATIENCE * seconds and refinements
+        if spent + work > seconds or late:
             break
         if progress:
-            progress(spent / seconds, f"{next_.stepping.scheme} at {next_.stepping.rate:g} Hz")
+            progress(spent / seconds, _told(next_.stepping, refinements, next_))
         spent += work
         next_.run(stop)
         refinements = held(refiners)
     return refinements
+
+
+def at_rate(scheme: Scheme, rate: float) -> Message:
+    """Return a scheme and its rate in words."""
+    return Message("{scheme} at {rate:g} Hz", scheme=scheme, rate=rate)
+
+
+def _told(stepping: Stepping, refinements: Sequence[Refinement], search: Refiner) -> Message:
+    """Return a run in words, and how far the best runs before it agree."""
+    now = at_rate(stepping.scheme, stepping.rate)
+    if not refinements:
+        return now
+    until = foretold(refinements, search.wanted, search.target)
+    return Message(
+        "{now}; the error so far is {error:.1e}, predictable until t = {t:.3g} s",
+        now=now,
+        error=refinements[0].errors[-1],
+        t=until,
+    )
 
 
 def held(refiners: Sequence[Refiner]) -> list[Refinement]:
@@ -149,12 +198,26 @@ def cost(refiners: Sequence[Refiner], refinement: Refinement) -> float:
     )
 
 
+def _alike(one: Trace, other: Trace) -> bool:
+    """Whether two runs at the same rate have the same scheme and the same bits."""
+    if one.stepping.scheme != other.stepping.scheme:
+        return False
+    shared = one.columns.keys() & other.columns.keys()  # a known run may have more
+    pairs = ((one.columns[name], other.columns[name]) for name in shared)
+    return all(np.array_equal(a, b, equal_nan=True) for a, b in pairs)
+
+
 def _worthwhile(refiners: Sequence[Refiner], refinements: Sequence[Refinement]) -> list[Refiner]:
     """Return the refiners that may still find something cheaper than the best sufficient run.
 
-    Finer runs only cost more, so the next run of a refiner must be below that run's work.
+    Finer runs only cost more, so the next run of a refiner must be below that run's work. One that
+    repeats the runs of an earlier one finds nothing else.
     """
-    left = [refiner for refiner in refiners if not refiner.over]
+    left = [
+        refiner
+        for index, refiner in enumerate(refiners)
+        if not (refiner.over or any(map(refiner.repeats, refiners[:index])))
+    ]
     target = refiners[0].target
     seen = [
         cost(refiners, refinement) * found[0].stepping.rate

@@ -30,6 +30,13 @@ class Trust:
     """The largest value and the largest numerical error, in the quantity's unit."""
     until: float | None
     """When halving the step makes a visible difference in a graph [s]; None if it never does."""
+    order: float | None = None
+    """The power of the step with which the error falls; None if it shows none, as rounding does."""
+
+    @property
+    def next_digit(self) -> float | None:
+        """The work for a tenth of the error, as a multiple of the run's; None if not known."""
+        return 10 ** (1 / self.order) if self.order and self.off else None
 
     @property
     def digits(self) -> int:
@@ -64,7 +71,8 @@ def trusts(traces: Sequence[Trace], items: Iterable[Watched]) -> Iterator[Trust]
             largest, unit = size(finer, item), found.unit
             unseen = hidden(finer, [item]).error * unit
             until = departure(run, finer, item, SEEN)
-            yield Trust(item.quantity, largest, max(found.of[-2], unseen), until)
+            order = found.order if found.of[-2] >= unseen else 1.0  # an impact is late by a step
+            yield Trust(item.quantity, largest, max(found.of[-2], unseen), until, order)
 
 
 def least_known(found: Iterable[Trust]) -> Trust | None:

@@ -10,6 +10,7 @@ public interface is as fast. Only this module, `contact_handles` and `pre_solve_
 from collections.abc import Callable
 from functools import partial
 from struct import Struct
+from types import SimpleNamespace
 
 import numpy as np
 import pymunk
@@ -30,6 +31,36 @@ def stepper(space: pymunk.Space) -> Callable[[float], None]:
     are none here, and that takes 0.4 of the 0.6 µs of `Space.step` for two bodies.
     """
     return partial(lib.cpSpaceStep, space._space)  # noqa: SLF001
+
+
+def gravity_setter(space: pymunk.Space) -> Callable[[tuple[float, float]], None]:
+    """Return a function that sets the gravity [m/s²].
+
+    Setting `Space.gravity` takes 1.2 µs, this takes a fifth of it.
+    """
+    return partial(lib.cpSpaceSetGravity, space._space)  # noqa: SLF001
+
+
+class _Caller:
+    """What pymunk's callback asks of a constraint: whether its body is in a space, and a function."""
+
+    a = SimpleNamespace(space=True)
+
+    def __init__(self, call: Callable[[object, object], None]) -> None:
+        self._pre_solve_func = call
+
+
+def call_before_kick(constraint: pymunk.Constraint, call: Callable[[object, object], None]) -> None:
+    """Let a constraint call a function before pymunk's kick, as its `pre_solve`.
+
+    pymunk's callback looks up the constraint's body and its space twice, through weak references,
+    which takes 0.7 of the 1.1 µs of a call. Here it finds what it asks for in one object. The
+    function gets two arguments without meaning.
+    """
+    constraint.pre_solve = call
+    handle = ffi.new_handle(_Caller(call))
+    lib.cpConstraintSetUserData(constraint._constraint, handle)  # noqa: SLF001
+    constraint._data_handle = handle  # noqa: SLF001 (which keeps the object)
 
 
 class Memory:

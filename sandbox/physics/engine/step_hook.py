@@ -14,6 +14,7 @@ import numpy as np
 import pymunk
 
 from sandbox.physics.engine.blas_threads import in_one_thread
+from sandbox.physics.engine.private_handles import call_before_kick
 from sandbox.physics.state.kick import Kick, Work
 
 
@@ -43,10 +44,10 @@ class Hook:
         if before_kick:
             motor = pymunk.SimpleMotor(space.static_body, body, 0.0)
             motor.max_force = 0.0
-            motor.pre_solve = self._begin
+            call_before_kick(motor, self._begin)
             space.add(motor)
 
-    def _begin(self, _constraint: pymunk.Constraint, _space: pymunk.Space) -> None:
+    def _begin(self, _constraint: object, _space: object) -> None:
         """Call the work between drift and kick."""
         try:
             self._call(self._before, self.kick)

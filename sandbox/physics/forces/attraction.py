@@ -32,11 +32,16 @@ class Attraction:
     share: Share = steady
     _moving: slice | Integers = field(init=False)  # the bodies that it acts on
     _middle: Array = field(init=False)  # the centre [m]
+    _strength: Array = field(
+        init=False
+    )  # mu m of these bodies, unless it changes [m^(p + 1) kg/s²]
 
     def __post_init__(self) -> None:
-        """Store the moving bodies, and the centre as an array."""
-        object.__setattr__(self, "_moving", in_place(np.flatnonzero(self.mass)))
+        """Store the moving bodies, the centre as an array, and how strongly each is attracted."""
+        moving = in_place(np.flatnonzero(self.mass))
+        object.__setattr__(self, "_moving", moving)
         object.__setattr__(self, "_middle", np.array(self.center))
+        object.__setattr__(self, "_strength", (self.mu * self.mass)[moving])
 
     def add(self, motion: Motion, wrench: Array) -> None:
         """Add −mu m r / |r|^(p + 1)."""
@@ -54,8 +59,11 @@ class Attraction:
     def _look(self, motion: Motion) -> tuple[Array, Array, Array]:
         """Return r, |r| and mu m of the moving bodies."""
         r = motion.position[..., self._moving, :] - self._middle
+        distance = np.hypot(r[..., 0], r[..., 1])
+        if self.share is steady:
+            return r, distance, self._strength
         strength = self.mu * self.mass * self.share(motion.t)
-        return r, np.hypot(r[..., 0], r[..., 1]), strength[..., self._moving]
+        return r, distance, strength[..., self._moving]
 
     def _well(self, distance: Array) -> Array:
         """Return the integral of r^(−p) over r."""

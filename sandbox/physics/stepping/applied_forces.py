@@ -29,7 +29,8 @@ class Forces:
     """
 
     def __init__(self, scene: Scene, pulling: "ExactJoints | None", *, leapfrog: bool) -> None:
-        self._batch, self._laws, self._share = scene.batch, scene.hooked, scene.share
+        self._batch, self._laws = scene.batch, scene.hooked
+        self._flows = scene.share if isinstance(scene.share, MassFlows) else None
         self._turns = scene.turns
         self._mass, self._moment, self._inverse = scene.mass, scene.moment, scene.inverse_mass
         self._bodies, self._pulling = list(scene.bodies.values()), pulling
@@ -96,8 +97,8 @@ class Forces:
         """Read all bodies once, add up the laws, and write all forces once."""
         gained = self._gained(kick) if self._turns else None
         self.seen = reading = self._read(kick)
-        if isinstance(self._share, MassFlows):
-            self._weigh(self._share, reading.t)
+        if self._flows:
+            self._weigh(self._flows, reading.t)
         wrench = self._wrench
         wrench.fill(0.0)
         for law in self._laws:

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 import pymunk
 
 from sandbox.model.expressions import Array
-from sandbox.physics.engine.private_handles import stepper
+from sandbox.physics.engine.private_handles import gravity_setter, stepper
 from sandbox.physics.scene.drift_and_kick import Substep, once
 from sandbox.physics.scene.scene import Scene
 from sandbox.physics.state.kick import Clock, Kick, Work
@@ -38,7 +38,7 @@ class Kicks:
         self.clock, self.forces, self._scene = Clock(dt), forces, scene
         self.trail: list[Array] | None = None
         self._space, self._joints = scene.space, scene.joints
-        self._drift_and_kick = stepper(self._space)
+        self._drift_and_kick, self._set_gravity = stepper(self._space), gravity_setter(self._space)
         self._hook: Hook | None = None
         placed = scene.direct is not None
         self._held = HeldKicks(scene, self.finish, touching=touching, placed=placed)
@@ -99,7 +99,7 @@ class Kicks:
         self._joints.time(part.kick, part.following)
         if gravity := self._scene.gravity:
             x, y = gravity.acceleration
-            self._space.gravity = x * part.scale, y * part.scale
+            self._set_gravity((x * part.scale, y * part.scale))
         if self._hook:
             self._hook.kick = kick
 

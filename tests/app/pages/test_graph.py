@@ -13,6 +13,7 @@ from sandbox.app.drawing.text import Pen
 from sandbox.app.files import save_folder
 from sandbox.app.observing.state_history import History
 from sandbox.app.observing.thinned_series import CAPACITY
+from sandbox.app.pages.accuracy.studying import Studying
 from sandbox.app.pages.graph.card import graphs, measured, span_of
 from sandbox.app.pages.graph.chosen_quantities import Choice, offered
 from sandbox.app.pages.graph.panel import GraphPage
@@ -149,13 +150,31 @@ def test_what_never_moves_comes_last() -> None:
 
 def test_how_far_a_quantity_can_be_trusted_stands_above_its_graph(pen: Pen) -> None:
     session, name = opened("kinematics/projectile", 30), "ball.position.y"
-    told = Trust(name, size=8.0, off=1e-4, until=1.25)
+    told = Trust(name, size=8.0, off=1e-4, until=1.25, order=2.0)
 
     without, _ = graphs(pen, 278, session, [name], "t", None)
     known, _ = graphs(pen, 278, session, [name], "t", None, {name: told})
 
-    assert known.height - without.height == pen.height(12)
+    assert known.height - without.height == 2 * pen.height(12)
     assert formatting.trusted(told) == "4 digits hold; predictable until t = 1.25 s"
+    assert formatting.next_digit(told) == "the next digit takes 3.2 times the computing"
+
+
+def test_no_price_is_told_of_a_digit_that_a_smaller_step_does_not_give() -> None:
+    stuck = Trust("x", size=1.0, off=1e-3, until=None)
+
+    assert formatting.next_digit(stuck) == "a smaller step does not give the next digit"
+    assert formatting.next_digit(Trust("x", size=1.0, off=1e-16, until=None)) == ""
+
+
+def test_an_open_graph_has_its_digits_found_out(person: Person) -> None:
+    """They were known only once the page Accuracy had been open."""
+    person.window.open_level("kinematics/projectile")
+    person.press(pygame.K_d, "d")
+
+    until(person, lambda: bool(person.window.workers.of(Studying).trust(person.session)))
+
+    assert not person.window.workers.of(Studying).points
 
 
 def test_a_quantity_that_is_all_error_has_no_digits() -> None:

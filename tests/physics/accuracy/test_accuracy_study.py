@@ -164,11 +164,13 @@ def test_a_study_tells_points_of_every_scheme_and_the_finer_cost_more(
 def test_a_setting_is_looked_for() -> None:
     level = load(find("energy/circular-orbit"))
 
-    (setting,) = (
-        s for s in accuracy_study.seek(level, level.defaults, 1e-4, 0.4) if isinstance(s, Setting)
-    )
+    *told, setting = accuracy_study.seek(level, level.defaults, 1e-4, 0.4)
 
+    assert isinstance(setting, Setting)
     assert setting.chosen.error <= 1e-4
+    runs = [str(each.now) for each in told if isinstance(each, Progress)]
+    assert any("fourth-order at" in run for run in runs)
+    assert "the error so far is" in runs[-1]
 
 
 def test_why_there_is_nothing_to_find_is_told() -> None:

@@ -1,7 +1,7 @@
 """A requested accuracy is delivered, or the answer says why it cannot be."""
 
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
 from functools import partial
 from itertools import count
@@ -22,11 +22,20 @@ from sandbox.model.quantities import QuantityError
 from sandbox.physics.accuracy import calibration, candidates, cheapest_setting, refinement_search
 from sandbox.physics.accuracy.calibration import calibrate
 from sandbox.physics.accuracy.chaos import chaotic
-from sandbox.physics.accuracy.compared_runs import Watched, apart, never, record_around
+from sandbox.physics.accuracy.compared_runs import (
+    Stop,
+    Watched,
+    apart,
+    never,
+    record,
+    record_around,
+    watched,
+)
 from sandbox.physics.accuracy.exceptions import AccuracyError, Cancelled
 from sandbox.physics.accuracy.refinement import Refinement
 from sandbox.physics.measuring import step_timing
 from sandbox.physics.measuring.grading import grade
+from sandbox.physics.measuring.recording import Trace
 from sandbox.physics.run import simulate
 from sandbox.physics.state.errors import SimulationError
 from tests.physics.scenes import GRAVITY, G, Spec, atwood, disc, fixed, floor, level, orbit
@@ -226,7 +235,9 @@ def test_a_touch_that_comes_at_once_is_not_chaos() -> None:
     """A ball that slides and then rolls reacts to a nudge to the floor at once, but only once."""
     found = catalog_level("rotation/slide-to-roll")
 
-    assert chaotic(found, found.defaults, Stepping(rate=240), never) == ""
+    run = record(found, found.defaults, Stepping(rate=240), watched(found, found.defaults))
+
+    assert chaotic(run, never) == ""
 
 
 @pytest.mark.sweep
@@ -258,7 +269,7 @@ def answer(scene: Level, values: Values) -> tuple[object, ...]:
     try:
         found = calibrate(scene, values, 1e-3)
     except AccuracyError as error:
-        return (str(error).partition("foretold")[2],)
+        return (str(error).partition("predictable")[2],)
     return found.chosen.stepping, found.chosen.error, found.judged_by, found.decided_by
 
 
@@ -456,7 +467,7 @@ def test_what_has_no_scale_is_not_run_for_one(monkeypatch: pytest.MonkeyPatch) -
     monkeypatch.setattr(cheapest_setting, "record", lambda *_: pytest.fail("a run for nothing"))
     energy = (Watched("system.energy"),)
 
-    assert cheapest_setting.with_scales(orbit(), {}, energy) == energy
+    assert cheapest_setting.own_run(orbit(), {}, energy) is None
 
 
 def test_nothing_that_moves_has_no_accuracy() -> None:
@@ -505,6 +516,34 @@ def test_progress_is_told() -> None:
     assert 0 <= shares[0] < 0.1
     assert shares[-1] < 1
     assert [scheme in str(told) for scheme in ("fourth-order at", "leapfrog at")] == [True, True]
+
+
+@pytest.mark.parametrize(
+    ("name", "twice"), [("newton/table-and-pulley", 0), ("momentum/billiard-break", 3)]
+)
+def test_no_run_of_a_search_is_taken_twice(
+    monkeypatch: pytest.MonkeyPatch, name: str, twice: int
+) -> None:
+    """The run for the scales is one of the sequence, and the direct solver takes no sweeps.
+
+    Where impacts come in sequence, two rates show that sweeps make no difference; the run for the
+    scales has fewer of them than its like in the sequence.
+    """
+    taken: list[Stepping] = []
+
+    def noted(
+        level: Level, values: Values, stepping: Stepping, wanted: Sequence[Watched], stop: Stop
+    ) -> Trace:
+        taken.append(stepping.model_copy(update={"iterations": 1}))
+        return record(level, values, stepping, wanted, stop)
+
+    for module in (cheapest_setting, refinement_search):
+        monkeypatch.setattr(module, "record", noted)
+    with suppress(AccuracyError):
+        calibrate(catalog_level(name), target=1e-13, budget=0.5)
+
+    assert len(taken) > 3
+    assert len(taken) - len(set(map(repr, taken))) == twice
 
 
 # Memory

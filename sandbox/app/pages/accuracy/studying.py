@@ -46,6 +46,7 @@ class Studying(Errand):
 
     def _forget_run(self) -> None:
         self._waited, self._measured = 0.0, False
+        self._asked = self._trust_sought = False
         self.here: Here | None = None
         """The error and cost of the present setting; None while unknown."""
         self._splits: dict[int, Split] = {}
@@ -85,6 +86,9 @@ class Studying(Errand):
             self._settle(session)
         elif watched and not (session.waiting or self._measured):
             self.measure(session)
+        elif self._asked and not (session.waiting or self._trust_sought or self._trust):
+            self._trust_sought = True
+            self._start(accuracy_study.split, session.resolved, session.values)
 
     def _settle(self, session: Session) -> None:
         """Search for the setting that a session waits for; give up if a search has failed."""
@@ -164,6 +168,10 @@ class Studying(Errand):
     def trust(self, session: Session) -> Mapping[str, Trust]:
         """Return the accuracy of the quantities of the present run, by name."""
         return self._trust if self._knows(session) and not session.world.disturbed else {}
+
+    def ask_for_trust(self) -> None:
+        """Let the accuracy of the quantities be found out, if nothing is known of it yet."""
+        self._asked = True
 
     def least_known(self, session: Session) -> Trust | None:
         """Return the least accurate place; None if none is known."""

@@ -156,6 +156,8 @@ def _values(
         card.y += left.height
         if name in trust:
             card.text(formatting.trusted(trust[name]), 12, theme.DIM)
+            if price := formatting.next_digit(trust[name]):
+                card.text(price, 12, theme.DIM)
     at = formatting.quantity(float(columns[across][row]), units[across], 4)
     message = say("at {quantity} = {value}", quantity=across, value=at)
     card.text(message, 12, theme.DIM if cursor is None else theme.NOTICE)

@@ -245,6 +245,7 @@ class GraphPage:
     def _drawn(self) -> pygame.Surface:
         sheet, session = self._sheet, self._session
         up, across = self._choice.up(session), self._choice.across(session)
+        self._studying.ask_for_trust()
         trust = self._studying.trust(session)
         zooming = self._zooming
         zooming.zoom = self._choice.zoom(session)

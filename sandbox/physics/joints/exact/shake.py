@@ -88,12 +88,14 @@ class ExactJoints(ConstraintForces):
         self._past = self._past[:1] if self._struck else [self.tension, *last]
         self._struck = False
         self._warm_start = self._cold
-        self.added = np.zeros_like(self._taut)
+        if np.count_nonzero(self.added):
+            self.added = np.zeros_like(self._taut)
 
     def _solve_apart(self, until: float) -> Array:
         """Solve the equations one by one, in floats; return the forces along them: (m,) [N]."""
         past = [tension.tolist() for tension in self._past[self.parts - 1 :: self.parts]]
-        warm_start, length, found = self._warm_start.tolist(), self.lengths(until).tolist(), []
+        warm_start, length = self._warm_start.tolist(), self.lengths(until).tolist()
+        found = np.empty(len(length))
         for i, one in enumerate(self._alone):
             expected = parabola([tension[i] for tension in past]) if past else 0.0
             guess = expected * self.kick - warm_start[i]
@@ -101,8 +103,8 @@ class ExactJoints(ConstraintForces):
                 impulse = one.solve(length[i], guess, self.drift)
             except ZeroDivisionError:
                 raise self.lost(i) from None
-            found.append((warm_start[i] + impulse) / self.kick)
-        return np.array(found)
+            found[i] = (warm_start[i] + impulse) / self.kick
+        return found
 
     def _solve_together(self, until: float) -> Array:
         """Solve all equations at once; return the forces along them: (m,) [N]."""
