@@ -78,7 +78,7 @@ class Stage:
         """Show another world; a part of the plane that the user has chosen stays."""
         again = world.level is self._level and world.values == self.view.world.values
         if world.level is not self._level:
-            self._level, self.seen_from = world.level, None
+            self._level = world.level
             for overlay in OVERLAYS:
                 if overlay.on is not None:
                     self.shown[overlay.name] = overlay.on(world.level)
