@@ -69,4 +69,5 @@ def _paint_run(space: Workspace, view: pygame.Surface, session: Session) -> None
     stage.draw(view, trail, session.milestones(), session.companions, earlier)
     x, y = pygame.mouse.get_pos()
     left, top = space.panels.layout.stage.topleft
-    probe.draw(view, stage.view, session, (x - left, y - top))
+    if not space.hand.pulling:  # a text would cover the body in the hand
+        probe.draw(view, stage.view, session, (x - left, y - top))

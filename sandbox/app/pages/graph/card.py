@@ -27,7 +27,7 @@ from sandbox.physics.measuring.grading import applies
 from sandbox.physics.quantities.meter import Meter
 from sandbox.physics.stepping.world import World
 
-HEIGHTS = 100, 150  # px, the least and the largest height of a graph
+HEIGHTS = 80, 150  # px, the least and the largest height of a graph
 ROOM = 295  # px, of a page for what stands around a graph
 
 NOT_KNOWN: Mapping[str, Trust] = {}
