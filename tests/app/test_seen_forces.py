@@ -11,6 +11,7 @@ from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
 from sandbox.app.pages.forces.panel import ForcesPage
 from sandbox.app.runs.session import Session
+from sandbox.app.stage.joint_paths import between_ends
 from sandbox.app.stage.overlays import contacts, loads, turning
 from sandbox.app.stage.overlays.overlay import Overlay
 from sandbox.app.stage.stage import Stage
@@ -149,9 +150,20 @@ def test_a_string_has_the_tension_of_the_textbook_written_beside_it(
 
 def test_a_strut_pushes_in_dashes(pen: Pen) -> None:
     session = run("hard/strut", 10)
-    found = stage(pen, session, "loads")
+    found, world = stage(pen, session, "loads"), session.world
+    pushing = [
+        name
+        for name in world.level.joints
+        if float(world.scene.joints.tension(name, world.snapshot)) < 0
+    ]
+    (name,) = pushing[:1]
+    (ax, ay), (bx, by) = found.camera.path(between_ends(world, name))
 
-    assert drawn(found, theme.ACTING[NORMAL]).sum() > 50
+    seen = drawn(found, theme.ACTING[NORMAL])
+
+    along = np.linspace(0.1, 0.9, 60)
+    points = np.rint([ax + (bx - ax) * along, ay + (by - ay) * along]).astype(int)
+    assert 0.3 < seen[tuple(points)].mean() < 0.8  # dashes of 7 px, 6 px apart
 
 
 def test_a_wheel_that_rolls_turns_about_its_point_of_contact(pen: Pen) -> None:
@@ -188,3 +200,11 @@ def test_the_page_of_the_forces_has_a_button_for_it(person: Person, overlay: Ove
     shown.append(button.is_selected)
 
     assert shown == [False, True, False]
+
+
+def test_balls_that_only_touch_show_no_contact_force(pen: Pen) -> None:
+    """Between the balls of the cradle there was an arrow for 5e-9 N."""
+    session = run("momentum/cradle", 312)
+    assert session.flashes  # just after the impact
+
+    assert touches(pen, session) == []

@@ -17,6 +17,7 @@ import pygame
 
 from sandbox.app.drawing import lines, theme
 from sandbox.app.drawing.theme import Color
+from sandbox.app.observing.forces_on_selection import felt
 from sandbox.app.stage import overlay_key
 from sandbox.app.stage.motion_marks import LONGEST
 from sandbox.app.stage.overlays.overlay import Overlay
@@ -88,10 +89,10 @@ class Touches:
 
     def _on(self, found: FreeBody) -> Iterator[Touch]:
         """Yield the contacts of a body, each from its normal force and the friction after it."""
-        for i, acting in enumerate(found.forces):
+        forces = felt(found)
+        for acting, after in zip(forces, (*forces[1:], None), strict=True):
             if acting.name != NORMAL:
                 continue
-            after = found.forces[i + 1] if i + 1 < len(found.forces) else None
             rubs = after is not None and (after.name, after.by) == (FRICTION, acting.by)
             friction = after.force if rubs and after else (0.0, 0.0)
             mu, slides = self._limit(found.body, acting.by, acting.size, hypot(*friction))
