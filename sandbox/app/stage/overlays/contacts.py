@@ -90,7 +90,7 @@ class Touches:
     def _on(self, found: FreeBody) -> Iterator[Touch]:
         """Yield the contacts of a body, each from its normal force and the friction after it."""
         forces = felt(found)
-        for acting, after in zip(forces, (*forces[1:], None), strict=True):
+        for acting, after in zip(forces, (*forces[1:], None), strict=False):
             if acting.name != NORMAL:
                 continue
             rubs = after is not None and (after.name, after.by) == (FRICTION, acting.by)
