@@ -202,6 +202,15 @@ def test_the_page_of_the_forces_has_a_button_for_it(person: Person, overlay: Ove
     assert shown == [False, True, False]
 
 
+def test_the_normal_force_of_a_wire_is_no_contact(pen: Pen) -> None:
+    session = run("lagrange/bead-on-a-wire", 10)
+    found = session.looking.at(session.world)
+    assert found
+    assert NORMAL in {acting.name for acting in found.forces}
+
+    assert touches(pen, session) == []
+
+
 def test_balls_that_only_touch_show_no_contact_force(pen: Pen) -> None:
     """Between the balls of the cradle there was an arrow for 5e-9 N."""
     session = run("momentum/cradle", 312)

@@ -91,7 +91,7 @@ class Touches:
         """Yield the contacts of a body, each from its normal force and the friction after it."""
         forces = felt(found)
         for acting, after in zip(forces, (*forces[1:], None), strict=False):
-            if acting.name != NORMAL:
+            if acting.name != NORMAL or acting.by not in self._rows:  # a wire has one, too
                 continue
             rubs = after is not None and (after.name, after.by) == (FRICTION, acting.by)
             friction = after.force if rubs and after else (0.0, 0.0)
