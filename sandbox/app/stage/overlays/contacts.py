@@ -235,7 +235,7 @@ def _draw_chain_key(surface: pygame.Surface, view: View, full: float) -> None:
 
 OVERLAY = Overlay(
     name="contacts",
-    key="5",
+    key="6",
     text="forces at all contacts, and which of them slide",
     draw=_draw,
     caption="Contacts",

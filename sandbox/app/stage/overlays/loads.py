@@ -95,7 +95,7 @@ def _sample(surface: pygame.Surface, start: XY, end: XY, *, share: float) -> Non
 
 OVERLAY = Overlay(
     name="loads",
-    key="6",
+    key="5",
     text="how strongly ropes, rods and springs pull or push",
     draw=_draw,
     caption="Loads",
