@@ -1,6 +1,6 @@
 """The page Graph: lists to choose from, and the values under the mouse."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from functools import partial
 
 import pygame
@@ -30,7 +30,7 @@ LISTS = 168, 92  # px, the heights of the two lists
 BUTTON = 26  # px, the height of a button
 GAP = 6  # px, between buttons
 FIELD = 26  # px
-LOW = 380  # px, the height of a page below which no button stands before the list
+LOW = 380  # px, the height of a page below which the buttons stand after the lists
 
 
 class GraphPage:
@@ -224,11 +224,12 @@ class GraphPage:
         """Draw the graphs again, and place the lists below them."""
         sheet = self._sheet
         sheet.replace(self._graphs, self._drawn())
-        y = below(self._graphs) + 8
-        if y == self._rows[0][0].relative_rect.y:
+        y, low = below(self._graphs) + 8, sheet.height < sheet.px(LOW)
+        first = self._titles[0] if low else self._rows[0][0]
+        if y == first.relative_rect.y:
             return
-        first = 0 if sheet.height < sheet.px(LOW) else 1  # the list comes before the buttons
-        y = self._put_rows(self._rows[:first], y)
+        if not low:
+            y = self._put_rows(y)
         for title, chooser, height in zip(
             self._titles, (self.up, self.across), self._heights, strict=True
         ):
@@ -239,11 +240,11 @@ class GraphPage:
                 y += self._sheet.px(FIELD) + 2
             chooser.set_relative_position((self._sheet.margin, y))
             y += height + 8
-        sheet.end(self._put_rows(self._rows[first:], y))
+        sheet.end(self._put_rows(y) if low else y)
 
-    def _put_rows(self, rows: Sequence[Sequence[UIButton]], y: int) -> int:
-        """Place rows of buttons, and return the height of what comes below them [px]."""
-        for row in rows:
+    def _put_rows(self, y: int) -> int:
+        """Place the rows of buttons, and return the height of what comes below them [px]."""
+        for row in self._rows:
             for button in row:
                 button.set_relative_position((button.relative_rect.x, y))
             y += self._sheet.px(BUTTON) + GAP
