@@ -123,11 +123,11 @@ class CommandActions:
 
     def _observe(self, session: Session) -> None:
         """See it from the selected body, then from the centre of mass, then from the ground."""
-        stage = self._space.stage
-        places = [session.looking.body(session.level), CENTER, None]
-        seen_from = stage.seen_from
-        stage.observe(places[(places.index(seen_from) + 1) % 3 if seen_from in places else 0])
-        self._tell(level_labels.seen_from(stage.view.observer.place))
+        looking = session.looking
+        places = [looking.body(session.level), CENTER, None]
+        known = looking.seen_from in places
+        looking.seen_from = places[(places.index(looking.seen_from) + 1) % 3 if known else 0]
+        self._tell("" if looking.seen_from is not None else level_labels.seen_from(None))
 
     def _press_the_stopwatch(self) -> None:
         if self._space.session is not None:
@@ -213,7 +213,8 @@ class CommandActions:
             return
         self.turn_to(page)
         try:
-            answer = asked.act(Desk(space.session, space.workers.all, space.load, space.comfort))
+            kept = space.workers.all, space.load, space.comfort, space.stage.shown
+            answer = asked.act(Desk(space.session, *kept))
         except SandboxError as error:
             answer = say(error.message)
         if answer is not None:

@@ -19,11 +19,13 @@ FRAMES = 25  # per second
 SIZE: dict[Kind, tuple[int, int]] = {"gif": (640, 400), "mp4": (1280, 720)}  # px
 LONGEST = 60.0
 """The longest duration of a film [s]; a longer run is cut off."""
-LACKING = later("a film needs PyAV and Pillow: install mechanics-sandbox[film]")
+LACKING = later("an MP4 needs PyAV: install mechanics-sandbox[film]; a GIF does not")
 
 
-def film(run: Run, path: Path, kind: Kind) -> Iterator[float | str]:
+def film(run: Run, path: Path, kind: Kind, seen_from: str | None = None) -> Iterator[float | str]:
     """Make a film of a run at the speed of its own time, and write it completely or not at all.
+
+    It is seen from a place, see `Observer`.
 
     Yields
     ------
@@ -34,22 +36,22 @@ def film(run: Run, path: Path, kind: Kind) -> Iterator[float | str]:
     os.environ["SDL_VIDEODRIVER"] = "dummy"  # the process has no window
     os.environ["SDL_AUDIODRIVER"] = "dummy"
     try:
-        import av  # noqa: F401 (to report at once that it is missing)
-        import PIL  # noqa: F401
+        if kind == "mp4":
+            import av  # noqa: F401 (to report at once that it is missing)
     except ImportError:
         yield say(LACKING)
         return
     try:
-        yield from _filmed(run, path, kind)
+        yield from _filmed(run, path, kind, seen_from)
     except (SandboxError, OSError) as error:
         yield say("no film: {error}", error=error)
         return
     yield say("saved {path}", path=path)
 
 
-def _filmed(run: Run, path: Path, kind: Kind) -> Iterator[float]:
+def _filmed(run: Run, path: Path, kind: Kind, seen_from: str | None) -> Iterator[float]:
     frames: list[bytes] = []
-    for done, frame in _frames(run, SIZE[kind]):
+    for done, frame in _frames(run, SIZE[kind], seen_from):
         frames.append(frame)
         if len(frames) % (FRAMES // 5) == 0:
             yield 0.9 * done
@@ -57,7 +59,9 @@ def _filmed(run: Run, path: Path, kind: Kind) -> Iterator[float]:
     write_atomically(path, encoded)
 
 
-def _frames(run: Run, size: tuple[int, int]) -> Iterator[tuple[float, bytes]]:
+def _frames(
+    run: Run, size: tuple[int, int], seen_from: str | None
+) -> Iterator[tuple[float, bytes]]:
     """Yield the progress from 0 to 1, and the picture there: rows of red, green and blue bytes."""
     import pygame
 
@@ -70,6 +74,7 @@ def _frames(run: Run, size: tuple[int, int]) -> Iterator[tuple[float, bytes]]:
     stage, picture = Stage(Pen(), size), pygame.Surface(size)
     stage.use(session.world)
     stage.fit()
+    stage.observe(seen_from)
     dt = session.world.dt
     last = min(run.steps, session.world.stepping.steps(LONGEST))
     for count in range(ceil(last * dt * FRAMES) + 1):

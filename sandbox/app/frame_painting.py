@@ -59,6 +59,8 @@ def _paint_stage(space: Workspace, view: pygame.Surface, session: Session) -> No
 def _paint_run(space: Workspace, view: pygame.Surface, session: Session) -> None:
     stage = space.stage
     recalled = session.recalled
+    if stage.seen_from != session.looking.seen_from:
+        stage.observe(session.looking.seen_from)
     stage.view.looking = None if recalled else session.looking
     stage.view.flashes = () if space.comfort.chosen.reduced else session.flashes
     stage.asked = page(space.panels.page).overlay if space.panels.side is not None else ""
@@ -67,4 +69,5 @@ def _paint_run(space: Workspace, view: pygame.Surface, session: Session) -> None
     stage.draw(view, trail, session.milestones(), session.companions, earlier)
     x, y = pygame.mouse.get_pos()
     left, top = space.panels.layout.stage.topleft
-    probe.draw(view, stage.view, session, (x - left, y - top))
+    if not space.hand.pulling:  # a text would cover the body in the hand
+        probe.draw(view, stage.view, session, (x - left, y - top))

@@ -72,7 +72,9 @@ class Workspace:
         """The time that frames take."""
         self.advising = Advising()
         """The search for remedies."""
-        self.panels = Panels(self.pen, size, self.workers, self.load, self.comfort)
+        self.panels = Panels(
+            self.pen, size, self.workers, self.load, self.comfort, self.stage.shown
+        )
         """The panels around the stage."""
         self.banner = Banner()
         """The message at the top of the stage."""

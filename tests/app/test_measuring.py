@@ -51,6 +51,24 @@ def test_a_probe_does_not_tell_rounding(person: Person) -> None:
     assert found.text.endswith("(0.8000, 0) m   0 m/s")
 
 
+def test_a_body_in_the_hand_is_not_covered_by_the_probe(
+    person: Person, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    person.window.open_level("momentum/cradle")
+    person.wait()
+    drawn: list[object] = []
+    monkeypatch.setattr(probe, "draw", lambda *told: drawn.append(told))
+    x, y = person.on_screen((0.2, 0.0))
+    person.drag((x, y), (x - 60, y - 20), let_go=False)
+    before = len(drawn)
+    person.wait(0.1)
+    assert len(drawn) == before
+
+    person.button(False, (x - 60, y - 20))
+
+    assert len(drawn) > before
+
+
 def test_a_branch_leaves_the_old_trail_to_be_probed(person: Person) -> None:
     person.window.open_level("kinematics/projectile")
     for _ in range(40):

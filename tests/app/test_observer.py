@@ -119,6 +119,13 @@ def test_the_key_goes_from_the_body_to_the_centre_of_mass_to_the_ground(person: 
     assert person.window.stage.view.observer.place is None
 
 
+def test_who_observes_is_told_once_on_the_stage_itself(person: Person) -> None:
+    observe(person, "momentum/elastic-light-on-heavy", "second")
+
+    assert person.window.stage.view.observer.place == "second"
+    assert not person.window.banner.tells(seen_from("second"))
+
+
 def test_the_page_of_the_forces_has_a_button_for_it(person: Person) -> None:
     observe(person, "newton/incline", "block", times=0)
     person.press(pygame.K_j, "j")

@@ -84,4 +84,4 @@ def test_a_sum_of_energies_that_is_rounding_is_told_as_none(
     written = noted(pen, monkeypatch)
     total(pen, WIDTH, Energies(0.0, 0.0, 0.0), Energies(7.3, -7.3, 1.4e-14))
 
-    assert "0 J, change 10⁻¹⁴ J" in written
+    assert "0 J, Δ 10⁻¹⁴ J" in written

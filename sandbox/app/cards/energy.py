@@ -41,12 +41,23 @@ def energy(
 
 
 def total(pen: Pen, width: int, start: Energies, now: Energies) -> pygame.Surface:
-    """Draw only the total energy, and its change."""
+    """Draw only the total energy and its change, in one line with room for a button."""
     card = Card(pen, width)
-    card.heading(say("Energy"))
+    line = pygame.Surface((width, 1))
+    line.fill(theme.EDGE)
+    card.put(line, 0)
+    card.y += pen.px(6)
+    title = pen.write(say("Energy"), 14, theme.ACCENT, True)
+    card.put(title, 0)
     scale = max(abs(now.kinetic), abs(now.potential))
     whole = formatting.quantity(formatting.without_rounding(now.total, scale), "J", 4)
-    card.text(say("{energy}, change {change}", energy=whole, change=_change(start, now)), 13)
+    change = now.total - start.total
+    told = formatting.quantity(change, "J", 3)
+    if start.total:
+        told = formatting.share(change / abs(start.total))
+    x = title.width + pen.px(8)
+    card.put(pen.write(f"{whole}, Δ {told}", 13), x, 1)
+    card.y += title.height + pen.px(2)
     return card.drawn()
 
 

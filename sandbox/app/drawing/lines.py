@@ -1,6 +1,6 @@
 """Draws lines that pygame lacks: thick and smooth ones, dashed ones, and arrows."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from math import atan2, cos, hypot, pi, sin
 
@@ -123,6 +123,12 @@ def dashed(
         for a, b in pairwise(points):
             dashed(surface, color, cut((a, b))[:2], dash, gap)
         return
+    for start, end in dashes(points, dash, gap):
+        pygame.draw.aaline(surface, color, start, end)
+
+
+def dashes(points: Sequence[XY], dash: float, gap: float) -> Iterator[tuple[XY, XY]]:
+    """Yield the dashes of a polyline, of some length and distance, as their ends."""
     behind = 0.0  # the phase in dash and gap at the last corner
     period = dash + gap
     for a, b in pairwise(points):
@@ -134,10 +140,10 @@ def dashed(
         while at < length:
             start, end = max(at, 0.0), min(at + dash, length)
             if end > start:
-                pygame.draw.aaline(
-                    surface, color,
-                    (a[0] + ux * start, a[1] + uy * start), (a[0] + ux * end, a[1] + uy * end),
-                )  # fmt: skip
+                yield (
+                    (a[0] + ux * start, a[1] + uy * start),
+                    (a[0] + ux * end, a[1] + uy * end),
+                )
             at += period
         behind = (behind + length) % period
 

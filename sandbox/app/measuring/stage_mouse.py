@@ -40,6 +40,11 @@ class Hand:
         """The last measurement, a distance or an angle; None after a click without Shift."""
         self._before: Tape | Protractor | None = None  # to which a protractor is attached
 
+    @property
+    def pulling(self) -> bool:
+        """Whether it holds a body."""
+        return self._doing is Doing.PULLING
+
     def process(self, event: pygame.event.Event, area: pygame.Rect, session: Session) -> None:
         """Handle a mouse event."""
         match event.type:

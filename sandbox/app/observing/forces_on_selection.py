@@ -45,6 +45,8 @@ class Looking:
         self.chosen: str | None = None
         """The body that was clicked last; it may not exist in another level or at an earlier
         step."""
+        self.seen_from: str | None = None
+        """The place from which the user sees the scene, see `Observer`."""
         self._bodies: tuple[World, FreeBodies] | None = None
         self._seen: tuple[Snapshot, str, FreeBody | None] | None = None
         self._full: dict[str, float] = {}

@@ -1,6 +1,6 @@
 """The declaration of a page of the side panel, from which everything else about it is derived."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple, Protocol, TypeVar, runtime_checkable
 
@@ -120,6 +120,8 @@ class Desk(NamedTuple):
     workers: Sequence[Worker]
     load: Load
     comfort: Comfort
+    shown: Mapping[str, bool]
+    """whether each overlay of the stage is drawn, by name"""
 
     def worker(self, kind: type[W]) -> W:
         """Return the worker of a kind."""

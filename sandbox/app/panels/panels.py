@@ -1,6 +1,6 @@
 """All panels around the stage, built for a window of a given size."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -67,9 +67,11 @@ class Panels:
     """
 
     def __init__(
-        self, pen: Pen, size: tuple[int, int], workers: Workers, load: Load, comfort: Comfort
-    ) -> None:
+        self, pen: Pen, size: tuple[int, int], workers: Workers, load: Load, comfort: Comfort,
+        shown: Mapping[str, bool],
+    ) -> None:  # fmt: skip
         self._pen, self._workers, self._load, self._comfort = pen, workers, load, comfort
+        self._shown = shown  # whether each overlay is drawn, by name
         self._hidden: set[str] = set()
         self.energy: View | None = None
         self._advised: float | None = None
@@ -140,6 +142,7 @@ class Panels:
                 workers=self._workers,
                 load=self._load,
                 comfort=self._comfort,
+                shown=self._shown,
             )
         if self.home.open:
             self.controls: Bar = HomeBar(manager, pen, layout.controls, session)

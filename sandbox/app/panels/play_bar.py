@@ -207,7 +207,7 @@ class Controls(Bar):
 
 def _overlays() -> list[Caption]:
     """Return the overlays with buttons, and their captions."""
-    return [(each.name, each.caption) for each in OVERLAYS if each.caption]
+    return [(each.name, each.caption) for each in OVERLAYS if each.caption and each.on is None]
 
 
 def notes(session: Session) -> Iterator[tuple[str, theme.Color]]:

@@ -1,6 +1,6 @@
 """The column on the right: the pages of the level behind tabs, and the footer below them."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import Literal
 
 import pygame
@@ -37,10 +37,11 @@ class SidePanel:
     def __init__(
         self, manager: UIManager, pen: Pen, rect: pygame.Rect, session: Session, *,
         page: str, view: View | None, workers: Workers, load: Load, comfort: Comfort,
+        shown: Mapping[str, bool],
     ) -> None:  # fmt: skip
         self._session, self._pen = session, pen
         self._workers = workers
-        self.desk = Desk(session, workers.all, load, comfort)
+        self.desk = Desk(session, workers.all, load, comfort, shown)
         """The objects with which pages work."""
         px = pen.px
         across = pygame.Rect(rect.x + px(MARGIN), px(TOP), rect.width - 2 * px(MARGIN), 0)
@@ -142,7 +143,8 @@ class SidePanel:
         session = self._session
         news = self._workers.news
         looked_at = session.looking.body(session.level)
-        return session.world.snapshot, session.playing, session.companions, looked_at, *news
+        shown = self.desk.shown.values()
+        return session.world.snapshot, session.playing, session.companions, looked_at, *shown, *news
 
     def coming(self, seconds: float) -> Literal["", "page", "foot"]:
         """Return the part that is updated after some time [s], while time runs."""

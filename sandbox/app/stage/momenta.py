@@ -6,6 +6,7 @@ from weakref import WeakKeyDictionary
 import numpy as np
 
 from sandbox.app.stage.motion_marks import PATH_POINTS, places
+from sandbox.app.stage.observer import Observer
 from sandbox.app.words.formatting import rounded_up
 from sandbox.model.expressions import Array
 from sandbox.model.level import Level
@@ -26,6 +27,7 @@ class _Kept(NamedTuple):
     level: Level
     values: object
     disturbed: bool
+    place: str | None
     scale: float
 
 
@@ -34,10 +36,13 @@ def heavy(world: World) -> list[tuple[int, str]]:
     return [(i, name) for i, name in enumerate(world.scene.bodies) if world.scene.mass[i] > 0]
 
 
-def momenta(world: World, snapshot: Snapshot) -> Array:
-    """Return the momenta of bodies, (n, 2) or, for stacked snapshots, (k, n, 2) [kg m/s]."""
-    scene = world.scene
-    product: Array = (scene.mass * scene.share(snapshot.t))[..., None] * snapshot.velocity
+def momenta(world: World, snapshot: Snapshot, place: str | None = None) -> Array:
+    """Return the momenta of bodies, (n, 2) or, for stacked snapshots, (k, n, 2) [kg m/s].
+
+    They are as seen from a place, see `Observer`.
+    """
+    scene, velocity = world.scene, Observer(world, place).seen(snapshot.velocity)
+    product: Array = (scene.mass * scene.share(snapshot.t))[..., None] * velocity
     return product
 
 
@@ -63,8 +68,8 @@ def expected(world: World) -> float:
     return peak
 
 
-def scale(owner: object, world: World, observed: Snapshot) -> float:
-    """Return the momentum of a full bar [kg m/s]; 0 if nothing has moved yet.
+def scale(owner: object, world: World, observed: Snapshot, place: str | None = None) -> float:
+    """Return the momentum of a full bar, seen from a place [kg m/s]; 0 if nothing has moved yet.
 
     The scale is a round number that stays the same during a run, also when the run is rewound or
     repeated. It may grow if no ghost gives the largest momentum in advance. It lives as long as its
@@ -72,10 +77,11 @@ def scale(owner: object, world: World, observed: Snapshot) -> float:
     """
     kept = _scales.get(owner)
     values, disturbed = dict(world.values), world.disturbed
-    if kept is None or kept[:3] != (world.level, values, disturbed):
-        kept = _Kept(world.level, values, disturbed, rounded_up(expected(world)))
-        kept = kept._replace(scale=max(kept.scale, rounded_up(_peak(momenta(world, observed)))))
-    peak = _peak(momenta(world, world.snapshot))
+    if kept is None or kept[:4] != (world.level, values, disturbed, place):
+        known = expected(world) if place is None else 0.0
+        largest = max(known, _peak(momenta(world, observed, place)))
+        kept = _Kept(world.level, values, disturbed, place, rounded_up(largest))
+    peak = _peak(momenta(world, world.snapshot, place))
     if peak > kept.scale * (1 + 1e-9):
         kept = kept._replace(scale=rounded_up(peak))
     _scales[owner] = kept

@@ -38,6 +38,8 @@ from sandbox.model.shapes import XY, evaluate
 from sandbox.physics.stepping.world import World
 
 EDGE = 4  # px, between labels and the edge of the stage
+CORNERS = 8
+"""The largest number of corners of a static body whose sides labels avoid."""
 
 
 class Stage:
@@ -78,7 +80,7 @@ class Stage:
         """Show another world; a part of the plane that the user has chosen stays."""
         again = world.level is self._level and world.values == self.view.world.values
         if world.level is not self._level:
-            self._level, self.seen_from = world.level, None
+            self._level = world.level
             for overlay in OVERLAYS:
                 if overlay.on is not None:
                     self.shown[overlay.name] = overlay.on(world.level)
@@ -124,7 +126,7 @@ class Stage:
         view.labels.take(pygame.Rect(surface.width - wide, surface.height - high, wide, high))
         self._draw_base()
         if view.few:
-            _mark_joints(view, self._wires)
+            _mark_lines(view, self._wires)
         traced = view.few and any(each.draw_trail for each in self._overlays)
         others = [(each.trail, each.variant.color) for each in beside] or [
             (trail, theme.LANES[i % len(theme.LANES)]) for i, trail in enumerate(earlier)
@@ -320,9 +322,14 @@ class Stage:
         self.view.watch()
 
 
-def _mark_joints(view: View, drawn: Sequence[Sequence[XY]]) -> None:
-    """Keep labels off wires that are drawn, and off springs, strings and rods, if possible."""
-    for line in drawn:
+def _mark_lines(view: View, drawn: Sequence[Sequence[XY]]) -> None:
+    """Keep labels off wires that are drawn, sides of posts, springs, strings and rods, if possible.
+
+    Outlines with many corners are left out, since each piece takes time in each frame.
+    """
+    posts = [o for o in view.still if o.closed and len(o.points) <= CORNERS]
+    sides = [view.camera.path(o.placed(*view.state(o))) for o in posts]
+    for line in (*drawn, *([*corners, corners[0]] for corners in sides)):
         for start, end in pairwise(line):
             view.labels.mark(start, end)
     for name, joint in view.world.level.joints.items():

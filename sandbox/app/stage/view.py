@@ -70,6 +70,7 @@ class View:
         """The last place of each label, as an index."""
         self.labels = Labels(pygame.Rect((0, 0), camera.size), self.kept)
         """The places of labels in the current frame."""
+        self._full: dict[str, float] = {}
         self.starts: Array = np.array(
             [evaluate(world.level.bodies[o.name].position, world.values) for o in self.moving]
         )
@@ -105,6 +106,15 @@ class View:
         """
         self.watch()
         return self._fastest
+
+    def full(self, kind: str, now: float) -> float:
+        """Return the value of a full-length arrow of some kind, given the largest at present.
+
+        It is a round number, which grows if necessary, so that the scale changes rarely.
+        """
+        known = self._full.get(kind, 0.0)
+        self._full[kind] = known if now <= known else rounded_up(now)
+        return self._full[kind]
 
     def keep_scale(self, speed: float) -> None:
         """Raise `fastest` to at least a speed [m/s], such as that of an earlier view of the run."""

@@ -95,8 +95,9 @@ def shown_unit(unit: str) -> str:
 
 
 def name_in_words(name: str) -> str:
-    """Return the name of a body or joint as it is read: rear axle, not rear_axle."""
-    return name.replace("_", " ")
+    """Return the name of a body or joint as it is read: rear axle 2, not rear_axle2."""
+    word = name.rstrip("0123456789")
+    return " ".join(f"{word} {name[len(word) :]}".replace("_", " ").split())
 
 
 def bounds(outcome: Outcome) -> str:

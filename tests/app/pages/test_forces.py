@@ -201,7 +201,7 @@ def test_of_several_forces_of_a_name_who_gives_each_is_told() -> None:
 
     assert "weight 9.81 N" in texts
     assert any(text.startswith("from ground ") for text in texts)
-    assert any(text.startswith("from box2 ") for text in texts)
+    assert any(text.startswith("from box 2 ") for text in texts)
 
 
 ALIKE = (
@@ -209,7 +209,7 @@ ALIKE = (
     ("machines/waiters-tray", "tray", ["from left", "from right", "normal force", "friction"]),
     ("newton/two-forces", "box", ["applied force (1)", "applied force (2)"]),
     ("machines/car-over-bumps", "chassis", ["from rear axle", "from front axle", "from bolts"]),
-    ("hard/arch", "stone1", ["normal force, stone2", "friction, stone2", "friction, ground"]),
+    ("hard/arch", "stone1", ["normal force, stone 2", "friction, stone 2", "friction, ground"]),
 )
 
 

@@ -197,15 +197,20 @@ def test_a_quantity_is_drawn_against_another(person: Person) -> None:
     assert (graph == theme.BODIES[0]).all(axis=2).any()
 
 
-def test_in_a_low_window_names_to_choose_from_are_in_view(person: Person) -> None:
-    """At 900 x 600 the list began below the page."""
+@pytest.mark.parametrize(("size", "rows"), [(100, 6), (125, 2)])
+def test_in_a_low_window_names_to_choose_from_are_in_view(
+    person: Person, size: int, rows: int
+) -> None:
+    """At 900 x 600 the list began below the page; it was some rows below the buttons."""
+    person.window.comfort.choose(size=size)
     person.resize((900, 600))
     person.window.open_level("momentum/cradle")
     person.press(pygame.K_d, "d")
     person.wait(0.1)
 
     page, seen = person.page(GraphPage), person.side._sheet.container.rect
-    assert seen.bottom - page.up.rect.top >= 2 * 20
+    assert seen.bottom - page.up.rect.top >= rows * 20 * size / 100
+    person.window.comfort.choose(size=100)
     person.resize((1280, 800))
     person.wait(0.1)
     assert person.page(GraphPage)._zooming.graphs[0].place.height == 150

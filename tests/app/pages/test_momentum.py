@@ -10,6 +10,8 @@ from sandbox.app.pages.momentum import card
 from sandbox.app.pages.momentum.card import LABEL, MOST, bodies, given, momentum
 from sandbox.app.runs.session import Session
 from sandbox.app.stage import momenta
+from sandbox.app.stage.level_labels import seen_from
+from sandbox.app.stage.observer import CENTER
 from sandbox.app.stage.overlays.momenta import OVERLAY
 from sandbox.model.level_catalog import find
 from sandbox.model.loading import load
@@ -40,6 +42,28 @@ def pixels(picture: pygame.Surface, color: theme.Color) -> np.ndarray:
     """Return how many rows of each column to the right of the names have a colour."""
     where = (pygame.surfarray.array3d(picture)[LABEL + card.AXIS :] == color).all(axis=2)
     return where.sum(axis=1)
+
+
+def test_seen_from_the_centre_of_mass_all_momenta_add_up_to_zero() -> None:
+    world = scenes.opened("momentum/elastic-light-on-heavy", 40).world
+    every = [each.value for each in bodies(world, CENTER)]
+
+    assert np.sum([each.value for each in bodies(world)], axis=0)[0] > 0.5
+    assert np.sum(every, axis=0) == pytest.approx([0, 0], abs=1e-12)
+    assert every[0][0] > 0.1
+    assert bodies(world, "first")[0].value == pytest.approx([0, 0])
+
+
+def test_the_page_tells_who_observes_and_who_sees_the_impulses(
+    pen: Pen, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    session = session_of("momentum/elastic-light-on-heavy")
+    session.looking.seen_from = CENTER
+    written = noted(pen, monkeypatch)
+    momentum(pen, WIDTH, session)
+
+    assert written.index(seen_from(CENTER)) < written.index("Change")
+    assert written.index("Change") < written.index(seen_from(None))
 
 
 def test_of_equal_masses_one_hands_its_momentum_to_the_other() -> None:

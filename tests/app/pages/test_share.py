@@ -18,6 +18,7 @@ from sandbox.app.runs.session import Session
 from sandbox.editing.run_as_level import as_it_stands
 from sandbox.model import level_catalog
 from sandbox.model.loading import load
+from tests.app import scenes
 from tests.app.person import Person
 
 
@@ -142,14 +143,39 @@ def _frames(content: bytes, kind: film.Kind) -> list[np.ndarray]:
         return [frame.to_ndarray(format="rgb24") for frame in container.decode(video=0)]
 
 
-def test_without_the_encoders_a_film_says_what_to_install(
+def test_without_an_encoder_for_videos_a_run_can_be_a_gif(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setitem(__import__("sys").modules, "av", None)
     run = runfile.run_of(Session(load(level_catalog.find("newton/atwood"))))
 
-    assert list(film.film(run, tmp_path / "x.gif", "gif")) == [film.LACKING]
+    assert list(film.film(run, tmp_path / "x.mp4", "mp4")) == [film.LACKING]
     assert not list(tmp_path.iterdir())
+    *_, told = film.film(run, tmp_path / "x.gif", "gif")
+    assert told == f"saved {tmp_path / 'x.gif'}"
+
+
+def test_a_film_shows_what_the_observer_sees(tmp_path: Path) -> None:
+    """Seen from the ball that falls, the ball stays where it is in the picture."""
+    session = Session(scenes.level())
+    for _ in range(30):
+        session.step()
+    run, moved = runfile.run_of(session), []
+    for place in (None, "ball"):
+        path = tmp_path / f"{place}.gif"
+        list(film.film(run, path, "gif", place))
+        first, *_, last = _frames(path.read_bytes(), "gif")
+        before, after = (np.argwhere(_is_red(picture)).mean(axis=0) for picture in (first, last))
+        moved.append(np.abs(after - before).max())
+
+    assert moved[0] > 30
+    assert moved[1] < 2
+
+
+def _is_red(picture: np.ndarray) -> np.ndarray:
+    red, green, blue = picture.astype(int).transpose(2, 0, 1)
+    found: np.ndarray = (red > 150) & (green < 60) & (blue < 60)
+    return found
 
 
 @pytest.mark.parametrize("second", ["GIF", "MP4"])

@@ -49,6 +49,20 @@ def test_the_instants_are_those_nearest_to_round_times(rate: float) -> None:
     assert len(shown) in (20, 21)
 
 
+def test_a_ball_at_rest_has_no_speed_in_the_table(
+    pen: Pen, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The last ball of the cradle had 4.9×10⁻¹⁴ m/s before the impact."""
+    session = Session(load(level_catalog.find("momentum/cradle")))
+    for _ in range(400):
+        session.step()
+    written = noted(pen, monkeypatch)
+    card.values(pen, 300, session, ["ball5.speed"], {})
+
+    assert not [text for text in written if "10⁻¹" in text]
+    assert any(text.startswith("1.6") for text in written)  # after it
+
+
 def test_angles_are_in_degrees_and_so_is_their_heading(
     pen: Pen, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -51,6 +51,9 @@ def test_a_number_of_a_few_thousands_is_rounded_unless_all_its_digits_count(
 
 def test_names_are_read_as_words() -> None:
     assert formatting.name_in_words("rear_axle") == "rear axle"
+    assert formatting.name_in_words("ball12") == "ball 12"
+    assert formatting.name_in_words("falling_0") == "falling 0"
+    assert formatting.name_in_words("7") == "7"
 
 
 def test_angles_are_read_in_degrees() -> None:

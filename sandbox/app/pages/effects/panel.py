@@ -41,10 +41,10 @@ class EffectsPage:
         level, pen, width = session.original, sheet.pen, sheet.width
         self._switches: dict[str, UIButton] = {}
         self._scales: dict[UIButton, tuple[str, float]] = {}
-        y = below(sheet.image(effects_intro(pen, width), sheet.margin // 2)) + 2
+        y = below(sheet.image(effects_intro(pen, width), sheet.margin // 2)) + GAP
         y = self._row_of(level.effects.declared, y)
         if added := whatif.addable(level):
-            y = below(sheet.image(label(pen, width, say("try with")), y + 2)) + 2
+            y = below(sheet.image(label(pen, width, say("try with")), y + 2)) + GAP
             y = self._row_of(added, y, adjustable=True)
         caption = say("Reset the effects")
         reset = pygame.Rect(0, y + 4, sheet.room(caption), sheet.px(SWITCH))

@@ -102,7 +102,7 @@ def _cell(force: XY, first: XY) -> tuple[str, ...]:
 
 
 def _row(card: Card, name: str, mark: Color | None, cells: tuple[str, ...], color: Color) -> None:
-    """Add a row: a name, and numbers in columns."""
+    """Add a row: a name, and numbers in columns; what exerts a force may need a line of its own."""
     pen = card.pen
     indent = 0
     if mark is not None:
@@ -115,5 +115,12 @@ def _row(card: Card, name: str, mark: Color | None, cells: tuple[str, ...], colo
     for image in reversed(images):
         card.put(image, right - image.width)
         right -= max(pen.px(NUMBER), image.width + 6) if image.width else 0
-    card.put(pen.write(pen.shorten(name, right - indent - 4, SIZE), SIZE, color), indent)
+    room, by = right - indent - 4, ""
+    if pen.write(name, SIZE).width > room:
+        name, _, by = name.partition(", ")
+    card.put(pen.write(pen.shorten(name, room, SIZE), SIZE, color), indent)
     card.y += pen.height(SIZE) + 1
+    if by:
+        by = pen.shorten(by, card.width - indent, SIZE)
+        card.put(pen.write(by, SIZE, theme.DIM), indent)
+        card.y += pen.height(SIZE) + 1

@@ -1,17 +1,20 @@
-"""The page Forces: the diagram, and the choice of axes."""
+"""The page Forces: the diagram, the choice of axes, and what else the stage can show."""
 
 import pygame
 from pygame_gui import UI_BUTTON_PRESSED
 from pygame_gui.elements import UIButton
 
+from sandbox.app.cards.card import heading
 from sandbox.app.pages.forces.axes import Axes
 from sandbox.app.pages.forces.card import forces
 from sandbox.app.pages.page import Desk
-from sandbox.app.widgets.sheet import Sheet, below
+from sandbox.app.stage.overlays.register import OVERLAYS
+from sandbox.app.widgets.sheet import Sheet, below, in_rows
 from sandbox.app.widgets.widget_helpers import press
 from sandbox.app.words.language import say
 
 HEIGHT = 26  # px, of a button
+GAP = 6  # px, between buttons
 
 
 class ForcesPage:
@@ -32,11 +35,25 @@ class ForcesPage:
         whole = pygame.Rect(0, 0, sheet.width, sheet.px(HEIGHT))
         tip = say("see it from the selected body, the centre of mass, or the ground")
         self.observer = sheet.button(whole, say("Change the observer"), f"{tip} (4)")
+        self._title = sheet.image(heading(sheet.pen, sheet.width, say("On the stage")), 0)
+        self._shown = desk.shown
+        self._overlays = {
+            each.name: sheet.button(
+                whole, say(each.caption), f"{say(each.text)} ({each.key.upper()})"
+            )
+            for each in OVERLAYS
+            if each.caption and each.on is not None
+        }
         self.update()
 
     def leads(self, button: object) -> str | None:
         """Return the command of a button; None if it is not one of these."""
-        return "observe" if button is self.observer else None
+        pressed = (name for name, each in self._overlays.items() if each is button)
+        return "observe" if button is self.observer else next(pressed, None)
+
+    def overlay(self, name: str) -> UIButton:
+        """Return the button that shows or hides an overlay of the stage."""
+        return self._overlays[name]
 
     @property
     def _buttons(self) -> tuple[tuple[UIButton, bool], ...]:
@@ -58,9 +75,25 @@ class ForcesPage:
         for button, inclined in self._buttons:
             press(button, self._axes.inclined is inclined)
         self._sheet.replace(self._image, self._drawn())
+        for name, button in self._overlays.items():
+            press(button, self._shown[name])
         y = below(self._image) + 4
-        self.observer.set_relative_position((self._sheet.margin, y))
-        self._sheet.end(y + self._sheet.px(HEIGHT) + 4)
+        if y != self._title.relative_rect.y:
+            self._sheet.end(self._place(y))
+
+    def _place(self, y: int) -> int:
+        """Place what is below the diagram, from a height on, and return the height of its end."""
+        sheet = self._sheet
+        self._title.set_relative_position((sheet.margin, y))
+        y, high = below(self._title), sheet.px(HEIGHT)
+        widths = (sheet.room(button.text) for button in self._overlays.values())
+        places = in_rows(widths, sheet.width, high, GAP)
+        for button, place in zip(self._overlays.values(), places, strict=True):
+            button.set_dimensions(place.size)
+            button.set_relative_position((sheet.margin + place.x, y + place.y))
+            end = y + place.bottom
+        self.observer.set_relative_position((sheet.margin, end + GAP))
+        return end + 2 * GAP + high
 
     def _drawn(self) -> pygame.Surface:
         return forces(self._sheet.pen, self._sheet.width, self._session, self._axes)

@@ -27,7 +27,7 @@ from sandbox.physics.measuring.grading import applies
 from sandbox.physics.quantities.meter import Meter
 from sandbox.physics.stepping.world import World
 
-HEIGHTS = 100, 150  # px, the least and the largest height of a graph
+HEIGHTS = 80, 150  # px, the least and the largest height of a graph
 ROOM = 295  # px, of a page for what stands around a graph
 
 NOT_KNOWN: Mapping[str, Trust] = {}
@@ -142,7 +142,7 @@ def _values(
     indent = card.pen.px(16) if len(up) > 1 else 0
     row = -1 if cursor is None else int(np.argmin(np.abs(columns[across] - cursor)))
     for name in these:
-        value = formatting.quantity(_at(columns[name], row), units[name], 4)
+        value = formatting.quantity(value_at(columns[name], row), units[name], 4)
         right = card.pen.write(value, 13, theme.TEXT)
         left = card.pen.write(
             card.pen.shorten(name, card.width - right.width - 12 - indent, 13), 13, _color(name, up)
@@ -163,7 +163,7 @@ def _values(
     card.text(message, 12, theme.DIM if cursor is None else theme.NOTICE)
 
 
-def _at(column: Array, row: int) -> float:
+def value_at(column: Array, row: int) -> float:
     """Return a value of a quantity, or 0 if it is a rounding error where the graph is drawn as one.
 
     That is relative to the largest value, or to 1 if that is larger.

@@ -30,6 +30,7 @@ LISTS = 168, 92  # px, the heights of the two lists
 BUTTON = 26  # px, the height of a button
 GAP = 6  # px, between buttons
 FIELD = 26  # px
+LOW = 380  # px, the height of a page below which the buttons stand after the lists
 
 
 class GraphPage:
@@ -223,13 +224,12 @@ class GraphPage:
         """Draw the graphs again, and place the lists below them."""
         sheet = self._sheet
         sheet.replace(self._graphs, self._drawn())
-        y = below(self._graphs) + 8
-        if y == self._rows[0][0].relative_rect.y:
+        y, low = below(self._graphs) + 8, sheet.height < sheet.px(LOW)
+        first = self._titles[0] if low else self._rows[0][0]
+        if y == first.relative_rect.y:
             return
-        for row in self._rows:
-            for button in row:
-                button.set_relative_position((button.relative_rect.x, y))
-            y += sheet.px(BUTTON) + GAP
+        if not low:
+            y = self._put_rows(y)
         for title, chooser, height in zip(
             self._titles, (self.up, self.across), self._heights, strict=True
         ):
@@ -240,7 +240,15 @@ class GraphPage:
                 y += self._sheet.px(FIELD) + 2
             chooser.set_relative_position((self._sheet.margin, y))
             y += height + 8
-        sheet.end(y)
+        sheet.end(self._put_rows(y) if low else y)
+
+    def _put_rows(self, y: int) -> int:
+        """Place the rows of buttons, and return the height of what comes below them [px]."""
+        for row in self._rows:
+            for button in row:
+                button.set_relative_position((button.relative_rect.x, y))
+            y += self._sheet.px(BUTTON) + GAP
+        return y
 
     def _drawn(self) -> pygame.Surface:
         sheet, session = self._sheet, self._session

@@ -12,6 +12,8 @@ from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
 from sandbox.app.runs.session import Session
 from sandbox.app.stage import momenta
+from sandbox.app.stage.level_labels import seen_from
+from sandbox.app.stage.observer import Observer
 from sandbox.app.words import formatting
 from sandbox.app.words.language import plural, say
 from sandbox.model.expressions import Array
@@ -30,9 +32,12 @@ class Momentum(NamedTuple):
     value: Array
 
 
-def bodies(world: World) -> list[Momentum]:
-    """Return the momenta of all bodies; of many, the largest ones, and the sum of the others."""
-    found, every = momenta.heavy(world), momenta.momenta(world, world.snapshot)
+def bodies(world: World, place: str | None = None) -> list[Momentum]:
+    """Return the momenta of all bodies; of many, the largest ones, and the sum of the others.
+
+    They are as seen from a place, see `Observer`.
+    """
+    found, every = momenta.heavy(world), momenta.momenta(world, world.snapshot, place)
     each = {row: Momentum(formatting.name_in_words(name), every[row]) for row, name in found}
     if len(found) <= MOST:
         return [*each.values()]
@@ -64,9 +69,10 @@ def given(session: Session) -> list[Momentum]:
 def momentum(pen: Pen, width: int, session: Session) -> pygame.Surface:
     """Draw momenta as bars along x and y, above the balance of the total."""
     card, world = Card(pen, width), session.world
-    scale = momenta.scale(session, world, session.history.snapshots)
+    place = Observer(world, session.looking.seen_from).place
+    scale = momenta.scale(session, world, session.history.snapshots, place)
     card.heading(say("Momentum"))
-    shown = bodies(world)
+    shown = bodies(world, place)
     if not shown:
         card.text(say("Nothing in this level has a momentum."), 13, theme.DIM)
         return card.drawn()
@@ -74,8 +80,10 @@ def momentum(pen: Pen, width: int, session: Session) -> pygame.Surface:
     if scale:
         message = say("a full bar is {size:g} {unit}", size=scale, unit=momenta.UNIT)
     card.text(message, 12, theme.DIM)
+    if place is not None:
+        card.text(seen_from(place), 12, theme.NOTICE)
     card.y += 4
-    total = momenta.momenta(world, world.snapshot).sum(axis=0)
+    total = momenta.momenta(world, world.snapshot, place).sum(axis=0)
     _add_bars(card, Momentum(say("total"), total), scale, (theme.TOTAL, theme.TOTAL))
     if len(shown) > MOST:
         message = say("the largest {count}, and the others together", count=MOST)
@@ -85,6 +93,8 @@ def momentum(pen: Pen, width: int, session: Session) -> pygame.Surface:
     card.y += 4
     card.heading(say("Change"))
     card.text(session.books.covered, 12, theme.DIM)
+    if place is not None:  # an observer who is accelerated sees changes that no impulse explains
+        card.text(seen_from(None), 12, theme.NOTICE)
     _add_table(card, given(session), scale)
     return card.drawn()
 
@@ -113,6 +123,7 @@ def _add_table(card: Card, rows: Sequence[Momentum], scale: float) -> None:
         head = pen.write(f"{axis} [{momenta.UNIT}]", 12, color)
         card.put(head, end - head.width)
     card.y += pen.height(12)
+    scale = max(scale, *(float(np.hypot(*row.value)) for row in rows))  # another may observe
     for row in rows:
         card.put(pen.write(row.name, 13, theme.DIM), 0)
         for value, end in zip(row.value.tolist(), ends, strict=True):

@@ -28,7 +28,7 @@ class Filming(Errand):
             return say("one film at a time: the next when this one is saved")
         path = path_for(session, f".{kind}")
         self.done, self.told, self.news = 0.0, "", object()
-        self._work.start(film, run_of(session), path, kind)
+        self._work.start(film, run_of(session), path, kind, session.looking.seen_from)
         return say("filming {time:.3g} s of the run ...", time=session.t)
 
     def follow(self, session: Session, seconds: float, *, watched: bool) -> str | None:  # noqa: ARG002

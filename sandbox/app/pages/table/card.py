@@ -8,7 +8,7 @@ import pygame
 from sandbox.app.cards.card import SMALLEST, Card
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
-from sandbox.app.pages.graph.card import measured
+from sandbox.app.pages.graph.card import measured, value_at
 from sandbox.app.runs.session import Session
 from sandbox.app.words import formatting
 from sandbox.app.words.language import say
@@ -41,7 +41,7 @@ def values(
     _row(card, ["t", *shown], theme.ACCENT)
     _row(card, ["s", *(formatting.shown_unit(units[n]) for n in shown)], theme.DIM)
     for row in instants(columns["t"]):
-        cells = (_cell(float(columns[n][row]), units[n], trust.get(n)) for n in shown)
+        cells = (_cell(value_at(columns[n], row), units[n], trust.get(n)) for n in shown)
         _row(card, [f"{columns['t'][row]:.4g}", *cells], theme.TEXT)
     if left := len(names) - len(shown):
         card.text(say("and {count} more in the file", count=left), 12, theme.DIM)

@@ -1,7 +1,5 @@
 """The overlay with the accelerations of bodies as arrows."""
 
-from weakref import WeakKeyDictionary
-
 import numpy as np
 import pygame
 
@@ -10,9 +8,7 @@ from sandbox.app.stage import momenta
 from sandbox.app.stage.motion_marks import LONGEST
 from sandbox.app.stage.overlays.overlay import Overlay
 from sandbox.app.stage.view import View
-from sandbox.app.words.formatting import number, rounded_up
-
-_full: WeakKeyDictionary[View, float] = WeakKeyDictionary()  # m/s², of a full-length arrow
+from sandbox.app.words.formatting import number
 
 
 def _draw(surface: pygame.Surface, view: View) -> None:
@@ -22,8 +18,7 @@ def _draw(surface: pygame.Surface, view: View) -> None:
     if not sizes.any() or not np.isfinite(sizes).all():
         return
     typical = float(np.median(sizes[sizes > 0]))  # an impact does not set the scale
-    full = max(_full.get(view, 0.0), rounded_up(typical))
-    _full[view] = full
+    full = view.full("acceleration", typical)  # m/s²
     longest = LONGEST * view.camera.size[0]
     for (row, name), size in zip(rows.items(), sizes.tolist(), strict=True):
         if not size:
@@ -46,5 +41,6 @@ OVERLAY = Overlay(
     key=";",
     text="arrows of accelerations",
     draw=_draw,
+    caption="Accelerations",
     on=lambda _level: False,
 )

@@ -28,5 +28,6 @@ OVERLAY = Overlay(
     key="'",
     text="centre of mass of all that moves",
     draw=_draw,
+    caption="Centre of mass",
     on=lambda _level: False,
 )

@@ -22,5 +22,6 @@ OVERLAY = Overlay(
     key="c",
     text="components of the velocities",
     draw=_draw,
+    caption="Components",
     on=lambda level: level.view.components,
 )

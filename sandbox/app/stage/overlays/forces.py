@@ -79,5 +79,6 @@ OVERLAY = Overlay(
     key="u",
     text="all forces on the body that was clicked on",
     draw=_draw,
+    caption="Forces",
     on=lambda _level: False,
 )

@@ -1,7 +1,5 @@
 """The overlay with the momenta of bodies as arrows."""
 
-from dataclasses import replace
-
 import pygame
 
 from sandbox.app.drawing import lines, theme
@@ -18,13 +16,12 @@ KEY = 16, 112, 130, 40  # px, of the key: from the right, from below, width, hei
 def _draw(surface: pygame.Surface, view: View) -> None:
     if not view.few:
         return
-    full = momenta.scale(view, view.world, view.world.snapshot)
+    place = view.observer.place
+    full = momenta.scale(view, view.world, view.world.snapshot, place)
     if not full:
         return
     length = LONGEST * view.camera.size[0] / full  # px for 1 kg m/s
-    snapshot = view.world.snapshot
-    seen = replace(snapshot, velocity=view.observer.seen(snapshot.velocity))
-    every = momenta.momenta(view.world, seen)
+    every = momenta.momenta(view.world, view.world.snapshot, place)
     for row, name in momenta.heavy(view.world):
         x, y = view.camera.to_screen(view.state(view.outlines[name])[0])
         px, py = every[row].tolist()
@@ -50,5 +47,6 @@ OVERLAY = Overlay(
     key="i",
     text="arrows of momenta",
     draw=_draw,
+    caption="Momenta",
     on=lambda _level: False,
 )

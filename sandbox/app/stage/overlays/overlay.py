@@ -32,7 +32,8 @@ class Overlay:
     draw_trail: bool = False
     """whether it is the trail, for which the stage has its own canvas"""
     caption: str = ""
-    """the caption of its button in the bar below; empty for no button"""
+    """the caption of its button: in the bar below, or on the page Forces if a level switches it;
+    empty for no button"""
     on: Callable[[Level], bool] | None = None
     """whether a level switches it on when it is opened; None for on at first, then unchanged"""
 
