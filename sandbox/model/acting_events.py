@@ -11,7 +11,7 @@ from pydantic import Discriminator, Tag
 
 from sandbox.model.base import Model
 from sandbox.model.expressions import Expression, Fraction, Values
-from sandbox.model.joints import Joint
+from sandbox.model.joints import AngleStop, Joint, Stop
 from sandbox.model.measuring_instants import (
     ApexEvent,
     CrossingEvent,
@@ -127,10 +127,10 @@ def cut(events: Mapping[str, Event], joints: Mapping[str, Joint]) -> frozenset[s
 
 
 def bouncing(joints: Mapping[str, Joint]) -> Iterator[tuple[str, Fraction]]:
-    """Yield the stops and ropes that rebound, with their coefficients of restitution."""
+    """Yield the stops that rebound, with their coefficients of restitution."""
     for name, joint in joints.items():
-        if (restitution := getattr(joint, "restitution", None)) is not None:
-            yield name, restitution
+        if isinstance(joint, Stop | AngleStop) and joint.restitution is not None:
+            yield name, joint.restitution
 
 
 def tied(events: Mapping[str, Event]) -> frozenset[str]:

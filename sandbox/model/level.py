@@ -215,7 +215,7 @@ class Level(Model):
 
     @property
     def happens(self) -> bool:
-        """Whether anything may happen in a run: an event, a break, a rebound of a stop."""
+        """Whether anything may happen in a run: an event, a breaking joint, a rebounding stop."""
         of_joints = chain(breakable(self.joints), bouncing(self.joints))
         return bool(self.events) or any(True for _ in of_joints)
 
@@ -266,10 +266,10 @@ def is_alone(name: str, level: Level) -> bool:
     """Whether a joint is a plain string that shares no moving body with another exact joint.
 
     None is alone if contacts are solved directly, or if an event cuts or ties it, or if it may
-    break or rebound.
+    break.
     """
     joint = level.joints[name]
-    if not isinstance(joint, Pulley) or is_direct(level) or joint.restitution is not None:
+    if not isinstance(joint, Pulley) or is_direct(level):
         return False
     if name in cut(level.events, level.joints) | tied(level.events):
         return False

@@ -11,7 +11,7 @@ from pydantic import Field
 
 from sandbox.model.base import Model
 from sandbox.model.effects.contract import Effect
-from sandbox.model.expressions import Expression, Fraction
+from sandbox.model.expressions import Expression
 from sandbox.model.formulas import Curve
 from sandbox.model.joints.contract import FIXED, Kind, kinds
 from sandbox.model.joints.ends import ENDS as ENDS
@@ -65,9 +65,6 @@ class Rope(Model):
     """the bodies or points that it connects"""
     length: Extent | None = None
     """m; the initial distance if left out, slack at first if longer"""
-    restitution: Fraction | None = None
-    """the coefficient of restitution with which it becomes taut, at its exact time; if left out, it
-    has taken all the speed by the end of the step"""
     exact: bool = True
     """whether it is solved exactly, to rounding; if not, by pymunk's own joint"""
     breaks_at: Load | None = None
@@ -89,9 +86,6 @@ class Pulley(Model):
     """the pegs that it runs over, in order from the first end to the second"""
     length: Extent | None = None
     """m; the initial length of its path if left out, slack at first if longer"""
-    restitution: Fraction | None = None
-    """the coefficient of restitution with which it becomes taut, at its exact time; if left out, it
-    has taken all the speed by the end of the step"""
     breaks_at: Load | None = None
     """N, the tension at which it breaks; never if left out"""
 
@@ -169,9 +163,6 @@ class Winding(Model):
     """m, the radius on which it is wound, about the wheel's centre of mass"""
     unwinds: Literal["clockwise", "counterclockwise"]
     """the direction in which the wheel turns as the string unwinds"""
-    restitution: Fraction | None = None
-    """the coefficient of restitution with which it becomes taut, at its exact time; if left out, it
-    has taken all the speed by the end of the step"""
     breaks_at: Load | None = None
     """N, the tension at which it breaks; never if left out"""
 

@@ -127,7 +127,7 @@ class _Assembly:
         return joints
 
     def _elastic(self, batch: Batch) -> JointSystem | None:
-        """Return the sides of elastic stops and ropes; None if there are none."""
+        """Return the sides of elastic stops; None if there are none."""
         level, start = self._level, _coordinates(self._bodies, self._origin)
         names = [name for name, _ in bouncing(level.joints)]
         made = [self._equations.of(name, self._solved(name), start) for name in names]

@@ -53,7 +53,7 @@ class Joints:
     """
     elastic: "JointSystem | None" = None
     latches: "Latches | None" = None
-    """The sides of what rebounds, and the joints that events tie; None if there are none."""
+    """The sides of elastic stops, and the joints that events tie; None if there are none."""
     cut: dict[str, float] = field(default_factory=dict)
     """The times at which joints were cut, by name [s]."""
 

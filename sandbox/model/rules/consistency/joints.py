@@ -58,8 +58,6 @@ def own_apart(level: Level) -> Iterator[Fault]:
         path = ("joints", name, "exact")
         if "t" in names_in(joint):
             yield Fault(path, "only an exact joint can change with the time 't'; leave out 'exact'")
-        if getattr(joint, "restitution", None) is not None:
-            yield Fault(path, "only an exact rope has a 'restitution'; leave out 'exact'")
         for body in moving.intersection(bodies_of(joint)) & exact:
             rule = Message(
                 "'{body}' is also held exactly; what holds a body must be all exact, or all"
@@ -84,7 +82,7 @@ def ties_fit(level: Level) -> Iterator[Fault]:
 
 
 def stops_bounce(level: Level) -> Iterator[Fault]:
-    """Contacts are solved directly if stops or ropes rebound."""
+    """Contacts are solved directly if stops rebound."""
     contact = level.effects.contact
     if contact and contact.solver == "iterative":
         for name, _ in bouncing(level.joints):
