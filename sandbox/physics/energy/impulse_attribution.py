@@ -133,8 +133,8 @@ class Attribution:
 
         The works of driven joints are booked here, and returned as 0.
         """
-        kinematic = kick.inertia[:, 0] == 0
-        drives = pulls.changes | (pulls.jacobian[:, kinematic] != 0).any(axis=(1, 2))
+        carried = np.where(kick.inertia[:, :1] == 0, kick.mean, 0.0)  # of kinematic bodies
+        drives = pulls.changes | (pulls.jacobian * carried != 0).any(axis=(1, 2))
         impulses = -pulls.tension[:, None, None] * pulls.jacobian
         impulses = np.where(kick.inertia > 0, impulses, 0.0)
         works = np.sum(impulses * kick.mean, axis=(1, 2))

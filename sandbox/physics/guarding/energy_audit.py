@@ -46,15 +46,17 @@ class Audit:
             return kinetic
         self._most = max(kinetic, self._most)
         much = abs(kinetic - self._kinetic) > MUCH * self._most
-        self._kinetic = kinetic
+        had, self._kinetic = self._kinetic, kinetic
         if not (much or self._always):
             self._books = None
             self._lifted = lifted
             return 0.0
         if self._books is None or self._books.steps != self._run.last.steps - 1:
             self._books = Ledger(self._run, before)
-            self._had = self._books.balance.energy
-            self._lowest = _stored(self._books.balance)
+            balance = self._books.balance
+            self._lowest = _stored(balance)
+            # an event in the last drift may have stopped bodies before the books begin
+            self._had = max(balance.energy, had + self._lowest)
         self._books.note()
         return self._gained(self._books.balance, lifted - self._lifted)
 

@@ -45,11 +45,18 @@ def test_impacts_in_sequence_take_the_speed_at_the_step() -> None:
     assert rest(books) < 1e-12
 
 
-def test_a_rope_that_is_jerked_taut_takes_energy_as_an_impact_does() -> None:
+@pytest.mark.parametrize("anchor", [[0, 0], "static", "kinematic"])
+def test_a_rope_that_is_jerked_taut_takes_energy_as_an_impact_does(anchor: str | list[int]) -> None:
+    """Wherever it is tied: a body that does not move does no work."""
+    hook = {"shape": {"type": "disc", "radius": 0.1}}
     scene = level(
-        {"bob": disc((0.5, 0), mass=2, velocity=[3, 0])},
+        {
+            "bob": disc((0.5, 0), mass=2, velocity=[3, 0]),
+            "static": {"type": "static", **hook},
+            "kinematic": {"type": "kinematic", **hook},
+        },
         {},
-        joints={"rope": {"type": "rope", "ends": [[0, 0], "bob"], "length": 1}},
+        joints={"rope": {"type": "rope", "ends": [anchor, "bob"], "length": 1}},
     )
 
     books = watched(build(scene), 60)

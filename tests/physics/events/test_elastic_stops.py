@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 
 from sandbox.model.errors import LevelError
 from sandbox.model.level import Level
+from sandbox.physics.run import build
 from sandbox.physics.stepping.run_continuation import branch
 from tests.physics.scenes import GRAVITY, G, booked, box, disc, level
 
@@ -215,6 +216,34 @@ def test_contacts_take_part_in_the_blow() -> None:
 
     assert world.snapshot.velocity[:, 0] == pytest.approx([-2, -2], abs=1e-9)
     assert abs(books.balance.unexplained) < 1e-9
+
+
+def lever(**bounce: object) -> Level:
+    """A lever that strikes a stop, with a ball on a rod at its end."""
+    stop = {"type": "angle_stop", "ends": [[0, 0], "lever"], "range": [-0.3, 0.5], **bounce}
+    bodies = {
+        "lever": box(size=(1, 0.2), mass=2, angular_velocity=1.11),
+        "ball": disc((0.8, 0), radius=0.1),
+    }
+    joints = {
+        "pin": {"type": "pivot", "ends": [[0, 0], "lever"]},
+        "rod": {"type": "rod", "ends": [{"body": "lever", "at": [0.5, 0]}, "ball"]},
+        "stop": stop,
+    }
+    return level(bodies, {**GRAVITY, "rotation": {}}, joints=joints)
+
+
+def test_a_stop_with_a_restitution_is_of_second_order_among_other_joints() -> None:
+    """Measured: 2.04, and 14 times the error without one, which spreads the blow over a step."""
+    error = {}
+    for bounce in ({}, {"restitution": 0}):
+        scene = lever(**bounce)
+        runs = [build(scene, stepping=scene.stepping.at(rate)) for rate in (120, 480, 1920)]
+        coarse, fine, finest = (run.advance(int(0.8 * run.stepping.rate)).velocity for run in runs)
+        error[len(bounce)] = [np.abs(found - finest).max() for found in (coarse, fine)]
+
+    assert error[1][0] / error[1][1] > 4**1.9
+    assert error[0][1] > 5 * error[1][1]
 
 
 def test_a_branch_goes_on_between_the_same_stops() -> None:

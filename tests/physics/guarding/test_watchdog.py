@@ -146,6 +146,29 @@ def test_what_floats_in_balance_has_no_energy_from_nowhere(height: float, surfac
     assert abs(world.snapshot.position[0, 1] - surface) <= 1e-12 * (1 + abs(surface))
 
 
+def test_a_latch_that_stops_a_door_at_once_takes_energy_and_gives_none() -> None:
+    """The spring stores 3e-15 J more than was booked, while the door has no energy left."""
+    latch = {"type": "rod", "ends": [{"body": "door", "at": [0.5, 0]}, [1.3, 0.4]]}
+    closer = {
+        "rotation": {},
+        "torsion": [{"body": "door", "stiffness": 20, "angle": -0.2}],
+        "torque": [{"body": "door", "torque": "-6*omega"}],
+    }
+    closed = {"event": "crossing", "quantity": "door.angle", "value": 0.02, "direction": "down"}
+    scene = level(
+        {"door": box(size=(1, 0.05), mass=25, moment=8.3, angle=1.2)},
+        closer,
+        joints={"hinge": {"type": "pivot", "ends": [[0, 0], "door"]}, "latch": latch},
+        events={"click": {"at": closed, "tie": ["latch"]}},
+        stepping={"rate": 240},
+    )
+    world = build(scene)
+
+    advance(world, 480)
+
+    assert world.snapshot.angle == pytest.approx(0.02, abs=1e-6)
+
+
 def test_a_swing_that_is_only_coarse_goes_on() -> None:
     """A spring at ω dt = 1.9 has ten times its energy now and then, and gives it back."""
     spring = {"type": "spring", "ends": [[0, 0], "bob"], "stiffness": 12996, "length": 1}
