@@ -42,7 +42,7 @@ def gravity_setter(space: pymunk.Space) -> Callable[[tuple[float, float]], None]
 
 
 class _Caller:
-    """What pymunk's callback asks of a constraint: whether its body is in a space, and a function."""
+    """What pymunk's callback asks of a constraint: is its body in a space, and which function."""
 
     a = SimpleNamespace(space=True)
 
