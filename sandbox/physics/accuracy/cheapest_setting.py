@@ -203,7 +203,7 @@ def with_scales(
     """
     if not any(item.motion for item in wanted):
         return wanted
-    solver: Literal["direct"] | None = "direct" if _may_pile(level) else level.stepping.solver
+    solver = "direct" if _may_pile(level) else level.stepping.solver
     said = level.stepping
     own = Stepping(rate=said.rate, iterations=said.iterations, solver=solver)
     with suppress(SimulationError):
@@ -223,7 +223,8 @@ def _candidates(level: Level, values: Values) -> Iterator[Stepping]:
     while rate < floor and rate * 2**FEWEST <= HIGHEST_RATE:
         rate *= 2
     said = level.stepping
-    start = Stepping(rate=rate, iterations=said.iterations, solver=said.solver)
+    solver: Literal["iterative"] | None = "iterative" if _may_pile(level) else None
+    start = Stepping(rate=rate, iterations=said.iterations, solver=said.solver or solver)
     if not unsmooth(level):
         yield start.model_copy(update={"scheme": "fourth-order", "rate": rate / 2})
     elif contact := level.effects.contact:
@@ -243,7 +244,7 @@ def _may_pile(level: Level) -> bool:
     Bodies that hit several others at once rebound differently with it, and a single body that rests
     on immovable ones needs only a few sweeps.
     """
-    if is_direct(level) or not may_be_direct(level):
+    if level.stepping.solver or not may_be_direct(level) or (level.joints and is_direct(level)):
         return False
     if level.effects.restitution or level.effects.sticking:
         return False
