@@ -243,9 +243,11 @@ def is_direct(level: Level, stepping: Stepping | None = None) -> bool:
         return contact.solver == "direct"
     joined = any(map(is_exact, level.joints.values()))
     sticks = contact.located and level.effects.sticking
-    asked = (stepping or level.stepping).solver
-    needed = joined or sticks or asked == "direct"
-    return bool(needed or (not asked and _may_press(level, contact))) and may_be_direct(level)
+    stepping = stepping or level.stepping
+    needed = joined or sticks or stepping.solver == "direct"
+    if not needed and not stepping.solver and not stepping.is_stock:
+        needed = _may_press(level, contact)
+    return bool(needed) and may_be_direct(level)
 
 
 def _may_press(level: Level, contact: Contact) -> bool:
