@@ -39,7 +39,9 @@ def build(level: Level, values: Values | None = None, stepping: Stepping | None 
     values = level.defaults if values is None else values
     chosen = resolved(level, values, stepping or level.stepping)
     world = make_world(level, values, chosen)
-    if not leans(world) or not may_be_direct(level) or len(world.contacts.bodies) > MOST_UNSETTLED:
+    if chosen.solver or not leans(world) or not may_be_direct(level):
+        return world
+    if len(world.contacts.bodies) > MOST_UNSETTLED:
         return world
     try:
         return make_world(level, values, chosen.model_copy(update={"solver": "direct"}))

@@ -136,7 +136,7 @@ def test_it_says_what_may_have_passed_through_others(
         "bullet": {**disc, "position": [-3, 0], "velocity": [100, 0]},
         "target": {**disc, "position": [0, 0]},
     }
-    effects = {"gravity": {"acceleration": [0, "-g"]}, "contact": {}}
+    effects = {"gravity": {"acceleration": [0, "-g"]}, "contact": {"solver": "iterative"}}
     level = write(effects=effects, bodies=bodies, checks=[], ghosts={})
 
     outcome = run("simulate", level, "--output", tmp_path / "out.csv", "--duration", "0.1")

@@ -268,7 +268,7 @@ def offer(setting: Setting) -> str:
 def stepping(chosen: Stepping) -> str:
     """Describe a stepping: scheme and rate, and the solver of contacts if one is chosen."""
     name, rate = scheme(chosen.scheme), chosen.rate
-    if chosen.solver:
+    if chosen.solver == "direct":
         return say("{scheme} at {rate:g} Hz, contacts solved directly", scheme=name, rate=rate)
     return say("{scheme} at {rate:g} Hz", scheme=name, rate=rate)
 

@@ -42,7 +42,7 @@ class Offer:
         """The setting and its cost, in words."""
         s = self.stepping
         setting = at_rate(s.scheme, s.rate)
-        if s.solver:
+        if s.solver == "direct":
             setting = Message(
                 "{scheme} at {rate:g} Hz, contacts solved directly", scheme=s.scheme, rate=s.rate
             )

@@ -222,7 +222,7 @@ def own_run(
     """
     if not any(item.motion for item in wanted):
         return None
-    solver: Literal["direct"] | None = "direct" if _may_pile(level) else level.stepping.solver
+    solver = "direct" if _may_pile(level) else level.stepping.solver
     said = level.stepping
     own = Stepping(rate=said.rate, iterations=said.iterations, solver=solver)
     with suppress(SimulationError):
@@ -242,14 +242,15 @@ def _candidates(level: Level, values: Values) -> Iterator[Stepping]:
     while rate < floor and rate * 2**FEWEST <= HIGHEST_RATE:
         rate *= 2
     said = level.stepping
-    start = Stepping(rate=rate, iterations=said.iterations, solver=said.solver)
+    solver: Literal["iterative"] | None = "iterative" if _may_pile(level) else None
+    start = Stepping(rate=rate, iterations=said.iterations, solver=said.solver or solver)
     if not unsmooth(level):
         yield start.model_copy(update={"scheme": "fourth-order", "rate": rate / 2})
     elif contact := level.effects.contact:
         if _may_pile(level):
             yield start.model_copy(update={"solver": "direct"})
         judge = start  # the direct solver takes no sweeps
-        if not is_direct(level):
+        if not is_direct(level, start):
             more = min(MORE_SWEEPS * start.iterations, 1000)
             judge = start.model_copy(update={"iterations": more})
             yield judge
@@ -265,7 +266,7 @@ def _may_pile(level: Level) -> bool:
     Bodies that hit several others at once rebound differently with it, and a single body that rests
     on immovable ones needs only a few sweeps.
     """
-    if is_direct(level) or not may_be_direct(level):
+    if level.stepping.solver or not may_be_direct(level) or (level.joints and is_direct(level)):
         return False
     if level.effects.restitution or level.effects.sticking:
         return False

@@ -35,7 +35,7 @@ from tests.physics.scenes import (
 
 
 def pile() -> Level:
-    """Discs and boxes that fall into a heap: contacts everywhere, impacts all the time."""
+    """Discs and boxes that sweeps pile up: contacts everywhere, impacts all the time."""
     makes: list[Callable[..., Spec]] = [disc, box]
     things: dict[str, Spec] = {
         f"thing{i}": makes[i % 2](
@@ -46,7 +46,8 @@ def pile() -> Level:
     rest = {"friction": 0.8, "restitution": 1}
     wall = {"type": "segment", "start": [0, -1], "end": [0, 20]}
     walls = {"left": fixed(wall, (-2.5, 0), **rest), "right": fixed(wall, (2.5, 0), **rest)}
-    effects = {**GRAVITY, "contact": {}, "friction": {}, "restitution": {}, "rotation": {}}
+    swept = {"contact": {"solver": "iterative"}}
+    effects = {**GRAVITY, **swept, "friction": {}, "restitution": {}, "rotation": {}}
     return level({**things, "floor": floor(**rest), **walls}, effects)
 
 

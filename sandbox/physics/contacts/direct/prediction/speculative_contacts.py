@@ -46,6 +46,12 @@ box."""
 LITTLE = 0.1
 """The share of its energy that a rebound keeps at most if it may be left out."""
 
+ALIKE = 0.99
+"""The least cosine between the directions of contacts at one point that count as the same."""
+
+LOST = 1e-4
+"""m, the greatest depth of a corner that pymunk may lose: in the corner of a bin, just behind the
+end of a wall."""
 
 _BOTH = np.array([[0], [1]])
 """The two points of contacts."""
@@ -135,7 +141,7 @@ class SpeculativeContacts:
         for parts in self._shapes.close(pair, there):
             for down in within(there.both(pair, parts)):
                 gap, end = (on_side(at.both(pair, parts), *down).gap for at in (here, there))
-                if gap > -SLOP and gap > end + LEAST:
+                if gap > -LOST and gap > end + LEAST:
                     yield Corner(pair, parts, *down)
 
     def ahead(self, kick: Kick, motion: Array, some: Booleans) -> Contacts:
@@ -215,10 +221,13 @@ class SpeculativeContacts:
 def _new(found: Contacts, kick: Kick) -> Booleans:
     """Return which contacts are new to a kick.
 
-    A rounded corner that rotates ends a little deeper than its row allowed, and is not new.
+    A rounded corner that rotates ends a little deeper than its row allowed, and is not new. In the
+    corner of a bin it meets the wall where it touches the floor; that is new.
     """
     known, (spots, pairs) = kick.contacts, np.nonzero(kick.contacts.touches > _BOTH)
     far = np.abs(found.points[:, None, 0] - known.points[pairs, spots]).max(axis=2)
     bodies = np.sort(known.bodies[pairs], axis=1)
-    same = (np.sort(found.bodies, axis=1)[:, None] == bodies).all(axis=2) & (far < SLOP)
+    near = far < np.maximum(SLOP, found.depth)[:, None]
+    same = (np.sort(found.bodies, axis=1)[:, None] == bodies).all(axis=2) & near
+    same &= np.abs(found.direction @ known.direction[pairs].T) > ALIKE
     return np.asarray(~same.any(axis=1))
