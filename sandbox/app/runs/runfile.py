@@ -42,6 +42,8 @@ class Run(Model):
     """the number of steps of the run"""
     actions: Annotated[tuple[Action, ...], Field(strict=False)] = ()
     """the user's actions in order, also those at later steps"""
+    repeats: bool = False
+    """whether it began as the run of another file"""
     state: str
     """a hash of the state after these steps"""
 
@@ -57,6 +59,7 @@ def run_of(session: Session) -> Run:
         parameters={name: session.begun_with[name] for name in level.parameters},
         steps=session.world.steps,
         actions=tuple(session.all_actions),
+        repeats=session.repeats,
         state=fingerprint(session.world.snapshot),
     )
 
@@ -106,7 +109,12 @@ def save(run: Run, path: Path) -> None:
 
     Raises `SandboxError` if the file cannot be written.
     """
-    write_atomically(path, run.model_dump_json(indent=1) + "\n")
+    write_atomically(path, text(run) + "\n")
+
+
+def text(run: Run) -> str:
+    """Return the content of a run's file."""
+    return run.model_dump_json(indent=1, exclude_defaults=True)
 
 
 def read(path: Path) -> Run:
