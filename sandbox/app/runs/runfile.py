@@ -13,7 +13,7 @@ from sandbox.app.runs.session import Session
 from sandbox.app.runs.user_interventions import Action
 from sandbox.model import parse_messages
 from sandbox.model.base import Model
-from sandbox.model.errors import SandboxError
+from sandbox.model.errors import SandboxError, brief
 from sandbox.model.file_writing import read_ordinary, write_atomically
 from sandbox.model.level import Level
 from sandbox.model.level_parts import names_in
@@ -149,7 +149,7 @@ def _told(first: ErrorDetails) -> tuple[str, Message]:
     if first["type"] == "json_invalid":
         rule, place = parse_messages.refused(first["ctx"]["error"])
         return ":".join(map(str, place or ())) or Message("the file"), rule
-    inside = ".".join(str(step) for step in first["loc"])
+    inside = brief(".".join(str(step) for step in first["loc"]))
     return inside or Message("the file"), parse_messages.rule(first, Run)
 
 
