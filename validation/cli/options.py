@@ -7,6 +7,7 @@ from typing import Annotated, ParamSpec
 
 import typer
 
+from sandbox import interrupts
 from sandbox.model.errors import SandboxError
 
 JsonFile = Annotated[
@@ -31,6 +32,7 @@ def with_status(command: Callable[Given, bool | None]) -> Callable[Given, None]:
         try:
             passed = command(*given, **options)
         except SandboxError as error:
+            interrupts.insist()
             typer.echo(error, err=True)
             raise typer.Exit(error.exit_status) from None
         if passed is False:
