@@ -18,6 +18,8 @@ SIGNALS = tuple(
 )
 """The signals that end the process in good order; there is no SIGHUP on Windows."""
 
+_asked: list[int] = []  # the signals that have come
+
 _CALLBACKS = "pymunk._callbacks"
 _RETRY = 0.001  # s
 
@@ -31,10 +33,18 @@ def install() -> None:
         if number in (signal.SIGINT, signal.SIGTERM) or signal.getsignal(number) != signal.SIG_IGN:
             signal.signal(number, _interrupt)
     sys.unraisablehook = _lost
+    _asked.clear()
+
+
+def insist() -> None:
+    """Exit if a signal has come that something has turned into another error, as pydantic does."""
+    if _asked:
+        sys.exit(STATUS + _asked[-1])
 
 
 def _interrupt(number: int, frame: FrameType | None) -> None:
     """Exit, but not from inside a callback: there the exception would be printed and lost."""
+    _asked.append(number)
     if not within_callback(frame):
         sys.exit(STATUS + number)
     start_new_thread(_again, (signal.Signals(number),))

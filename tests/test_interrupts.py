@@ -10,6 +10,8 @@ import pymunk
 import pytest
 
 from sandbox import interrupts, streams
+from sandbox.cli import main
+from sandbox.model.errors import SandboxError
 
 PATIENCE = 60.0  # s
 
@@ -23,6 +25,7 @@ def _handler(hangups: None) -> Iterator[None]:  # noqa: ARG001 (it comes first)
     for number, handler in zip(interrupts.SIGNALS, before, strict=True):
         signal.signal(number, handler)
     sys.unraisablehook = hook
+    interrupts._asked.clear()
 
 
 def test_ctrl_c_within_a_class_statement_exits_as_well() -> None:
@@ -126,3 +129,22 @@ def test_what_else_is_lost_is_printed(capsys: pytest.CaptureFixture[str]) -> Non
     del faulty
 
     assert "it was lost" in capsys.readouterr().err
+
+
+def test_ctrl_c_that_became_a_mistake_of_a_level_exits_as_well(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Pydantic turns it into an error of its own while it makes a model."""
+
+    def app() -> None:
+        try:
+            signal.raise_signal(signal.SIGTERM)
+        except SystemExit:
+            raise SandboxError("nothing can be computed") from None
+
+    monkeypatch.setattr(main, "app", app)
+    with pytest.raises(SystemExit) as exit_:
+        main.main()
+
+    assert exit_.value.code == interrupts.ENDED
+    assert capsys.readouterr().err == ""

@@ -11,6 +11,7 @@ from typing import Annotated, ParamSpec
 
 import typer
 
+from sandbox import interrupts
 from sandbox.model import level_catalog
 from sandbox.model.errors import SandboxError
 from sandbox.model.file_writing import check_writable
@@ -62,6 +63,7 @@ def command(function: Callable[Given, bool | None]) -> Callable[Given, bool | No
                 check_writable(file)
             passed = function(*given, **options)
         except SandboxError as error:
+            interrupts.insist()
             typer.echo(error, err=True)
             raise typer.Exit(error.exit_status) from None
         if passed is False:

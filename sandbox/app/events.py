@@ -5,14 +5,15 @@ import pygame
 from sandbox.app.building.editor import Editor
 from sandbox.app.building.recovery_choices import recover
 from sandbox.app.command_actions import CommandActions
+from sandbox.app.home.draft_strip import Unsaved
 from sandbox.app.keymap import command
 from sandbox.app.keys import WHILE_TYPING
 from sandbox.app.pages.build import PAGE as BUILD_PAGE
+from sandbox.app.runs.run_recovery import LeftRun
 from sandbox.app.runs.session import Session
 from sandbox.app.widgets.parameter_sliders import Change
 from sandbox.app.words.language import say
 from sandbox.app.workspace import Workspace
-from sandbox.editing.recovery import Recoverable
 from sandbox.model.errors import SandboxError
 from sandbox.model.file_writing import without_links
 
@@ -70,8 +71,11 @@ class Events:
             self._recover(left)
         return True
 
-    def _recover(self, left: Recoverable) -> None:
-        """Continue editing a draft that was not saved."""
+    def _recover(self, left: Unsaved) -> None:
+        """Continue with a draft or a run that was not saved."""
+        if isinstance(left, LeftRun):
+            self._space.go_on_with(left)
+            return
         self._commands.do(BUILD_PAGE.command)
         if self._space.session is not None:
             recover(left, self._space.workers.of(Editor), self._space.session)

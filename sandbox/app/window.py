@@ -15,6 +15,7 @@ from sandbox.app.long_frames import HoldUp
 from sandbox.app.malloc_tuning import give_back_gaps
 from sandbox.app.runs.session import Session
 from sandbox.app.sounds import Sounds
+from sandbox.app.words.language import say
 from sandbox.app.workspace import SIZE, Workspace
 
 RATE = 60  # frames per second
@@ -56,8 +57,15 @@ class Window(Workspace):
             clock.tick(RATE if self._busy else QUIET_RATE)
             now = perf_counter()
             self._show(min(now - before, LONGEST_FRAME))
+            self._keep_run(now - before)
             before = now
             yield
+        self.recovery.forget()
+
+    def _keep_run(self, seconds: float) -> None:
+        """Keep the run in a file, after some time [s], until the window is closed on purpose."""
+        if self.session is not None and (why := self.recovery.follow(self.session, seconds)):
+            self.banner.tell(say(why))
 
     def _show(self, seconds: float) -> None:
         self.frame(seconds)

@@ -20,6 +20,7 @@ from sandbox.app.panels import stage_messages
 from sandbox.app.panels.panels import Panels
 from sandbox.app.runs import runfile
 from sandbox.app.runs.remedy_search import Advising
+from sandbox.app.runs.run_recovery import LeftRun, RunRecovery
 from sandbox.app.runs.session import Session
 from sandbox.app.runs.undoing import Undoing
 from sandbox.app.stage.stage import Stage
@@ -86,6 +87,8 @@ class Workspace:
         """The list of levels."""
         self.undoing = Undoing()
         """The changes of the run that can be undone."""
+        self.recovery = RunRecovery()
+        """The file that keeps the run."""
         self._settings: Mapping[str, float] = {}
         self._accuracy: float | None = None  # requested when the level was opened
         self._refused: SandboxError | None = None
@@ -165,10 +168,27 @@ class Workspace:
             self._refuse(path, error)
             self._refused_rate = error.rate if isinstance(error, SimulationError) else None
             return
+        self._tell_of(session, path, ran=ran)
+        self._take_up(session, another=another)
+
+    def go_on_with(self, left: LeftRun) -> None:
+        """Go on with the run of an earlier window, paused where it was; show any error."""
+        try:
+            session = left.session()
+        except SandboxError as error:
+            self.banner.tell(say(error.message))
+            return
+        self.panels.home.leave()
+        self.path, self._settings, self._accuracy = None, {}, None
+        self.banner.tell(say("The run goes on where it was"))
+        self._take_up(session, another=True)
+        self.recovery.replace(left)
+
+    def _take_up(self, session: Session, *, another: bool) -> None:
+        """Show a session, perhaps of another level."""
         if self.session is not None:
             session.speed = self.session.speed
         self.session, self._refused = session, None
-        self._tell_of(session, path, ran=ran)
         self._world = session.world
         self.stage.use(session.world)
         self.stage.fit()

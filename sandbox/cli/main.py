@@ -4,6 +4,7 @@ import sys
 
 import typer
 
+from sandbox import interrupts
 from sandbox.cli.commands import app
 from sandbox.model.errors import SandboxError
 
@@ -16,5 +17,6 @@ def main() -> None:
     try:
         app()
     except SandboxError as error:
+        interrupts.insist()
         typer.echo(error, err=True)
         sys.exit(error.exit_status)

@@ -1,30 +1,19 @@
-"""Recovery files, by which unsaved drafts survive if the window dies.
-
-Each draft has its own file in the user's data folder, written atomically. It is deleted when the
-draft is saved or closed. The files left by a process that has ended can be recovered.
-"""
+"""Recovery files, by which unsaved drafts survive if the window dies."""
 
 import json
-import os
 import time
 from collections.abc import Iterator
 from contextlib import suppress
 from pathlib import Path
 from typing import Annotated
-from uuid import uuid4
 
 from pydantic import BaseModel, Field, ValidationError
 
 from sandbox.editing.draft import Draft
 from sandbox.model.errors import SandboxError
-from sandbox.model.file_writing import (
-    data_folder,
-    lives,
-    make_folder,
-    read_ordinary,
-    write_atomically,
-)
+from sandbox.model.file_writing import data_folder, read_ordinary
 from sandbox.model.message import NOTHING, Message
+from sandbox.model.unsaved_files import UnsavedFile, delete, left
 
 LARGEST = 20_000_000
 """bytes, the largest file that is read; a larger one was not written by this program."""
@@ -33,8 +22,6 @@ LATEST = 32e9
 """s since 1970, the latest time, in the year 2984, before any system's calendar ends."""
 
 _ENDING = ".draft.json"
-_OPEN = set[str]()
-"""The names of the files that this process keeps."""
 
 
 def folder() -> Path:
@@ -45,8 +32,6 @@ def folder() -> Path:
 class Kept(BaseModel):
     """The content of a recovery file."""
 
-    process: int
-    """the id of the process that wrote it"""
     path: Path | None
     """the file of the draft, if it has one"""
     saved: str
@@ -61,7 +46,7 @@ class Recovery:
     """Keeps a recovery file of one draft while it has unsaved changes."""
 
     def __init__(self) -> None:
-        self._name = f"{uuid4().hex}{_ENDING}"
+        self._file = UnsavedFile(_ENDING)
         self._text: str | None = None
 
     def keep(self, draft: Draft) -> Message:
@@ -73,25 +58,15 @@ class Recovery:
         if not draft.changed:
             self.forget()
         elif draft.text != self._text:
-            try:
-                make_folder(folder())
-                _OPEN.add(self._name)
-                write_atomically(folder() / self._name, _said(draft), follow=False)
-            except SandboxError as error:
-                return Message(
-                    "unsaved changes cannot be stored, and are lost if this window crashes:"
-                    " {error}",
-                    error=error.message,
-                )
+            if why := self._file.write(folder(), _said(draft)):
+                return why
             self._text = draft.text
         return NOTHING
 
     def forget(self) -> None:
         """Delete the recovery file, as the draft was saved, or closed on purpose."""
-        with suppress(OSError):
-            (folder() / self._name).unlink(missing_ok=True)
+        self._file.forget(folder())
         self._text = None
-        _OPEN.discard(self._name)
 
 
 class Recoverable:
@@ -138,8 +113,7 @@ class Recoverable:
 
     def forget(self) -> None:
         """Delete the recovery file."""
-        with suppress(OSError):
-            self._file.unlink(missing_ok=True)
+        delete(self._file)
 
 
 def recoverable() -> list[Recoverable]:
@@ -148,16 +122,12 @@ def recoverable() -> list[Recoverable]:
 
 
 def _left() -> Iterator[Recoverable]:
-    for file in folder().glob(f"*{_ENDING}"):
-        if file.name in _OPEN:
-            continue
+    for file in left(folder(), _ENDING):
         with suppress(OSError, ValidationError):  # files of other programs are ignored
-            kept = Kept.model_validate_json(read_ordinary(file, LARGEST) or b"")
-            if kept.process == os.getpid() or not lives(kept.process):
-                yield Recoverable(file, kept)
+            yield Recoverable(file, Kept.model_validate_json(read_ordinary(file, LARGEST) or b""))
 
 
 def _said(draft: Draft) -> str:
     return Kept(
-        process=os.getpid(), path=draft.path, saved=draft.saved, text=draft.text, when=time.time()
+        path=draft.path, saved=draft.saved, text=draft.text, when=time.time()
     ).model_dump_json()

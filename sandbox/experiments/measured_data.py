@@ -51,8 +51,8 @@ def read(path: Path, level: Level) -> Data:
         raise DataError(
             "{path}: holds no rows below a header, such as t,ball.position.y", path=path
         )
-    names = [name.strip() for name in next(csv.reader([numbered[0][1]]))]
     where = f"{path}:{numbered[0][0]}"
+    names = [name.strip() for name in _cells(numbered[0][1], where)]
     _check_names(names, level, where)
     rows = np.array(list(_rows(numbered[1:], names, str(path))))
     columns = dict(zip(names, rows.T, strict=True))
@@ -110,7 +110,7 @@ def _check_names(names: list[str], level: Level, where: str) -> None:
 
 def _rows(lines: list[tuple[int, str]], names: list[str], source: str) -> Iterator[list[float]]:
     for number, line in lines:
-        cells = next(csv.reader([line]))
+        cells = _cells(line, f"{source}:{number}")
         if len(cells) != len(names):
             raise DataError(
                 "{source}:{number}: has {cells} cells, but the header {names}",
@@ -120,6 +120,13 @@ def _rows(lines: list[tuple[int, str]], names: list[str], source: str) -> Iterat
                 names=len(names),
             )
         yield [_number(c, n, f"{source}:{number}") for c, n in zip(cells, names, strict=True)]
+
+
+def _cells(line: str, where: str) -> list[str]:
+    try:
+        return next(csv.reader([line]))
+    except csv.Error as error:  # a cell of more than 100,000 letters
+        raise DataError("{where}: {error}", where=where, error=str(error)) from error
 
 
 def _number(cell: str, name: str, where: str) -> float:

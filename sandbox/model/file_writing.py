@@ -167,7 +167,7 @@ def check_writable(path: Path) -> None:
     folder = os.path.dirname(target)
     if os.path.isdir(target):
         raise _refusal(path, Message("it is a folder"))
-    if os.path.exists(target) and not os.path.isfile(target):
+    if os.path.exists(path) and not os.path.isfile(path):  # a pipe's link leads to no path
         raise _refusal(path, Message("it is not an ordinary file"))
     shown = folder if os.path.islink(path) else path.parent
     if not os.path.exists(folder):

@@ -38,15 +38,16 @@ def build(level: Level, values: Values | None = None, stepping: Stepping | None 
     """
     values = level.defaults if values is None else values
     chosen = resolved(level, values, stepping or level.stepping)
-    world = make_world(level, values, chosen)
-    if chosen.solver or not leans(world) or not may_be_direct(level):
-        return world
-    if len(world.contacts.bodies) > MOST_UNSETTLED:
-        return world
-    try:
-        return make_world(level, values, chosen.model_copy(update={"solver": "direct"}))
-    except SandboxError:  # what has no forces, such as a wedge: sweeps go on
-        return world
+    with Patience().within_steps():
+        world = make_world(level, values, chosen)
+        if chosen.solver or not leans(world) or not may_be_direct(level):
+            return world
+        if len(world.contacts.bodies) > MOST_UNSETTLED:
+            return world
+        try:
+            return make_world(level, values, chosen.model_copy(update={"solver": "direct"}))
+        except SandboxError:  # what has no forces, such as a wedge: sweeps go on
+            return world
 
 
 def simulate(

@@ -20,10 +20,9 @@ from sandbox.app.home.home import Home
 from sandbox.app.home.picture_cache import SIZE
 from sandbox.app.home.thumbnails import Thumbnails
 from sandbox.app.words.language import say
-from sandbox.editing import recovery
 from sandbox.editing.draft import Draft
 from sandbox.editing.recovery import Recovery, recoverable
-from sandbox.model import level_catalog
+from sandbox.model import level_catalog, unsaved_files
 from tests.app import scenes
 from tests.app.person import PATIENCE, Person, until
 
@@ -457,7 +456,7 @@ def drawn_and_lost(title: str) -> str:
     draft = Draft.of(scenes.falling())
     draft.change(scenes.falling(title=title), "rename")
     assert Recovery().keep(draft) == ""
-    recovery._OPEN.clear()  # nobody has it open any more
+    unsaved_files._OPEN.clear()  # nobody has it open any more
     return draft.text
 
 
@@ -493,7 +492,7 @@ def test_a_draft_that_says_no_title_is_offered_all_the_same() -> None:
     draft = Draft.of(scenes.falling())
     draft.change("{", "break it")
     assert Recovery().keep(draft) == ""
-    recovery._OPEN.clear()
+    unsaved_files._OPEN.clear()
 
     (left,) = recoverable()
 

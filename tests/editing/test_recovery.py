@@ -15,7 +15,7 @@ from sandbox.editing import recovery
 from sandbox.editing.draft import Draft
 from sandbox.editing.recovery import Recovery, recoverable
 from sandbox.editing.text_patches import put
-from sandbox.model import file_writing, level_catalog
+from sandbox.model import file_writing, level_catalog, unsaved_files
 
 
 @pytest.fixture(autouse=True)
@@ -32,8 +32,8 @@ def drawn(title: str = "mine") -> Draft:
 
 def crash(monkeypatch: pytest.MonkeyPatch) -> None:
     """Treat the open drafts as left by a process that has ended."""
-    monkeypatch.setattr(recovery, "_OPEN", set())
-    monkeypatch.setattr(recovery, "lives", lambda _: False)
+    monkeypatch.setattr(unsaved_files, "_OPEN", set())
+    monkeypatch.setattr(unsaved_files, "lives", lambda _: False)
 
 
 def test_a_draft_is_recovered_after_a_crash(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -92,8 +92,8 @@ def test_a_draft_of_a_file_is_recovered_onto_it_unless_it_has_changed(
 
 def test_what_another_window_draws_is_left_to_it(monkeypatch: pytest.MonkeyPatch) -> None:
     Recovery().keep(drawn())
-    monkeypatch.setattr(recovery, "_OPEN", set())
-    monkeypatch.setattr(recovery, "lives", lambda _: True)
+    monkeypatch.setattr(unsaved_files, "_OPEN", set())
+    monkeypatch.setattr(unsaved_files, "lives", lambda _: True)
     monkeypatch.setattr(os, "getpid", lambda: 1)
     assert recoverable() == []
 

@@ -68,6 +68,8 @@ def test_what_the_data_do_not_tell_is_refused() -> None:
         ("t,ball.speed ±\n1,1\n", "but no 'ball.speed'"),
         ("t,ball.speed,ball.speed ±\n1,1,0\n", "must be above 0"),
         ("# only\nt\n1\n", ":2: no column holds a quantity"),
+        (f"t,{'x' * 200_000}\n1,1\n", ":1: field larger than field limit"),
+        (f"t,ball.speed\n1,{'1' * 200_000}\n", ":2: field larger than field limit"),
     ],
 )
 def test_data_that_cannot_be_used_are_refused_with_their_line(

@@ -247,3 +247,13 @@ def test_a_new_file_is_written_where_nothing_is(tmp_path: Path) -> None:
     write_atomically(tmp_path / "file", "new", new=True)
 
     assert [(path.name, path.read_text()) for path in tmp_path.iterdir()] == [("file", "new")]
+
+
+@pytest.mark.skipif(not os.path.exists("/dev/fd"), reason="there are no paths of open files here")
+def test_a_pipe_that_is_named_by_its_number_is_no_file() -> None:
+    """As /dev/stdout is: its link leads to no path, so that it seemed to be missing."""
+    reader, writer = os.pipe()
+    with pytest.raises(MisuseError, match="it is not an ordinary file"):
+        check_writable(Path(f"/dev/fd/{writer}"))
+    os.close(reader)
+    os.close(writer)

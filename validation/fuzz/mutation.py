@@ -17,11 +17,16 @@ def mutated(random: Random) -> dict[str, Any]:
     """Return a level of the catalog with a few changes."""
     name = random.choice(level_catalog.names())
     data: dict[str, Any] = json.loads(level_catalog.find(name).read_text(encoding="utf-8"))
-    for _ in range(random.choice((1, 1, 2, 3, 6))):
-        found = list(places(data))
-        part, key = random.choice(found)
-        _change(random, part, key, found)
+    change(random, data)
     return data
+
+
+def change(random: Random, data: Any) -> None:  # noqa: ANN401 (whatever JSON holds)
+    """Change a few values in an object or a list, as far as it has any."""
+    for _ in range(random.choice((1, 1, 2, 3, 6))):
+        if found := list(places(data)):
+            part, key = random.choice(found)
+            _change(random, part, key, found)
 
 
 def places(part: Any) -> Iterator[Place]:  # noqa: ANN401 (whatever JSON holds)

@@ -1,17 +1,19 @@
-"""The strip above the cards: unsaved drafts that can be continued."""
+"""The strip above the cards: unsaved drafts and runs that can be continued."""
 
-from collections.abc import Sequence
 from time import localtime, strftime
 
 import pygame
 
 from sandbox.app.drawing import theme
-from sandbox.app.drawing.text import Pen
-from sandbox.app.words.language import say
-from sandbox.editing.recovery import Recoverable
+from sandbox.app.drawing.text import Pen, legible
+from sandbox.app.runs.run_recovery import LeftRun, left_runs
+from sandbox.app.words.language import later, say
+from sandbox.editing.recovery import Recoverable, recoverable
+
+Unsaved = Recoverable | LeftRun
 
 MOST = 3
-"""The largest number of drafts shown here, the newest; the page Build lists the others."""
+"""The largest number of rows, the newest; the page Build lists the other drafts."""
 ROW = 34  # px, the height of a row
 MARGIN = 24  # px, left and right of a row
 GAP = 6  # px, above and below a row
@@ -19,18 +21,19 @@ PADDING = 12  # px, beside the text
 
 
 class Strip:
-    """Rows of drafts that can be clicked."""
+    """Rows of drafts and runs that can be clicked."""
 
     def __init__(self, pen: Pen) -> None:
         self._pen = pen
-        self._rows: Sequence[Recoverable] = ()
+        self._rows: list[Unsaved] = []
         self._area = pygame.Rect(0, 0, 0, 0)
-        self.hovered: Recoverable | None = None
-        """The draft under the mouse, or None."""
+        self.hovered: Unsaved | None = None
+        """The draft or run under the mouse, or None."""
 
-    def offer(self, left: Sequence[Recoverable]) -> None:
-        """Set the drafts to show."""
-        self._rows, self.hovered = left[:MOST], None
+    def look(self) -> None:
+        """Look for what windows that have ended left behind."""
+        found: list[Unsaved] = [*recoverable(), *left_runs(MOST)]
+        self._rows, self.hovered = sorted(found, key=lambda one: -one.when)[:MOST], None
 
     def take_room(self, area: pygame.Rect) -> pygame.Rect:
         """Take the top of an area, and return the rest."""
@@ -46,7 +49,7 @@ class Strip:
         return pygame.Rect(x + px(MARGIN), top, self._area.width - 2 * px(MARGIN), px(ROW))
 
     def follow(self, pixel: tuple[int, int]) -> bool:
-        """Update the hovered draft, and return whether the mouse is over the strip."""
+        """Update the hovered row, and return whether the mouse is over the strip."""
         places = {i: self.place(i).collidepoint(pixel) for i in range(len(self._rows))}
         self.hovered = next((self._rows[i] for i, over in places.items() if over), None)
         return self._area.collidepoint(pixel)
@@ -64,10 +67,14 @@ class Strip:
             surface.blit(image, image.get_rect(midleft=(place.x + pad, place.centery)))
 
 
-def summary(left: Recoverable) -> str:
-    """Return the text that describes a draft."""
-    name = left.path.name if left.path else left.title or say("a level without a name")
+def summary(left: Unsaved) -> str:
+    """Return the text that describes a draft or a run."""
     when = strftime("%Y-%m-%d %H:%M", localtime(left.when))
+    name = legible(left.title) or say("a level without a name")
+    if isinstance(left, LeftRun):
+        message = later("Not saved: the run of {name}, {when}. Click to go on with it.")
+        return say(message, name=name, when=when)
+    name = left.path.name if left.path else name
     return say(
         "Not saved: {name}, drawn {when}. Click to go on with it (or B).", name=name, when=when
     )

@@ -12,11 +12,10 @@ from sandbox.app.files.level_entries import Entry
 from sandbox.app.files.progress import Progress
 from sandbox.app.home.card_grid import HEADING, MARGIN, Grid, lay_out, sections
 from sandbox.app.home.chapter_bar import ChapterBar
-from sandbox.app.home.draft_strip import Strip
+from sandbox.app.home.draft_strip import Strip, Unsaved
 from sandbox.app.home.preview import Preview
 from sandbox.app.home.thumbnails import Thumbnails
 from sandbox.app.words.language import say
-from sandbox.editing.recovery import Recoverable, recoverable
 from sandbox.model import level_catalog
 
 WHEEL = 90.0  # px, per notch
@@ -43,10 +42,10 @@ class Home:
         """Whether the page is shown."""
         self.chosen: Path | None = None
         """The level that was chosen last, until the window takes it."""
-        self.recovered: Recoverable | None = None
-        """The draft that was chosen last, until the window takes it."""
+        self.recovered: Unsaved | None = None
+        """The draft or run that was chosen last, until the window takes it."""
         self.strip = Strip(pen)
-        """The drafts above the cards."""
+        """The drafts and runs above the cards."""
         self.preview = Preview()
         """The level that plays on its card."""
         self.chapters = ChapterBar(pen)
@@ -61,7 +60,7 @@ class Home:
         self._focus = 0
         self._hovered: int | None = None
         self._pressed: int | None = None
-        self._held: Recoverable | None = None  # the draft on which the mouse was pressed
+        self._held: Unsaved | None = None  # the row on which the mouse was pressed
         self._here: Path | None = None  # the open level
         self._words = lru_cache(maxsize=600)(self._lines)
 
@@ -70,7 +69,7 @@ class Home:
         self.open, self._progress = True, Progress()
         self.thumbnails.forget()
         self._laid_out, self._here = None, path
-        self.strip.offer(recoverable())
+        self.strip.look()
 
     def renew(self) -> None:
         """Lay out and draw everything again, in the current theme, scale and language."""

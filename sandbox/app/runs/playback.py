@@ -142,12 +142,11 @@ class Playback(RunView, ABC):
         self._recall()
         self._seek(AT_ONCE)
 
-    def do_again(self, actions: Sequence[Action], steps: int) -> None:
-        """Compute a run from its start to a step, with the given actions."""
-        self._take_again(actions, steps, inf)
+    def do_again(self, actions: Sequence[Action], steps: int, budget: float = inf) -> None:
+        """Compute a run from its start to a step, with the given actions.
 
-    def _take_again(self, actions: Sequence[Action], steps: int, budget: float = AT_ONCE) -> None:
-        """Compute a run from its start within a time budget [s]; later frames do the rest."""
+        What takes longer than the time budget [s] is done in later frames.
+        """
         self.run.script, self.sought = actions, steps
         self._seek(budget)
 

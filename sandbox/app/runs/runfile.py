@@ -13,7 +13,7 @@ from sandbox.app.runs.session import Session
 from sandbox.app.runs.user_interventions import Action
 from sandbox.model import parse_messages
 from sandbox.model.base import Model
-from sandbox.model.errors import SandboxError
+from sandbox.model.errors import SandboxError, brief
 from sandbox.model.file_writing import read_ordinary, write_atomically
 from sandbox.model.level import Level
 from sandbox.model.level_parts import names_in
@@ -42,6 +42,8 @@ class Run(Model):
     """the number of steps of the run"""
     actions: Annotated[tuple[Action, ...], Field(strict=False)] = ()
     """the user's actions in order, also those at later steps"""
+    repeats: bool = False
+    """whether it began as the run of another file"""
     state: str
     """a hash of the state after these steps"""
 
@@ -57,6 +59,7 @@ def run_of(session: Session) -> Run:
         parameters={name: session.begun_with[name] for name in level.parameters},
         steps=session.world.steps,
         actions=tuple(session.all_actions),
+        repeats=session.repeats,
         state=fingerprint(session.world.snapshot),
     )
 
@@ -106,7 +109,12 @@ def save(run: Run, path: Path) -> None:
 
     Raises `SandboxError` if the file cannot be written.
     """
-    write_atomically(path, run.model_dump_json(indent=1) + "\n")
+    write_atomically(path, text(run) + "\n")
+
+
+def text(run: Run) -> str:
+    """Return the content of a run's file."""
+    return run.model_dump_json(indent=1, exclude_defaults=True)
 
 
 def read(path: Path) -> Run:
@@ -141,7 +149,7 @@ def _told(first: ErrorDetails) -> tuple[str, Message]:
     if first["type"] == "json_invalid":
         rule, place = parse_messages.refused(first["ctx"]["error"])
         return ":".join(map(str, place or ())) or Message("the file"), rule
-    inside = ".".join(str(step) for step in first["loc"])
+    inside = brief(".".join(str(step) for step in first["loc"]))
     return inside or Message("the file"), parse_messages.rule(first, Run)
 
 

@@ -6,7 +6,7 @@ from contextlib import suppress
 from sandbox.app.observing.forces_on_selection import Looking
 from sandbox.app.runs.companions import NONE, Changes, Variant
 from sandbox.app.runs.live_run import LiveRun
-from sandbox.app.runs.playback import Playback
+from sandbox.app.runs.playback import AT_ONCE, Playback
 from sandbox.app.runs.run_start import Beginning, at_rate, begin
 from sandbox.app.runs.user_interventions import Action
 from sandbox.model.errors import SandboxError, ValueRangeError
@@ -185,7 +185,7 @@ class Session(Playback):
         """
         self._take_up(self._run_with(self.begun_with if values is None else values))
         self.playing = False
-        self._take_again(actions, steps)
+        self.do_again(actions, steps, AT_ONCE)
 
     def take(self, advice: Advice) -> None:
         """Add the remedies that were found to the failure of the run."""

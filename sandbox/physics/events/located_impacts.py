@@ -85,7 +85,8 @@ class Located:
         meeting = [
             meets(bodies[one], bodies[two]) for one, two in zip(i[wanted], j[wanted], strict=True)
         ]
-        self._pairs = np.stack((a[wanted], b[wanted]), axis=1)[meeting]
+        self._pairs = a[wanted][meeting], b[wanted][meeting]
+        self._bodies = self._row[self._pairs[0]], self._row[self._pairs[1]]
         state = self._batch.state()
         self._gates = scene.gates
         self._low, self._high = self._boxes(state)
@@ -182,17 +183,25 @@ class Located:
             high[index] += outline.radius
         return low, high
 
-    def _near(self, start: Array, end: Array, bend: Array) -> list[tuple[int, int]]:
-        """Return the pairs of shapes whose boxes overlap on the way; paths deviate by bend / 8."""
+    def _near(
+        self, start: Array, end: Array, bend: Array, of: Booleans | None = None
+    ) -> list[tuple[int, int]]:
+        """Return the pairs of shapes whose boxes overlap on the way; paths deviate by bend / 8.
+
+        If some bodies are given, (n,), only the pairs of which they are part.
+        """
+        (a, b), (i, j) = self._pairs, self._bodies
+        if of is not None:
+            some = of[i] | of[j]
+            a, b = a[some], b[some]
         low = np.minimum(start, end)[:, :2] - bend[:, :2] / 8
         high = np.maximum(start, end)[:, :2] + bend[:, :2] / 8
         low, high = low[self._row] + self._low, high[self._row] + self._high
-        a, b = self._pairs.T
         meet = ((low[a] <= high[b]) & (low[b] <= high[a])).all(axis=1)
         if (together := self._joints.together) and len(together.bodies):
             stuck = np.isin(self._row, np.concatenate(together.bodies))
             meet &= ~(stuck[a] | stuck[b])  # at the step their joints pass impacts on
-        near = [(int(i), int(j)) for i, j in self._pairs[meet]]
+        near = list(zip(a[meet].tolist(), b[meet].tolist(), strict=True))
         return [pair for pair in near if not self._is_let(pair, start)]
 
     def _is_let(self, pair: tuple[int, int], place: Array) -> bool:
@@ -229,9 +238,9 @@ class Located:
                 struck |= self._collide(path, group, tally)
             place, end = path.place_at(time), path.place_at(self._dt)
             bend = np.abs(path.acceleration) * (self._dt - time) ** 2
-            again = [p for p in self._near(place, end, bend) if struck[self._row[[*p]]].any()]
-            hits = [h for h in hits if not struck[[*h.bodies]].any()]
-            hits += self._hits(path, again, time, adds)
+            moved = set(np.flatnonzero(struck).tolist())
+            hits = [hit for hit in hits if moved.isdisjoint(hit.bodies)]
+            hits += self._hits(path, self._near(place, end, bend, struck), time, adds)
 
     def _around(self, path: Path, group: list[Hit]) -> list[Hit]:
         """Return all contacts that are connected to a group of hits, directly or through others."""

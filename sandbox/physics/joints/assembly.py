@@ -5,7 +5,7 @@ five times as fast. All other exact joints are solved together. pymunk solves jo
 exact.
 """
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from math import fsum
 from typing import cast
 
@@ -159,31 +159,37 @@ class _Assembly:
         assert not isinstance(spec, Spring)
         return spec
 
-    def _tie(self, name: str, t: float) -> None:
-        """Tie an open joint, which keeps its value at a time [s]; its impact is not solved here.
+    def _tie(self, names: Collection[str], t: float) -> None:
+        """Tie open joints, which keep their values at a time [s]; their impact is not solved here.
 
-        A `JointFailure` says that it exceeds its given length or bounds already.
+        A `JointFailure` says that one exceeds its given length or bounds already.
         """
-        joints, spec = self._joints, self._solved(name)
-        together = joints.together
+        joints, together = self._joints, self._joints.together
         assert together
         start = together.place()
-        if isinstance(spec, Pivot | Motor):
-            a, b = counted_from(self._origin, joints.paths[name])
-            there = Anchor(a.body, where(a, b, start))
-            joints.paths[name] = counted_from(-self._origin, (there, b))
-        together.add(*self._equations.of(name, spec, start))
-        given = isinstance(spec, Stop | AngleStop) or getattr(spec, "length", None) is not None
-        if not given:
-            together.keep(t)
-        elif (beyond := together.beyond(t)) > NEAR:
+        rows: list[Row] = []
+        others: list[Equation] = []
+        for name in names:
+            if isinstance(spec := self._solved(name), Pivot | Motor):
+                a, b = counted_from(self._origin, joints.paths[name])
+                there = Anchor(a.body, where(a, b, start))
+                joints.paths[name] = counted_from(-self._origin, (there, b))
+            new_rows, new_others = self._equations.of(name, spec, start)
+            rows += new_rows
+            others += new_others
+        together.add(rows, others)
+        given = {name for name in names if _is_given(self._solved(name))}
+        together.keep(set(names) - given, t)
+        name, beyond = together.beyond(given, t)
+        if beyond > NEAR:
             rule = Message(
                 "'{name}' is tied when its ends are already {beyond:.3g} beyond its bounds",
                 name=name,
                 beyond=beyond,
             )
             raise JointFailure(name, rule)
-        self._make_one(name)
+        for name in names:
+            self._make_one(name)
 
     def _take_ours(self) -> tuple[list[Row], list[Equation]]:
         """Make the joints that pymunk does not solve, and return those to be solved together."""
@@ -222,6 +228,11 @@ class _Assembly:
                 turns = self._equations.can_turn(*joints.paths[name])
                 joints.own[name] = OwnJoint(spec, values, (a, b), whole, turns=turns)
                 space.add(*joints.own[name].constraints)
+
+
+def _is_given(joint: Solved) -> bool:
+    """Whether a joint has a length or bounds of its own, instead of those at which it is tied."""
+    return isinstance(joint, Stop | AngleStop) or getattr(joint, "length", None) is not None
 
 
 def _require_made(joint: Model) -> None:

@@ -1,5 +1,7 @@
 """Joints that are cut, tied, or weld bodies that stick, while a scene runs."""
 
+from collections.abc import Iterable
+
 from sandbox.physics.joints.joints import Joints
 from sandbox.physics.state.kick import Kick
 
@@ -30,16 +32,17 @@ def stick(joints: Joints, _kick: Kick) -> None:
             joints.weld(a, b)
 
 
-def catch(joints: Joints, name: str, t: float) -> bool:
-    """Tie an open joint at a time [s], and return whether it is solved together with others.
+def catch(joints: Joints, names: Iterable[str], t: float) -> bool:
+    """Tie open joints at a time [s], and return whether any is solved together with others.
 
-    It keeps its value at that time. The impact of motion that it stops is not solved here.
+    They keep their values at that time. The impact of motion that they stop is not solved here.
     """
     latches = joints.latches
-    if latches is None or name in latches.tied:
+    if latches is None:
         return False
-    latches.tied[name] = t
-    if name in joints.springs:
-        return False
-    latches.tie(name, t)
-    return True
+    new = [name for name in dict.fromkeys(names) if name not in latches.tied]
+    latches.tied.update(dict.fromkeys(new, t))
+    exact = [name for name in new if name not in joints.springs]
+    if exact:
+        latches.tie(exact, t)
+    return bool(exact)

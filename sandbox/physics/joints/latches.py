@@ -1,6 +1,6 @@
 """Latches: joints that are open until an event closes them."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -12,8 +12,8 @@ class Latches:
 
     names: frozenset[str]
     """The names of these joints, which are inactive until they are tied."""
-    tie: Callable[[str, float], None]
-    """Ties a joint that is solved together with others, at a time [s]."""
+    tie: Callable[[Collection[str], float], None]
+    """Ties joints that are solved together with others, at a time [s]."""
     tied: dict[str, float] = field(default_factory=dict)
     """The times at which joints were tied, by name [s]."""
 

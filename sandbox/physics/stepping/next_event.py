@@ -57,7 +57,6 @@ class Waiting:
         growth = [(now - then) / self._dt for now, then in zip(forces, last, strict=True)]
         growth[0] = np.where(np.abs(growth[0]) * self._dt > self._sudden, 0.0, growth[0])
         self._pulled = None
-        waits: dict[str, tuple[float, float]] = {}
         seen: dict[float, dict[str, Array]] = {}
 
         def value(quantity: str, time: float) -> float:
@@ -65,15 +64,21 @@ class Waiting:
                 seen[time] = self._meter(self._snapshot(part, time, growth))
             return float(seen[time][quantity])
 
-        for name, (waited, *_) in self._pending.items():
-            if (wait := self._wait(name, waited, part, value)) is not None:
-                beyond = waited.direction == "beyond"
-                load = abs(value(waited.quantity, wait)) / waited.value if beyond else 0.0
-                waits[name] = wait, -load
-        if not waits:
-            return None
-        first = min(waits, key=lambda name: waits[name])
-        return first, waits[first][0]
+        expected = [
+            (wait, number, name)
+            for number, (name, (waited, *_)) in enumerate(self._pending.items())
+            if (wait := self._expected(name, waited, part, value)) is not None
+        ]
+        first, soonest = None, (np.inf, 0.0, 0)
+        for wait, number, name in sorted(expected):
+            waited = self._pending[name][0]
+            if wait > 0 and waited.quantity != "t":
+                wait = self._located(waited, part, value, min(soonest[0], part.lasts))
+            beyond = waited.direction == "beyond" and wait < np.inf
+            load = abs(value(waited.quantity, wait)) / waited.value if beyond else 0.0
+            if (wait, -load, number) < soonest:
+                first, soonest = name, (wait, -load, number)
+        return None if first is None else (first, soonest[0])
 
     def pass_by(self, part: Part, landings: "Sequence[Between]") -> None:
         """Note which quantities cross their values in a drift with landings, and perhaps return.
@@ -97,12 +102,14 @@ class Waiting:
         motion = Instant.at(float(start.t), landing.place, landing.stage.velocity)
         return replace(start, **motion._asdict())
 
-    def _wait(self, name: str, waited: Crossing, part: Part, value: Value) -> float | None:
-        """Return the time until a quantity crosses its value [s]; None if not in this part."""
-        latest = part.lasts - NEAR * self._dt
+    def _expected(self, name: str, waited: Crossing, part: Part, value: Value) -> float | None:
+        """Return about when a quantity crosses its value [s]; None if not in this part.
+
+        A time to wait for, and 0, if it has crossed already, are exact.
+        """
         if waited.quantity == "t":
             wait = max(waited.value - part.t, 0.0)
-            return wait if wait <= max(latest, 0.0) else None
+            return wait if wait <= max(self._latest(part), 0.0) else None
         if name in self._passed:
             self._passed.discard(name)
             return 0.0
@@ -113,8 +120,20 @@ class Waiting:
             return 0.0
         if not crosses(waited, now, then):
             return None
+        sought = np.copysign(waited.value, then) if waited.direction == "beyond" else waited.value
+        wait = float(sought - now) / (then - now) * part.lasts
+        return wait if wait > 0 else float(np.nextafter(0.0, 1.0))
+
+    def _located(self, waited: Crossing, part: Part, value: Value, soonest: float) -> float:
+        """Return the time until a quantity crosses its value [s]; inf if another event is first."""
+        now, then = (value(waited.quantity, time) for time in (0.0, soonest))
+        if not crosses(waited, now, then):
+            return np.inf
         wait = within(lambda time: value(waited.quantity, time), waited, part.lasts)
-        return wait if wait <= latest else None
+        return wait if wait <= self._latest(part) else np.inf
+
+    def _latest(self, part: Part) -> float:
+        return part.lasts - NEAR * self._dt
 
     def _pulls(self) -> tuple[Array, Array]:
         """Return the tensions and torques of the joints: (j,) each [N, N m]."""

@@ -79,10 +79,9 @@ def _catch(scene: Scene, before: Scene, now: float) -> None:
     latches, old = scene.joints.latches, before.joints.latches
     if latches is None or old is None:
         return
-    for name, t in old.tied.items():
-        if catch(scene.joints, name, now) and scene.joints.together:
-            scene.joints.together.calm()
-        latches.tied[name] = t
+    if catch(scene.joints, old.tied, now) and scene.joints.together:
+        scene.joints.together.calm()
+    latches.tied.update(old.tied)
 
 
 def _weld(setup: Setup, before: Scene) -> None:

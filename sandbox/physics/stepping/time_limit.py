@@ -28,8 +28,7 @@ class Patience:
 
     def __init__(self, longest: float = LONGEST) -> None:
         self._longest, self._took = longest, 0.0
-        self._started = 0.0
-        self._world: World
+        self._t = self._started = 0.0  # s; before the first step only computing is measured
         self._computed: float | None = None  # at the first cancellation point of the step [s]
 
     def lost(self, seconds: float) -> bool:
@@ -38,7 +37,10 @@ class Patience:
         return min(before, seconds) > self._longest
 
     def within_steps(self) -> AbstractContextManager[None]:
-        """Return a context, around many steps, in which it can also be lost within a step."""
+        """Return a context, around many steps, in which it can also be lost within a step.
+
+        Before the first step it can be lost within the kick at the start of a run.
+        """
         return cancellable(self._look)
 
     def advance(self, world: World) -> Snapshot:
@@ -47,7 +49,7 @@ class Patience:
         Raises `SimulationError` if the run had to stop; if this step has computed too long, or is
         the second in a row to take too long.
         """
-        self._started, self._computed, self._world = perf_counter(), None, world
+        self._started, self._computed, self._t = perf_counter(), None, world.t
         snapshot = world.advance()
         took = perf_counter() - self._started
         if self.lost(took):
@@ -60,7 +62,7 @@ class Patience:
         elif perf_counter() - self._started > self._longest:
             computed = thread_time() - self._computed
             if computed > self._longest:
-                raise _spent(self._world.t, computed, self._longest)
+                raise _spent(self._t, computed, self._longest)
 
 
 def _spent(t: float, took: float, longest: float) -> SimulationError:

@@ -10,8 +10,7 @@ from sandbox.app.building.drafts import OFTEN
 from sandbox.app.building.editor import Editor
 from sandbox.app.building.recovery_choices import offers
 from sandbox.app.window import Window
-from sandbox.editing import recovery
-from sandbox.model import level_catalog
+from sandbox.model import level_catalog, unsaved_files
 from tests.app.building.builder import Builder
 from tests.app.person import Person
 
@@ -240,7 +239,7 @@ def test_what_was_not_saved_is_offered_to_the_next_window(mine: Builder) -> None
     mine.drag((1.5, 2), (2, 2))
     mine.person.wait(OFTEN + 0.1)
     text = mine.editor.work.draft.text
-    recovery._OPEN.clear()  # as if the process had ended
+    unsaved_files._OPEN.clear()  # as if the process had ended
 
     window = Window((1280, 800))
     window.open_level("newton/incline")

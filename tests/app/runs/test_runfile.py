@@ -78,6 +78,10 @@ RUN = b'{"format": 1, "level": {}, "parameters": {}, "state": "", %s}'
     ("content", "told"),
     [
         (b"", "is not the file of a run"),
+        (
+            b'{"format": 1, "level": {}, "parameters": {"\\u0000": ""}, "state": "", "steps": 0}',
+            r"parameters.\x00: ",
+        ),
         (b"{}", "format: 'format' is missing"),
         (b"[]", "the file: must be an object, {"),
         (b'{"format": 2}', "format: must be 1"),

@@ -1,7 +1,8 @@
 """Joints that catch: what they hold from then on, and what the impact of that takes."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from math import pi, sqrt
+from time import process_time
 from typing import Any
 
 import numpy as np
@@ -11,6 +12,10 @@ from hypothesis import strategies as st
 
 from sandbox.model.errors import LevelError
 from sandbox.model.level import Level
+from sandbox.physics.joints.exact.constraint_forces import ConstraintForces
+from sandbox.physics.joints.exact.constraint_interface import Equation
+from sandbox.physics.joints.exact.distances import Row
+from sandbox.physics.run import build
 from sandbox.physics.state.errors import SimulationError
 from sandbox.physics.stepping.run_continuation import branch
 from tests.physics.scenes import GRAVITY, booked, box, disc, level
@@ -322,3 +327,46 @@ def test_a_joint_that_repeats_another_is_refused_as_it_is_tied() -> None:
     events = {"click": {"at": 0.3, "tie": ["hook"]}}
     with pytest.raises(SimulationError, match="hook"):
         booked(level({"bob": disc((0, -1))}, GRAVITY, joints=joints, events=events), 1)
+
+
+def test_joints_that_are_tied_at_once_are_laid_out_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Each laid out the equations of all others again: 200 welds took a second more."""
+    added: list[int] = []
+    add = ConstraintForces.add
+
+    def counted(self: ConstraintForces, rows: Sequence[Row], others: Sequence[Equation]) -> None:
+        added.append(len(rows) + len(others))
+        add(self, rows, others)
+
+    monkeypatch.setattr(ConstraintForces, "add", counted)
+    bodies = {f"b{i}": disc((1.5 * i, 0), velocity=[0.1 * i, 0]) for i in range(8)}
+    welds = {f"w{i}": {"type": "weld", "ends": [f"b{i}", f"b{i + 1}"]} for i in range(7)}
+    events = {"tied": {"at": 0.1, "tie": list(welds)}}
+    world = build(level(bodies, {}, joints=welds, events=events))
+    world.advance(12)
+
+    assert added == [7 * 2]  # nothing turns here
+    velocities = world.snapshot.velocity
+    assert velocities[:, 0] == pytest.approx(np.full(8, 0.35), rel=1e-9)  # that of the centre
+
+
+@pytest.mark.parametrize("backwards", [False, True])
+def test_many_crossings_in_a_step_are_located_one_by_one(*, backwards: bool) -> None:
+    """All that were still to come were located after each: 100 took 4 s in one step."""
+    heights = [5 - 1e-6 * (i + 1) for i in range(100)]
+    names = [f"e{i}" for i in range(100)]
+    at = {"event": "crossing", "quantity": "ball.position.y", "direction": "down"}
+    events = {
+        name: {"at": {**at, "value": y}, "on": [f"push{name}"]}
+        for name, y in zip(names, heights[::-1] if backwards else heights, strict=True)
+    }
+    pushes = [{"name": f"push{name}", "body": "other", "force": [1, 0]} for name in names]
+    bodies = {"ball": disc((0, 5)), "other": disc((9, 5))}
+    world = build(level(bodies, {**GRAVITY, "force": pushes}, events=events))
+    start = process_time()
+    world.advance()
+
+    assert process_time() - start < 2  # 0.5 s
+    found = [world.scene.happened[name] for name in names]
+    fallen = 5 - np.array(heights[::-1] if backwards else heights)
+    assert found == pytest.approx(np.sqrt(2 * fallen / 9.81), rel=1e-9)

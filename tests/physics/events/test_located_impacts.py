@@ -358,6 +358,20 @@ def test_a_ball_without_room_is_told_soon(play: float, speed: float, said: str) 
     assert told.value.subject == "ball"
 
 
+def test_a_long_row_that_cannot_be_followed_is_told_soon() -> None:
+    """Each impact looked at all pairs of the row again: it took 10 s to be told."""
+    balls = {
+        f"ball{i}": disc((2 * i, 1), radius=1, restitution=0.5, velocity=[3 if i == 0 else 0, 0])
+        for i in range(300)
+    }
+    scene = level(balls, located(*balls))
+    start = process_time()
+    with pytest.raises(SimulationError, match="more than 500 impacts in one step"):
+        build(scene).advance()
+
+    assert process_time() - start < 4  # 1.2 s
+
+
 def test_a_ball_with_little_room_bounces_as_often_as_it_should() -> None:
     """1 mm of play, 20 m/s: 333 impacts in a 60th of a second."""
     world = build(between(1e-3, 20))

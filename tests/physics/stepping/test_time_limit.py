@@ -2,19 +2,21 @@
 
 import json
 from collections.abc import Iterator
+from functools import partial
 from itertools import accumulate
 
 import pytest
 
 from sandbox.model.crowd_levels import crowd
 from sandbox.model.loading import parse
+from sandbox.physics import run
 from sandbox.physics.measuring import recording
 from sandbox.physics.run import build, simulate
 from sandbox.physics.state.errors import SimulationError
 from sandbox.physics.stepping import time_limit
 from sandbox.physics.stepping.time_limit import Patience
 from sandbox.physics.stepping.world import World
-from tests.physics.scenes import GRAVITY, disc, level
+from tests.physics.scenes import GRAVITY, disc, floor, level
 
 FALL = level({"ball": disc((0, 0))}, GRAVITY)
 
@@ -87,3 +89,14 @@ def test_a_single_step_that_was_held_up_is_not_broken_off(monkeypatch: pytest.Mo
 
     with hasty.within_steps():
         hasty.advance(world)
+
+
+def test_the_start_of_a_run_is_broken_off_where_it_computes_for_too_long(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """150 elastic boxes that fly into each other took a minute to be built."""
+    monkeypatch.setattr(run, "Patience", partial(Patience, 0.0))
+    bodies = {"floor": floor(), "one": disc((0, 0.5)), "other": disc((0, 1.5))}
+
+    with pytest.raises(SimulationError, match=r"at t = 0 s: a step takes .* at most 0 s are"):
+        build(level(bodies, {**GRAVITY, "contact": {"solver": "direct"}}))

@@ -1,19 +1,18 @@
 """Conditions on the effects of a level."""
 
-from collections.abc import Iterator, Mapping, Sequence
-from functools import partial
-from math import dist
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from functools import cache, partial
+from math import dist, isfinite
 
 import numpy as np
 
 from sandbox.model.arithmetic import ExpressionError
-from sandbox.model.body import Body
 from sandbox.model.effects.attraction import Attraction
 from sandbox.model.effects.contract import Effect
 from sandbox.model.effects.field import Field
 from sandbox.model.effects.potential import Potential
 from sandbox.model.errors import brief
-from sandbox.model.expressions import Expression, NonNegative, Positive, Values
+from sandbox.model.expressions import Array, Expression, NonNegative, Positive, Values
 from sandbox.model.formulas import Function
 from sandbox.model.json_positions import Path
 from sandbox.model.level import Level
@@ -27,18 +26,40 @@ NEAR = 1e-9
 """The distance below which positions count as equal [m]."""
 
 
+class _Starts:
+    """The motion of some bodies at the start; the formulas of many fields ask for it."""
+
+    def __init__(self, level: Level, names: Iterable[str]) -> None:
+        self._bodies = {name: level.bodies[name] for name in names}
+        self.bodies = list(self._bodies)
+        motions = tuple((body.position, body.velocity) for body in self._bodies.values())
+        self.names = names_in(motions)
+        """The parameters and constants on which it depends."""
+        self._known: tuple[Values, Mapping[str, Array]] = {}, {}
+
+    def at(self, values: Values) -> Mapping[str, Array]:
+        """Return the variables of a field, an array over the bodies each."""
+        if values is not self._known[0] or not self._known[1]:
+            motions = [
+                (*evaluate(body.position, values), *evaluate(body.velocity, values), 0.0)
+                for body in self._bodies.values()
+            ]
+            columns = np.array(motions).reshape(-1, 5).T
+            self._known = values, dict(zip(("x", "y", "vx", "vy", "t"), columns, strict=True))
+        return self._known[1]
+
+
 def fields(level: Level) -> Iterator[Condition]:
-    """Yield the conditions that fields and potentials have a value where their bodies start."""
+    """Yield the conditions on the formulas of fields and potentials at the start."""
+    dynamic = tuple(name for name, body in level.bodies.items() if body.type == "dynamic")
+    starts = cache(partial(_Starts, level))
     for effect, place, said in level.effects.said:
         if effect.name not in ("field", "potential"):
             continue
-        dynamic = [name for name, body in level.bodies.items() if body.type == "dynamic"]
-        names = dynamic if said.bodies is None else said.bodies
-        bodies = {name: level.bodies[name] for name in names}
-        starts = names_in(tuple((b.position, b.velocity) for b in bodies.values()))
+        start = starts(dynamic if said.bodies is None else tuple(said.bodies))
         for path, formula in _formulas(said, place):
-            needed = frozenset((formula.names | starts) & level.parameters.keys())
-            yield Condition(path, needed, partial(_lost, formula, bodies), 20 * len(bodies))
+            needed = frozenset((formula.names | start.names) & level.parameters.keys())
+            yield Condition(path, needed, partial(_lost, formula, start), 20 * len(start.bodies))
 
 
 def _formulas(said: Field | Potential, place: Path) -> Iterator[tuple[Path, Function]]:
@@ -51,25 +72,24 @@ def _formulas(said: Field | Potential, place: Path) -> Iterator[tuple[Path, Func
         yield from (((*place, "energy"), formula) for formula in (energy, *slopes))
 
 
-def _lost(formula: Function, bodies: dict[str, Body], values: Values) -> Message | None:
+def _lost(formula: Function, start: _Starts, values: Values) -> Message | None:
     """Name the body at which it has no value, or too large a value."""
-    for name, body in bodies.items():
-        (x, y), (vx, vy) = evaluate(body.position, values), evaluate(body.velocity, values)
-        start = {"x": x, "y": y, "vx": vx, "vy": vy, "t": 0.0}
-        try:
-            found = float(formula.at(values, {n: np.asarray(v) for n, v in start.items()}))
-        except ExpressionError as error:
-            return error.message
-        shown = brief(str(formula.source))
-        if not np.isfinite(found):
+    try:
+        found = np.broadcast_to(formula.at(values, start.at(values)), len(start.bodies))
+    except ExpressionError as error:
+        return error.message
+    for name, value in zip(start.bodies, found.tolist(), strict=True):
+        if not isfinite(value):
             return Message(
-                "'{shown}' has no finite value where '{name}' starts", shown=shown, name=brief(name)
+                "'{shown}' has no finite value where '{name}' starts",
+                shown=brief(str(formula.source)),
+                name=brief(name),
             )
-        if beyond := formula.beyond(found):
+        if beyond := formula.beyond(value):
             return Message(
                 "'{shown}' is {found:g} where '{name}' starts, {beyond}",
-                shown=shown,
-                found=found,
+                shown=brief(str(formula.source)),
+                found=value,
                 name=brief(name),
                 beyond=beyond,
             )

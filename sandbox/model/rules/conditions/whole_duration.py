@@ -1,6 +1,6 @@
 """Formulas over time have a value for the whole run, and rods change their length gradually."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from functools import partial
 
 import numpy as np
@@ -19,8 +19,17 @@ from sandbox.model.rules.conditions.condition import Condition
 MOST = 1000
 """The most times at which a formula is evaluated; each step, if there are fewer."""
 
+FEW = 50
+"""The least of these times in a level with many such formulas."""
+
+SHARED = 100 * MOST
+"""The times of all formulas together above which each gets fewer."""
+
 HALVINGS = 40
 """The number of bisections of an interval in search of a jump."""
+
+SMOOTH = 10
+"""The number after which only intervals are bisected further in which a formula still changes."""
 
 JUMP = 1e-6
 """The change within a 10¹²th of a step from which a formula jumps, as a share of its range."""
@@ -32,19 +41,25 @@ STARTS = 1e-12
 """The tolerance of a motion's start, as a share, or in m or rad."""
 
 
+Times = Callable[[Values], Array]
+"""Returns the times at which formulas are evaluated [s]."""
+
+
 def conditions(level: Level) -> Iterator[Condition]:
     """Yield the conditions on the formulas over time in a scene."""
-    for path, formula in _formulas(level):
-        yield Condition(path, _names(formula, level), partial(_lost, formula, level), 50)
+    formulas = list(_formulas(level))
+    times = partial(_times, level, max(min(MOST, SHARED // max(len(formulas), 1)), FEW))
+    for path, formula in formulas:
+        yield Condition(path, _names(formula, level), partial(_lost, formula, times), 50)
     for name, joint in level.joints.items():
         if isinstance(joint, Rod) and joint.length and "t" in joint.length.names:
             path, names = ("joints", name, "length"), _names(joint.length, level)
-            yield Condition(path, names, partial(_gone, joint.length, level), 50)
-            yield Condition(path, names, partial(_jumps, LENGTH, joint.length, level), 3000)
+            yield Condition(path, names, partial(_gone, joint.length, times), 50)
+            yield Condition(path, names, partial(_jumps, LENGTH, joint.length, times), 1000)
     for path, formula in _motions(level):
         names = _names(formula, level)
         yield Condition(path, names, partial(_displaced, formula), 50)
-        yield Condition(path, names, partial(_jumps, MOTION, formula, level), 3000)
+        yield Condition(path, names, partial(_jumps, MOTION, formula, times), 1000)
 
 
 def _names(formula: Formula, level: Level) -> frozenset[str]:
@@ -69,15 +84,15 @@ def _motions(level: Level) -> Iterator[tuple[Path, Formula]]:
             yield (*path, "turn"), body.motion.turn
 
 
-def _times(level: Level, values: Values) -> Array:
+def _times(level: Level, most: int, values: Values) -> Array:
     duration, stepping = level.duration(values), level.stepping
-    steps = stepping.steps(min(duration, MOST / stepping.rate))
+    steps = stepping.steps(min(duration, most / stepping.rate))
     return np.linspace(0.0, duration, steps + 1)
 
 
-def _lost(formula: Formula, level: Level, values: Values) -> Message | None:
+def _lost(formula: Formula, at: Times, values: Values) -> Message | None:
     """Say when a formula first has no value, or too large a value."""
-    times = _times(level, values)
+    times = at(values)
     try:
         found = formula.over(values, times)
     except ExpressionError as error:
@@ -100,9 +115,9 @@ def _lost(formula: Formula, level: Level, values: Values) -> Message | None:
     return None
 
 
-def _gone(length: Formula, level: Level, values: Values) -> Message | None:
+def _gone(length: Formula, at: Times, values: Values) -> Message | None:
     """Say when the length of a rod is no longer positive."""
-    times = _times(level, values)
+    times = at(values)
     long = length.over(values, times)
     if not np.isfinite(long).all() or not (gone := long <= 0).any():
         return None  # values that are not finite have a condition of their own
@@ -127,22 +142,26 @@ def _displaced(formula: Formula, values: Values) -> Message | None:
     return None
 
 
-def _jumps(what: Message, formula: Formula, level: Level, values: Values) -> Message | None:
+def _jumps(what: Message, formula: Formula, at: Times, values: Values) -> Message | None:
     """Say when a length or a motion jumps."""
-    times = _times(level, values)
+    times = at(values)
     over = formula.over(values, times)
     if not np.isfinite(over).all() or "t" not in formula.names:
         return None
     start, end, at_start, at_end = times[:-1], times[1:], over[:-1], over[1:]
-    for _ in range(HALVINGS):
+    least = JUMP * np.abs(over).max()
+    for halving in range(HALVINGS):
         middle = (start + end) / 2
         half = formula.over(values, middle)
         later = np.abs(at_end - half) > np.abs(half - at_start)
         start, end = np.where(later, middle, start), np.where(later, end, middle)
         at_start, at_end = np.where(later, half, at_start), np.where(later, at_end, half)
+        if halving >= SMOOTH:
+            left = np.abs(at_end - at_start) > least
+            start, end, at_start, at_end = start[left], end[left], at_start[left], at_end[left]
+            if not len(start):
+                return None
     jump = np.abs(at_end - at_start)
-    if not jump.max() > JUMP * np.abs(over).max():
-        return None
     far, t = jump.max(), end[jump.argmax()]
     return Message(
         "{what} jumps by {far:.3g} {unit} at t = {t:.3g} s; it must change gradually",

@@ -10,6 +10,9 @@ from sandbox.model.message import Message, word
 from sandbox.model.quantities import ATTRIBUTES_OF_BODIES
 from sandbox.model.shapes import Arc, Area, Curve, Hoop, Line, Polygon, Polyline, Shape
 
+MAX_MOTIONS = 1000
+"""The most kinematic bodies with a motion: so many take 0.8 s to check."""
+
 MAX_SURFACES = 30_000
 """The most surfaces that may touch: pymunk takes more than 100 s to free 40,000 in a heap."""
 
@@ -162,6 +165,18 @@ def not_too_many(level: Level) -> Iterator[Fault]:
             "have {count:,} surfaces in all; at most {most:,} may touch",
             count=count,
             most=MAX_SURFACES,
+        )
+        yield Fault(("bodies",), rule)
+
+
+def not_too_many_motions(level: Level) -> Iterator[Fault]:
+    """Kinematic bodies have no more motions than can be looked through for jumps."""
+    count = sum(body.motion is not None for body in level.bodies.values())
+    if count > MAX_MOTIONS:
+        rule = Message(
+            "have {count:,} motions; at most {most:,} can be checked for jumps",
+            count=count,
+            most=MAX_MOTIONS,
         )
         yield Fault(("bodies",), rule)
 

@@ -52,6 +52,14 @@ WEDGED = Message(
     " does not yield; reduce their 'restitution' below 1, or give them room",
 )
 
+LARGE = 100
+"""The number of contacts above which singular values take more than ten times as long as Cholesky's
+factors, 18 ms of 400 contacts."""
+
+INDEPENDENT = 1e-4
+"""The ratio of the smallest to the largest of these factors above which contacts are clearly
+independent."""
+
 TINY = 1e-300
 
 
@@ -204,7 +212,7 @@ def pushes(delassus: Array, parting: Array) -> Array:
         active[worst] = True
         while True:
             now = np.flatnonzero(active)
-            wanted = np.linalg.lstsq(delassus[np.ix_(now, now)], -parting[now], rcond=None)[0]
+            wanted = _smallest(delassus[np.ix_(now, now)], -parting[now])
             if wanted.min() > 0:
                 impulse[now] = wanted
                 break
@@ -220,3 +228,15 @@ def pushes(delassus: Array, parting: Array) -> Array:
             if not active.any():
                 break
     return impulse
+
+
+def _smallest(delassus: Array, rates: Array) -> Array:
+    """Return the impulses that give some rates, the smallest if there are many: (k,) [N s]."""
+    if len(rates) > LARGE:
+        from scipy.linalg.lapack import dpotrf, dpotrs  # a tenth of a second, for those who need it
+
+        factor, wrong = dpotrf(delassus, lower=True)
+        size = factor.diagonal()
+        if not wrong and size.min() > INDEPENDENT * size.max():
+            return np.asarray(dpotrs(factor, rates, lower=True)[0])
+    return np.asarray(np.linalg.lstsq(delassus, rates, rcond=None)[0])

@@ -3,7 +3,7 @@
 Joints come and go while a scene runs; their equations and known forces are kept up to date.
 """
 
-from collections.abc import Sequence
+from collections.abc import Container, Sequence
 
 import numpy as np
 
@@ -62,13 +62,19 @@ class ConstraintForces(JointSystem):
         self._lay_out((*old.rows, *rows), (*old.others, *others))
         self._struck = True
 
-    def keep(self, t: float) -> None:
-        """Let the equations added since the last kick keep their present values, at a time [s]."""
-        self.length[self.added] += self._off(t)[self.added]
+    def keep(self, joints: Container[str], t: float) -> None:
+        """Let the equations of some joints keep their present values, at a time [s]."""
+        kept = [row for row, joint in enumerate(self._joints) if joint in joints]
+        self.length[kept] += self._off(t)[kept]
 
-    def beyond(self, t: float) -> float:
-        """Return the largest excess length of the equations added, at a time [s]: [m, rad]."""
-        return float(self._off(t)[self.added].max(initial=0.0))
+    def beyond(self, joints: Container[str], t: float) -> tuple[str, float]:
+        """Return the largest excess length among some joints at a time [s], and whose it is.
+
+        The excess is in m or rad; it is 0, and the name empty, if there is none.
+        """
+        off = zip(self._off(t).tolist(), self._joints, strict=True)
+        excess, joint = max((found for found in off if found[1] in joints), default=(0.0, ""))
+        return joint, max(excess, 0.0)
 
     def _off(self, t: float) -> Array:
         """Return the residuals of the equations at a time [s]: (m,) [m, rad]."""

@@ -272,7 +272,7 @@ class Acting:
                 switch.turn(t, on=changed in tie or changed in on)
         if reverse and scene.gates:
             scene.gates.reverse(reverse)
-        if sum(catch(scene.joints, joint, t) for joint in tie):
+        if catch(scene.joints, tie, t):
             impact = borne_jolt(scene, t, self._borne, self._dt, partial(jolt, scene, t))
             self._jolts.append(impact)
             assert scene.joints.together
