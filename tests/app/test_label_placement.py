@@ -196,7 +196,7 @@ def test_no_label_lies_over_a_ruler(pen: Pen, monkeypatch: pytest.MonkeyPatch) -
     stage.view.looking, stage.asked = session.looking, "forces"
     stage.draw(pygame.Surface((400, 400)), session.trail)
 
-    assert len(places) == 2  # of three, as the stone is at the edge
+    assert len(places) == 3
     assert min(place.left for place in places) >= stage.view.labels.bounds.left > 12
     assert max(place.bottom for place in places) <= stage.view.labels.bounds.bottom < 400
 
@@ -250,7 +250,7 @@ def test_names_keep_off_the_posts_of_a_trebuchet(pen: Pen, monkeypatch: pytest.M
         for side in pairwise([*corners, corners[0]])
     ]
     assert len(posts) > 2
-    assert len(places) == 2  # of three, as the stone is at the edge
+    assert len(places) == 3
     assert not any(place.clipline(side) for place in places for side in sides)
 
 
