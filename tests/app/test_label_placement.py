@@ -250,7 +250,7 @@ def test_names_keep_off_the_posts_of_a_trebuchet(pen: Pen, monkeypatch: pytest.M
         for side in pairwise([*corners, corners[0]])
     ]
     assert len(posts) > 2
-    assert len(places) == 3
+    assert len(places) == 2  # of three, as the stone is at the edge
     assert not any(place.clipline(side) for place in places for side in sides)
 
 

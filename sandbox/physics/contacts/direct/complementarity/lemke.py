@@ -31,6 +31,10 @@ GONE = 1e-13
 """The share of its first value below which the artificial variable counts as 0: all conditions then
 hold, even if it is still in the basis."""
 
+NEARLY = 1e-9
+"""The same where no row is left that limits the next variable: rounding decides whether the one of
+the artificial variable is. Whoever asked checks the conditions."""
+
 
 def lemke(matrix: Array, offset: Array) -> Array | None:
     """Return z, (n,), for M, (n, n), and q, (n,), as above; None if none is found."""
@@ -43,18 +47,19 @@ def lemke(matrix: Array, offset: Array) -> Array | None:
     artificial = 2 * count
     place = np.arange(-count, count + 1)  # of each variable's column, while it is not in the basis
     entering, row = artificial, int(np.argmin(offset / cover))
-    its_row, gone = row, GONE * float((-offset / cover).max())
+    its_row, first_value = row, float((-offset / cover).max())
     for _ in range(min(PIVOTS * count, int(WORK / count**2))):
         cancellation_point()
         leaving = int(basis[row])
         _pivot(table, row, int(place[entering]))
         basis[row], place[leaving] = entering, place[entering]
-        if leaving == artificial or table[its_row, -1] <= gone:
+        if leaving == artificial or table[its_row, -1] <= GONE * first_value:
             return _read(table, basis, count)
         entering = leaving + count if leaving < count else leaving - count
         found = _ratio(table, int(place[entering]), basis, artificial)
         if found is None:
-            return None
+            nearly = table[its_row, -1] <= NEARLY * first_value
+            return _read(table, basis, count) if nearly else None
         row = found
     return None
 

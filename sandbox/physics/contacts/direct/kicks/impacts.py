@@ -1,5 +1,7 @@
 """The impacts of a step, solved together with the joints that take part."""
 
+from collections.abc import Callable
+
 import numpy as np
 
 from sandbox.model.expressions import Array
@@ -18,6 +20,10 @@ ROUNDING = 1e-9
 """The share of the speeds of two bodies, and of the velocity change in a step, below which their
 approach is rounding."""
 
+PRESSED = 1e-12
+"""The same as a share of the velocity changes by all impulses on a body in a step, added up without
+their signs."""
+
 EXACT = 1e-12
 """The share of the work of impacts that counts as rounding."""
 
@@ -25,11 +31,14 @@ HALVINGS = 50
 """The bisections in the search for the largest rebound that adds no energy."""
 
 
-def struck(kick: Kick, came: Array, acts: Array, change: Array) -> Booleans:
+def struck(
+    kick: Kick, came: Array, acts: Array, change: Array, pushed: Callable[[], Array]
+) -> Booleans:
     """Return which gaps close faster than forces within a step explain: (k,).
 
     `came`, (3 N,), are the velocities at the step; `acts` and `change`, (3 N,), are the velocity
-    changes by forces in a step, and in the last step [m/s, rad/s].
+    changes by forces in a step, and in the last step [m/s, rad/s]. `pushed` returns the impulses of
+    a step, (r,): on a light body between heavy ones they cancel, but their rounding does not.
     """
     jacobian = kick.here.jacobian[kick.layout.gaps]
     rates = np.array((came, acts, change)).dot(jacobian.T)
@@ -40,7 +49,12 @@ def struck(kick: Kick, came: Array, acts: Array, change: Array) -> Booleans:
     far: Booleans = closing < -gives
     if not np.count_nonzero(far):  # bodies at rest need no closer look
         return far
-    allowed = gives + _rounding(kick, np.abs(came) + np.abs(acts))
+    swift = np.abs(came) + np.abs(acts)
+    far = closing < -(gives + _rounding(kick, swift))
+    if not np.count_nonzero(far):
+        return far
+    presses = PRESSED / ROUNDING * (np.abs(pushed()) @ np.abs(kick.response))
+    allowed = gives + _rounding(kick, swift + presses)
     return np.asarray(closing < -allowed)
 
 

@@ -38,7 +38,11 @@ def take(kick: Kick, start: Beginning, known: WarmStart, *, placed: bool = False
     """
     velocity, acceleration, lead = start.velocity, start.acceleration, start.lead
     at_step, acts = velocity + acceleration * lead, acceleration * start.step
-    strikes = impacts.struck(kick, at_step, acts, start.change)
+
+    def pushed() -> Array:
+        return known.guess(kick, at_step, start.step)[0]
+
+    strikes = impacts.struck(kick, at_step, acts, start.change, pushed)
     if not (np.count_nonzero(strikes) or np.count_nonzero(kick.joints.added)):
         return _onwards(kick, start, velocity, kick.joints.kick, known, placed=placed)
     places = order(len(velocity) // 3 - 1)

@@ -43,6 +43,10 @@ LOOKS = 30
 """The most times that a drift is followed to its end: in a rocking stack each time finds one more
 box."""
 
+WIDE = 1e-3
+"""The distance of the two points of a side, as a share of the smaller body, from which on both ends
+of it touch."""
+
 LITTLE = 0.1
 """The share of its energy that a rebound keeps at most if it may be left out."""
 
@@ -205,7 +209,10 @@ class SpeculativeContacts:
             far |= slides & (np.abs(plane[a] - plane[b]) + turned > LEAST)
         if not np.count_nonzero(far):
             return []
-        whole = (contacts.touches == 2) & single[a] & single[b]
+        # where sides of equal height meet at a small angle, both points are at the same end
+        apart = np.abs(np.diff(contacts.points, axis=1)[:, 0]).max(axis=1)
+        wide = apart > WIDE * np.minimum(reach[a], reach[b])
+        whole = (contacts.touches == 2) & wide & single[a] & single[b]
         turns = (far & self._looks[a, b] & ~whole).tolist()
         pairs = pairs_of(contacts)
         return sorted({pair for pair, looks in zip(pairs, turns, strict=True) if looks})
